@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Euler's method: along the tangent.
+#pragma once
+#include <type_traits>
+
+namespace integrate {
+
+// [step]
+/// One step of Euler's method: position and velocity both move along the tangent at the start.
+///
+/// Order 1, one evaluation of the acceleration, stable on drag while c*h < 2, on a damped spring
+/// (zeta <= 1) while h*omega < 2*zeta, never on an undamped one.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @see L. Euler, Institutionum calculi integralis, volume 1 (1768), chapter 7
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
+  static_assert(std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>,
+                "acceleration must be callable as Vec(x, v, t)");
+  const Vec a = acceleration(x, v, t);
+  x = x + h * v;
+  v = v + h * a;
+}
+// [step]
+
+}  // namespace integrate

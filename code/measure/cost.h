@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What a step costs: evaluations of the acceleration, and time.
+#pragma once
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "measure/error.h"
+
+namespace measure {
+
+/// A scene that counts how often it is asked for its acceleration.
+template <class Scene>
+struct Counted {
+  Scene scene;                   ///< the scene that answers
+  mutable long evaluations = 0;  ///< how often it was asked
+
+  /// The acceleration of the scene.
+  template <class Vec, class Time>
+  Vec operator()(const Vec& x, const Vec& v, Time t) const {
+    ++evaluations;
+    return scene(x, v, t);
+  }
+};
+
+/// Evaluations of the acceleration in one step.
+/// @param step  a method, called as `step(x, v, t, h, scene)`
+/// @param scene  has `start()`
+/// @param h  step size [s]
+template <class Step, class Scene>
+long evaluations_per_step(Step step, const Scene& scene, double h) {
+  const Counted<Scene> counted{scene};
+  auto s = scene.start();
+  step(s.x, s.v, 0.0, h, counted);
+  return counted.evaluations;
+}
+
+/// Time of one step on this machine, the best of several runs [s].
+/// @param step  a method, called as `step(x, v, t, h, scene)`
+/// @param scene  has `start()`
+/// @param h  step size [s]; small enough that the run stays finite
+template <class Step, class Scene>
+double seconds_per_step(Step step, const Scene& scene, double h) {
+  using Clock = std::chrono::steady_clock;
+  constexpr long steps = 200'000;
+  double best = INFINITY;
+  for (int round = 0; round < 9; ++round) {
+    const auto begin = Clock::now();
+    const volatile auto end = length(after(step, scene, scene.start(), h, steps).x);
+    (void)end;
+    const std::chrono::duration<double> elapsed = Clock::now() - begin;
+    best = std::min(best, elapsed.count() / steps);
+  }
+  return best;
+}
+
+}  // namespace measure

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// How far a run strays from the exact solution of its scene.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "measure/run.h"
+
+namespace measure {
+
+/// The length of a vector, or the size of a number.
+template <class Vec>
+auto length(const Vec& x) {
+  if constexpr (std::is_arithmetic_v<Vec>) {
+    return std::abs(x);
+  } else {
+    return x.norm();
+  }
+}
+
+/// The two errors of a run.
+struct Error {
+  double position = 0;  ///< [units of x]
+  double velocity = 0;  ///< [units of x per s]
+};
+
+// [largest]
+/// The largest distance from the exact solution that a run shows at any of its steps.
+///
+/// The largest and not the last: at one instant an error can pass through zero by luck.
+///
+/// @param step  a method, called as `step(x, v, t, h, scene)`
+/// @param scene  has `start()` and `exact(t)`
+/// @param h  step size [s]
+/// @param steps  how many steps
+template <class Step, class Scene, class Real>
+Error largest_error(Step step, const Scene& scene, Real h, long steps) {
+  Error largest;
+  auto s = scene.start();
+  run(step, scene, s, h, steps, [&](Real t, const auto& now) {
+    const auto truth = scene.exact(t);
+    largest.position = std::max<double>(largest.position, length<decltype(now.x)>(now.x - truth.x));
+    largest.velocity = std::max<double>(largest.velocity, length(now.v - truth.v));
+  });
+  return largest;
+}
+// [largest]
+
+}  // namespace measure

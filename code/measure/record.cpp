@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT-0
+#include "measure/record.h"
+
+#include <unistd.h>
+
+#include <cassert>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+
+namespace measure {
+namespace {
+
+using std::filesystem::path;
+
+std::string shortest(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string join(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) line += (&cell == &cells.front() ? "" : ",") + cell;
+  return line + "\n";
+}
+
+std::string text(const Cell& cell) {
+  return std::holds_alternative<double>(cell) ? shortest(std::get<double>(cell))
+                                              : std::get<std::string>(cell);
+}
+
+bool is_text(const Table& table, std::size_t column) {
+  return !table.rows.empty() && std::holds_alternative<std::string>(table.rows[0][column]);
+}
+
+std::string csv(const Table& table) {
+  std::vector<std::string> names;
+  for (const Column& column : table.columns) names.push_back(column.name);
+  std::string lines = join(names);
+  for (const auto& row : table.rows) {
+    std::vector<std::string> cells;
+    for (const Cell& cell : row) cells.push_back(text(cell));
+    lines += join(cells);
+  }
+  return lines;
+}
+
+std::runtime_error failure(const path& file) {
+  return std::runtime_error("can't write " + file.string() + ": " + std::strerror(errno));
+}
+
+path part(const path& file) {
+  return file.string() + ".part";
+}
+
+void write_part(const path& file, const std::string& lines) {
+  std::ofstream out(part(file), std::ios::binary);
+  out << lines << std::flush;
+  if (!out) throw failure(file);
+}
+
+}  // namespace
+
+void Table::add(std::vector<Cell> row) {
+  assert(row.size() == columns.size());
+  rows.push_back(std::move(row));
+}
+
+void Record::number(std::string name, double value, int digits, std::string unit) {
+  numbers_.push_back({std::move(name), value, digits, std::move(unit)});
+}
+
+Table& Record::table(std::string name, std::vector<Column> columns) {
+  return tables_.emplace_back(Table{std::move(name), std::move(columns), {}});
+}
+
+void Record::write(const path& folder) const {
+  std::map<path, std::string> files;
+  std::string& numbers = files[folder / "numbers.csv"] = "name,value,unit,digits\n";
+  std::string& columns = files[folder / "tables.csv"] = "table,column,unit,digits\n";
+  for (const Number& n : numbers_) {
+    numbers += join({n.name, shortest(n.value), n.unit, std::to_string(n.digits)});
+  }
+  for (const Table& table : tables_) {
+    files[folder / (table.name + ".csv")] = csv(table);
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      const Column& column = table.columns[i];
+      const std::string digits = is_text(table, i) ? "text" : std::to_string(column.digits);
+      columns += join({table.name, column.name, column.unit, digits});
+    }
+  }
+  try {
+    for (const auto& [file, lines] : files) write_part(file, lines);
+    for (const auto& [file, lines] : files) std::filesystem::rename(part(file), file);
+  } catch (...) {
+    std::error_code ignored;
+    for (const auto& [file, lines] : files) std::filesystem::remove(part(file), ignored);
+    throw;
+  }
+}
+
+void Record::print() const {
+  for (const Number& n : numbers_) {
+    const int digits = n.digits == whole ? 15 : n.digits;
+    std::printf("%-40s %.*g %s\n", n.name.c_str(), digits, n.value, n.unit.c_str());
+  }
+  for (const Table& table : tables_) {
+    std::printf("table %-34s %zu rows\n", table.name.c_str(), table.rows.size());
+  }
+}
+
+int record(int argc, char** argv, const std::function<void(Record&)>& fill) {
+  const std::string program = path(argv[0]).filename();
+  if (argc > 2 || (argc == 2 && argv[1][0] == '-')) {
+    std::fprintf(stderr, "%s: don't know '%s'; usage: %s [FOLDER]\n", program.c_str(),
+                 argv[argc > 2 ? 2 : 1], program.c_str());
+    return 2;
+  }
+  if (argc == 2 && access(argv[1], W_OK | X_OK) != 0) {
+    std::fprintf(stderr, "%s: can't write to '%s': %s; name a folder that exists\n",
+                 program.c_str(), argv[1], std::strerror(errno));
+    return 2;
+  }
+  Record found;
+  fill(found);
+  if (argc == 1) {
+    found.print();
+    return 0;
+  }
+  try {
+    found.write(argv[1]);
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "%s: %s\n", program.c_str(), problem.what());
+    return 2;
+  }
+  return 0;
+}
+
+}  // namespace measure

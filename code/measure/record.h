@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Keeps what a program found, and writes it where the book finds it.
+#pragma once
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace measure {
+
+/// Digits of a count: print all of them.
+inline constexpr int whole = 0;
+
+/// One column of a table: its name, its unit, and how many significant digits the book shows.
+struct Column {
+  std::string name;
+  std::string unit = "";
+  int digits = 3;  ///< `whole` for a count
+};
+
+/// One cell of a table: a number or a word.
+using Cell = std::variant<double, std::string>;
+
+/// A table of measured values.
+struct Table {
+  std::string name;
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows;
+
+  /// Adds a row; it must have as many cells as the table has columns.
+  void add(std::vector<Cell> row);
+};
+
+/// One measured value that a sentence of the book quotes.
+struct Number {
+  std::string name;
+  double value = 0;
+  int digits = 3;  ///< significant digits that the book shows; `whole` for a count
+  std::string unit;
+};
+
+/// What one program found: numbers for its sentences, tables for its figures.
+class Record {
+ public:
+  /// Keeps a number. Names are unique in a program.
+  void number(std::string name, double value, int digits, std::string unit = "");
+
+  /// Starts a table, written as NAME.csv. The reference stays good.
+  Table& table(std::string name, std::vector<Column> columns);
+
+  /// Writes numbers.csv, tables.csv and one file for each table, all of them or none.
+  ///
+  /// Every file is written beside its place and then renamed.
+  ///
+  /// @param folder  must exist
+  /// @throws std::runtime_error  one line that says which file could not be written, and why
+  void write(const std::filesystem::path& folder) const;
+
+  /// Prints the numbers, and what tables there are.
+  void print() const;
+
+ private:
+  std::vector<Number> numbers_;
+  std::deque<Table> tables_;
+};
+
+/// The whole of a chapter program's `main`: `program` prints what it found, `program FOLDER` writes
+/// it.
+///
+/// @param argc  from main
+/// @param argv  from main
+/// @param fill  does the work and keeps what it found
+/// @returns 0, or 2 for arguments that it doesn't know and for a folder that it can't write to,
+///          after one line on stderr
+int record(int argc, char** argv, const std::function<void(Record&)>& fill);
+
+}  // namespace measure
