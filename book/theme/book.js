@@ -1,0 +1,170 @@
+// What a page of the book can do: search, light and dark, copying code, showing values. Works from disk, without a server.
+(function () {
+  'use strict';
+  const all = (selector, root = document) => [...root.querySelectorAll(selector)];
+  const root = document.documentElement;
+
+  for (const button of all('.theme')) {
+    button.addEventListener('click', () => {
+      const dark = root.dataset.theme ? root.dataset.theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+      root.dataset.theme = dark ? 'light' : 'dark';
+      try { localStorage.setItem('theme', root.dataset.theme); } catch { /* a browser may forbid it; the choice then lasts for this page */ }
+      document.dispatchEvent(new Event('themechange'));
+    });
+  }
+
+  for (const button of all('.menu')) {
+    button.addEventListener('click', () => button.setAttribute('aria-expanded', button.closest('.side').classList.toggle('open')));
+  }
+
+  // Line numbers are drawn by the style sheet, so the text that is copied has none.
+  for (const box of all('.listing, .codebox')) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'copy';
+    button.textContent = 'Copy';
+    button.addEventListener('click', () => {
+      copy(box.querySelector('pre').textContent);
+      button.textContent = 'Copied';
+      setTimeout(() => { button.textContent = 'Copy'; }, 1200);
+    });
+    (box.querySelector('figcaption') ?? box).append(button);
+  }
+
+  function copy(text) {
+    if (navigator.clipboard && window.isSecureContext) { navigator.clipboard.writeText(text).catch(() => copyBySelection(text)); return; }
+    copyBySelection(text);
+  }
+
+  function copyBySelection(text) {
+    const area = document.createElement('textarea');
+    area.value = text;
+    area.style.position = 'fixed';
+    document.body.append(area);
+    area.select();
+    document.execCommand('copy');
+    area.remove();
+  }
+
+  // What scrolls sideways can be reached by keyboard, and only that.
+  function markScrollers() {
+    for (const e of all('pre, .math-block, .tablescroll')) {
+      if (e.scrollWidth > e.clientWidth) e.tabIndex = 0; else e.removeAttribute('tabindex');
+    }
+  }
+  markScrollers();
+  addEventListener('resize', markScrollers);
+  document.fonts.ready.then(markScrollers);
+
+  addEventListener('beforeprint', () => { for (const details of all('details')) details.open = true; });
+
+  // The section in view, at the right
+  const links = all('.onpage a');
+  if (links.length) {
+    const byId = new Map(links.map(a => [decodeURIComponent(a.hash.slice(1)), a]));
+    const observer = new IntersectionObserver(entries => {
+      for (const entry of entries) {
+        if (!entry.isIntersecting) continue;
+        for (const a of links) a.classList.toggle('here', a === byId.get(entry.target.id));
+      }
+    }, { rootMargin: '0px 0px -70% 0px' });
+    for (const id of byId.keys()) {
+      const heading = document.getElementById(id);
+      if (heading) observer.observe(heading);
+    }
+  }
+
+  // Values of numbers, claims and points of a figure: under the mouse, or where a finger touches
+  const tip = document.createElement('div');
+  tip.className = 'tip';
+  tip.hidden = true;
+  tip.setAttribute('role', 'status');
+  document.body.append(tip);
+  function showTip(event) {
+    const owner = event.target.closest?.('[data-tip]');
+    tip.hidden = !owner;
+    if (!owner) return;
+    tip.textContent = owner.dataset.tip;
+    const at = owner.getBoundingClientRect();
+    const left = at.left + at.width / 2 - tip.offsetWidth / 2;
+    tip.style.left = `${Math.max(8, Math.min(innerWidth - tip.offsetWidth - 8, left))}px`;
+    tip.style.top = at.top - tip.offsetHeight - 8 > 0 ? `${at.top - tip.offsetHeight - 8}px` : `${at.bottom + 8}px`;
+  }
+  document.addEventListener('pointerover', showTip);
+  document.addEventListener('pointerdown', showTip);
+  document.addEventListener('focusin', showTip);
+  addEventListener('scroll', () => { tip.hidden = true; }, { passive: true });
+
+  // Search: the index is fetched with the first key, as a script, since a page on disk can fetch nothing else
+  const box = document.querySelector('.search input');
+  const list = document.querySelector('.search ul');
+  let index;
+  const load = src => new Promise((done, failed) => {
+    const script = document.createElement('script');
+    script.src = src;
+    script.onload = done;
+    script.onerror = failed;
+    document.head.append(script);
+  });
+  function openIndex() {
+    index ??= Promise.all([load('minisearch.js'), load('search-index.js')]).then(() => {
+      const search = new window.MiniSearch({
+        fields: ['title', 'text'], storeFields: ['title', 'place', 'url', 'text'],
+        searchOptions: { boost: { title: 3 }, prefix: true, combineWith: 'AND', fuzzy: term => (term.length > 5 ? 0.15 : 0) },
+      });
+      search.addAll(window.BOOK_SEARCH);
+      return search;
+    });
+    return index;
+  }
+
+  function element(tag, text, className) {
+    const e = document.createElement(tag);
+    if (text) e.textContent = text;
+    if (className) e.className = className;
+    return e;
+  }
+
+  // A piece of the text around the first word found, with all found words marked
+  function excerpt({ text, terms }) {
+    const words = terms.filter(term => text.toLowerCase().includes(term));
+    const small = element('small');
+    if (!words.length) return small;
+    const at = Math.max(0, text.toLowerCase().indexOf(words[0]) - 40);
+    const start = at ? text.indexOf(' ', at) + 1 : 0;
+    const pattern = new RegExp(`(${words.map(w => w.replace(/[^\w\s]/g, '\\$&')).join('|')})`, 'i');
+    small.append(at ? '… ' : '');
+    text.slice(start, start + 110).split(pattern).forEach((part, i) => small.append(i % 2 ? element('mark', part) : part));
+    return small;
+  }
+
+  async function search() {
+    const query = box.value.trim();
+    list.hidden = query.length < 2;
+    if (list.hidden) { list.replaceChildren(); return; }
+    const hits = (await openIndex()).search(query).slice(0, 12);
+    if (query !== box.value.trim()) return;
+    list.replaceChildren(...hits.map(hit => {
+      const a = element('a');
+      a.href = hit.url;
+      a.append(element('span', hit.title), hit.place ? element('small', hit.place) : '', excerpt(hit));
+      const item = element('li');
+      item.append(a);
+      return item;
+    }));
+    if (!hits.length) list.append(element('li', 'Nothing found.', 'none'));
+  }
+
+  if (box) {
+    box.addEventListener('focus', openIndex, { once: true });
+    box.addEventListener('input', search);
+    addEventListener('keydown', event => {
+      if (event.key === '/' && !/input|textarea/i.test(document.activeElement.tagName)) {
+        event.preventDefault();
+        box.closest('.side').classList.add('open');
+        box.focus();
+      }
+      if (event.key === 'Escape' && document.activeElement === box) { box.value = ''; search(); }
+    });
+  }
+})();

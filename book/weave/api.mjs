@@ -1,0 +1,85 @@
+// What Doxygen knows about code/: namespaces, structs and their members, with an address in the book for each.
+import { existsSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { fromSource } from './claims.mjs';
+import { NAMESPACES } from './namespaces.mjs';
+import { slug } from './text.mjs';
+import { loadXml, plainText } from './xml.mjs';
+
+const TYPES = ['struct', 'class', 'concept'];
+
+export function readApi(xml, source) {
+  const api = { compounds: new Map(), hrefs: new Map(), names: new Map() };
+  for (const file of existsSync(xml) ? readdirSync(xml).sort() : []) {
+    if (!/^(namespace|struct|class|concept).*\.xml$/.test(file)) continue;
+    const $ = loadXml(join(xml, file));
+    $('doxygen > compounddef').each((_, e) => { addCompound(api, $, e, source); });
+  }
+  api.namespaces = NAMESPACES.map(n => ({ ...n, compound: api.compounds.get(n.name) })).filter(n => n.compound);
+  return api;
+}
+
+const child = (e, name) => e.children.find(c => c.name === name);
+const children = (e, name) => e.children.filter(c => c.name === name);
+const textOf = e => (e ? plainText(e).replace(/\s+/g, ' ').trim() : '');
+
+function addCompound(api, $, e, source) {
+  const name = textOf(child(e, 'compoundname'));
+  const { kind, id } = e.attribs;
+  if (/\bdetail\b/.test(name) || !NAMESPACES.some(n => name === n.name || name.startsWith(`${n.name}::`))) return;
+  const href = `${name.replace(/<.*/, '').split('::').map(part => slug(part.replace(/([a-z])([A-Z])/g, '$1-$2'))).join('-')}.html`;
+  const compound = { kind, name, href, ...description(e, source), templates: templates(e), members: [], inner: children(e, 'innerclass').map(textOf) };
+  compound.isType = TYPES.includes(kind);
+  compound.initializer = textOf(child(e, 'initializer'));
+  api.compounds.set(name, compound);
+  api.hrefs.set(id, href);
+  api.names.set(name, { href, isType: compound.isType });
+  const anchors = new Map();
+  for (const member of $(e).find('> sectiondef > memberdef').get()) addMember(api, compound, member, source, anchors);
+}
+
+function addMember(api, compound, e, source, anchors) {
+  if (e.attribs.prot === 'private' || e.attribs.kind === 'friend') return;
+  const name = textOf(child(e, 'name'));
+  const base = slug(name.replace('operator()', 'call')) || 'operator';
+  anchors.set(base, (anchors.get(base) ?? 0) + 1);
+  const anchor = anchors.get(base) > 1 ? `${base}-${anchors.get(base)}` : base;
+  const member = {
+    kind: e.attribs.kind, name, anchor, href: `${compound.href}#${anchor}`, ...description(e, source),
+    templates: templates(e), type: textOf(child(e, 'type')), initializer: textOf(child(e, 'initializer')),
+    parameters: children(e, 'param').map(parameter), suffix: textOf(child(e, 'argsstring')).replace(/^\(.*\)/, ''),
+    documented: false,
+  };
+  member.documented = Boolean(textOf(member.brief) || textOf(member.details));
+  compound.members.push(member);
+  api.hrefs.set(e.attribs.id, member.href);
+  const qualified = `${compound.name}::${name}`;
+  if (!api.names.has(qualified)) api.names.set(qualified, { href: member.href, isType: false, file: member.file });
+}
+
+function description(e, source) {
+  const location = child(e, 'location')?.attribs ?? {};
+  return {
+    brief: child(e, 'briefdescription'), details: child(e, 'detaileddescription'),
+    file: fromSource(source, location.file ?? ''), line: Number(location.line ?? 0),
+  };
+}
+
+const parameter = e => ({
+  type: textOf(child(e, 'type')), name: textOf(child(e, 'declname')), value: textOf(child(e, 'defval')),
+});
+
+const templates = e => children(child(e, 'templateparamlist') ?? { children: [] }, 'param').map(parameter);
+
+// How code refers to the API: a full name always, a bare name if it is a type's, or if the file itself declares it.
+export function linker(api, file = '') {
+  const bare = new Map();
+  for (const [name, target] of api.names) {
+    const own = name.split('::').at(-1);
+    if (target.isType) bare.set(own, bare.has(own) ? null : target.href);
+  }
+  for (const [name, target] of api.names) {
+    if (file && target.file === file && name.split('::').length === 2) bare.set(name.split('::')[1], target.href);
+  }
+  return name => (name.includes('::') ? api.names.get(name)?.href : bare.get(name)) ?? null;
+}

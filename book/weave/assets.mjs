@@ -1,0 +1,47 @@
+// Style sheet, scripts, fonts and data files that lie beside the pages.
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const require = createRequire(import.meta.url);
+const theme = fileURLToPath(new URL('../theme/', import.meta.url));
+const packageFolder = name => dirname(require.resolve(`${name}/package.json`));
+
+const FONTS = [
+  ['@fontsource-variable/source-serif-4', 'source-serif-4', ['latin-wght-normal', 'latin-wght-italic', 'greek-wght-normal', 'greek-wght-italic']],
+  ['@fontsource-variable/inter', 'inter', ['latin-wght-normal', 'greek-wght-normal']],
+  ['@fontsource-variable/jetbrains-mono', 'jetbrains-mono', ['latin-wght-normal', 'greek-wght-normal']],
+];
+
+export function copyAssets(book, out) {
+  for (const file of ['book.css', 'book.js']) copyFileSync(join(theme, file), join(out, file));
+  copyFileSync(join(dirname(require.resolve('minisearch')), '../umd/index.js'), join(out, 'minisearch.js'));
+  copyFonts(join(out, 'fonts'));
+  copyKatex(join(out, 'katex'));
+  for (const chapter of book.chapters.values()) copyData(chapter, join(out, 'data', chapter.name));
+}
+
+function copyFonts(folder) {
+  mkdirSync(folder, { recursive: true });
+  for (const [name, file, faces] of FONTS) {
+    const from = packageFolder(name);
+    for (const face of faces) copyFileSync(join(from, 'files', `${file}-${face}.woff2`), join(folder, `${file}-${face}.woff2`));
+    copyFileSync(join(from, 'LICENSE'), join(folder, `${file}-LICENSE.txt`));
+  }
+}
+
+// The older font formats are for browsers that could not show the rest of the page either.
+function copyKatex(folder) {
+  const from = join(packageFolder('katex'), 'dist');
+  mkdirSync(join(folder, 'fonts'), { recursive: true });
+  const css = readFileSync(join(from, 'katex.min.css'), 'utf8').replace(/,url\([^)]*\.(woff|ttf)\) format\("[^"]*"\)/g, '');
+  writeFileSync(join(folder, 'katex.css'), css);
+  for (const file of readdirSync(join(from, 'fonts'))) if (file.endsWith('.woff2')) copyFileSync(join(from, 'fonts', file), join(folder, 'fonts', file));
+}
+
+function copyData(chapter, folder) {
+  if (!existsSync(chapter.data)) return;
+  mkdirSync(folder, { recursive: true });
+  for (const file of readdirSync(chapter.data)) if (file.endsWith('.csv')) copyFileSync(join(chapter.data, file), join(folder, file));
+}

@@ -1,0 +1,40 @@
+// What the marks that stand alone become: listings, fences, displayed formulas, rows of a table, the list of chapters.
+import { highlightLines, languageOf } from './highlight.mjs';
+import { linker } from './api.mjs';
+import { sourceHref } from './source-pages.mjs';
+import { tableHtml } from './tables.mjs';
+import { escapeHtml, smarten } from './text.mjs';
+
+export function blockHtml(context, piece) {
+  return { listing, fence, display, rows, contents }[piece.name](context, piece);
+}
+
+export function codeLines(lines, numbers, id = () => '') {
+  return lines.map((line, i) => `<span class="ln"${id(numbers[i])} data-n="${numbers[i]}"></span>${line}`).join('\n');
+}
+
+function listing({ book, hold }, piece) {
+  const [path, , caption = ''] = piece.args;
+  const { lines } = piece.snippet;
+  const html = highlightLines(lines.map(l => l.text).join('\n'), 'cpp', linker(book.api, path));
+  const numbers = lines.map(l => l.number);
+  const words = caption && `<span class="caption">${escapeHtml(smarten(caption))}</span>`;
+  return `<figure class="listing" id="${piece.id}"><figcaption><span class="num">Listing ${piece.number}</span>${words}`
+    + `<a class="file" href="${sourceHref(path)}#L${numbers[0]}">${escapeHtml(path)}</a></figcaption>`
+    + `<pre><code>${hold(codeLines(html, numbers))}</code></pre></figure>`;
+}
+
+function fence({ hold }, { language, code }) {
+  const kind = languageOf(language) === 'bash' ? ' shell' : '';
+  return `<div class="codebox${kind}"><pre><code>${hold(highlightLines(code, language).join('\n'))}</code></pre></div>`;
+}
+
+const display = ({ hold }, piece) => `<div class="math-block">${hold(piece.html)}</div>`;
+
+const rows = (_, piece) => `<div class="tablescroll">${tableHtml(piece.table)}</div>`;
+
+function contents({ book }) {
+  const items = [...book.chapters.values()].map(chapter =>
+    `<li><a href="${chapter.href}"><span class="no">${chapter.number}</span><span class="title">${escapeHtml(smarten(chapter.title))}</span></a></li>`);
+  return `<ol class="contents">\n${items.join('\n')}\n</ol>`;
+}

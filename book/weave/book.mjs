@@ -1,0 +1,82 @@
+// Everything the weaver knows, read from the sources and from what the chapters' programs wrote.
+import { existsSync, readdirSync } from 'node:fs';
+import { join, relative } from 'node:path';
+import { readClaims } from './claims.mjs';
+import { readNumbers } from './numbers.mjs';
+import { readPage } from './page.mjs';
+import { createProblems } from './problems.mjs';
+import { createSnippets } from './snippets.mjs';
+import { readTables } from './tables.mjs';
+
+export function readBook(config) {
+  const problems = createProblems();
+  const book = {
+    config, problems,
+    chapters: new Map(), pages: [], labels: new Map(), references: new Map(), claims: new Map(),
+    sources: findSources(config),
+    snippet: createSnippets(config.source),
+    short: path => relative(config.source, path),
+  };
+  for (const chapter of config.chapters) book.chapters.set(chapter.name, readChapter(book, chapter));
+  readPages(book);
+  book.title = book.pages[0].title;
+  for (const chapter of book.chapters.values()) registerClaims(book, chapter);
+  return book;
+}
+
+// Files that get a page of their own: what is compiled, and what draws.
+function findSources({ source, chapters }) {
+  const found = new Set();
+  const walk = folder => {
+    const entries = existsSync(join(source, folder)) ? readdirSync(join(source, folder), { withFileTypes: true }) : [];
+    for (const entry of entries.sort((a, b) => a.name.localeCompare(b.name))) {
+      const path = `${folder}/${entry.name}`;
+      if (entry.isDirectory()) walk(path);
+      else if (/\.(h|hpp|cpp|gp)$/.test(entry.name)) found.add(path);
+    }
+  };
+  for (const folder of ['code', ...chapters.map(chapter => chapter.folder), 'book/theme']) walk(folder);
+  return found;
+}
+
+function readChapter(book, { name, folder, build }) {
+  const { source } = book.config;
+  const program = join(build, 'program');
+  const numbersFile = join(build, 'data', 'numbers.csv');
+  if (!existsSync(numbersFile)) book.problems.add(`${folder}/program.cpp`, 1, `the program has not written ${book.short(numbersFile)}; build the chapter first`);
+  const claims = readClaims(join(build, 'claims.xml'), { source, command: book.short(join(build, 'claims')) });
+  if (claims.fault) book.problems.add(`${folder}/claims.cpp`, 1, claims.fault);
+  const figures = new Map(readdirSync(join(source, folder)).filter(file => file.endsWith('.gp')).sort().map(file => {
+    const figure = file.slice(0, -3);
+    const drawn = suffix => join(build, 'figures', `${figure}${suffix}.svg`);
+    return [figure, { name: figure, script: `${folder}/${file}`, wide: drawn(''), narrow: drawn('-narrow') }];
+  }));
+  return {
+    name, folder, number: Number(name.split('-')[0]), href: `${name}.html`,
+    program: `${folder}/program.cpp`, command: book.short(program), data: join(build, 'data'),
+    numbers: readNumbers(numbersFile), tables: readTables(join(build, 'data')), tests: claims.tests, figures,
+  };
+}
+
+function readPages(book) {
+  const { source } = book.config;
+  const add = (file, about) => {
+    const page = readPage(join(source, file), { file, order: book.pages.length, problems: book.problems, ...about });
+    book.pages.push(page);
+    return page;
+  };
+  add('book/index.md', { name: 'index', href: 'index.html' });
+  for (const chapter of book.chapters.values()) {
+    chapter.page = add(`${chapter.folder}/chapter.md`, chapter);
+    chapter.title = chapter.page.title;
+  }
+  add('book/references.md', { name: 'references', href: 'references.html' });
+}
+
+function registerClaims(book, chapter) {
+  for (const test of chapter.tests) {
+    const other = book.claims.get(test.name);
+    if (other) book.problems.add(test.file, test.line, `the test name "${test.name}" is taken by ${other.test.file}:${other.test.line}; names are unique in the book`);
+    else book.claims.set(test.name, { test, chapter, cited: [] });
+  }
+}

@@ -1,0 +1,62 @@
+// What the boxes become, given the HTML of what stands in them.
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { inlineText } from './inline.mjs';
+import { sourceHref } from './source-pages.mjs';
+import { adoptSvg } from './svg.mjs';
+import { escapeHtml, smarten, textOfHtml } from './text.mjs';
+import { TOKEN } from './prose.mjs';
+
+export function boxHtml(context, piece, html) {
+  return BOXES[piece.name](html, piece, context);
+}
+
+const note = (name, label = '') => html => `<div class="${name}" role="note"${label ? ` aria-label="${label}"` : ''}>${label ? `<p class="label">${label}</p>\n` : ''}${html}</div>`;
+
+const BOXES = {
+  lead: html => `<div class="lead">${html}</div>`,
+  goals: html => `<div class="goals" role="note" aria-label="Goals">${html}</div>`,
+  takehome: note('takehome', 'To take home'),
+  aside: note('aside'),
+  remark: note('remark'),
+  hint: html => `<details class="hint"><summary>Hint</summary><div>${html}</div></details>`,
+  answer: html => `<details class="answer"><summary>Answer</summary><div>${html}</div></details>`,
+  eq: (html, piece) => `<div class="equation" id="${piece.id}">${html}<span class="eqno">(${piece.number})</span></div>`,
+  exercise: (html, { id, number, args: [, title] }) => `<section class="exercise" id="${id}" aria-labelledby="${id}-title">`
+    + `<h3 id="${id}-title"><span class="secno">Exercise ${number}</span> ${escapeHtml(smarten(title))}</h3>\n${html}</section>`,
+  table: (html, { id, number }) => {
+    const at = html.indexOf('<div class="tablescroll">');
+    const caption = at < 0 ? html : html.slice(0, at);
+    return `<figure class="tablebox" id="${id}"><figcaption>${startWith(`<b>Table ${number}.</b> `, caption)}</figcaption>${at < 0 ? '' : html.slice(at)}</figure>`;
+  },
+  figure: (html, piece, { book, page, hold }) => {
+    const { id, number, figure, args: [, title] } = piece;
+    const words = smarten(title);
+    const description = textOfHtml(html).replace(TOKEN, (_, n) => inlineText(page.pieces[n])).replace(/\s+/g, ' ').trim();
+    const draw = (file, size) => adoptSvg(readFileSync(file, 'utf8'), { id: `${id}-${size}`, title: words, description: description || words });
+    const svgs = `<div class="wide">${draw(figure.wide, 'wide')}</div>\n<div class="narrow">${draw(figure.narrow, 'narrow')}</div>`;
+    return `<figure class="plot" id="${id}">${hold(svgs)}\n<figcaption>${startWith(`<b>Figure ${number}. ${escapeHtml(words.replace(/\.$/, ''))}.</b> `, html)}`
+      + `${figureLinks(book.chapters.get(page.name), figure, book)}</figcaption></figure>`;
+  },
+};
+
+const startWith = (label, html) => (html.startsWith('<p>') ? html.replace('<p>', `<p>${label}`) : `<p>${label.trim()}</p>${html}`);
+
+function figureLinks(chapter, figure, book) {
+  const links = csvFiles(chapter, figure, book).map(file => `<a href="data/${chapter.name}/${file}">${file}</a>`);
+  links.push(`<a href="${sourceHref(figure.script)}">${figure.name}.gp</a>`);
+  return `<p class="sources">${links.length > 1 ? 'Data and script: ' : 'Script: '}${links.join(', ')}</p>`;
+}
+
+// The files that the script names, as "name.csv" or as file("name"); a %d or %s in a name stands for several. Where a
+// variable is given to file(), every quoted word may be a name.
+export function csvFiles(chapter, figure, book) {
+  const script = readFileSync(join(book.config.source, figure.script), 'utf8');
+  const there = existsSync(chapter.data) ? readdirSync(chapter.data).filter(file => file.endsWith('.csv')).sort() : [];
+  const names = [...script.matchAll(/([\w.%-]+)\.csv|\bfile\((?:sprintf\()?["']([\w.%-]+)["']/g)].map(found => found[1] ?? found[2]);
+  if (/\bfile\([A-Za-z_]\w*/.test(script.replace(/\bfile\(sprintf\(["']/g, ''))) {
+    for (const [, , quoted] of script.matchAll(/(["'])(.*?)\1/g)) names.push(...quoted.split(/\s+/).filter(word => /^[\w-]+$/.test(word)));
+  }
+  const wanted = names.map(name => new RegExp(`^${name.replace(/\./g, '\\.').replace(/%0?\d*[ds]/g, '[\\w.-]+')}\\.csv$`));
+  return there.filter(file => wanted.some(pattern => pattern.test(file)));
+}

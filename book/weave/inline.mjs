@@ -1,0 +1,53 @@
+// What the marks within a sentence become, for the page and for the search.
+import { NUMBERED } from './marks.mjs';
+import { quantityHtml, quantityText, unitText } from './numbers.mjs';
+import { escapeHtml, slug, smarten } from './text.mjs';
+
+export function inlineHtml({ book, page }, piece) {
+  return HTML[piece.name]?.(piece, page, book) ?? '';
+}
+
+const address = (target, page) => (target.page === page ? '' : target.page.href) + `#${target.piece.id}`;
+
+export const claimId = name => `claim-${slug(name)}`;
+
+const HTML = {
+  math: piece => piece.html,
+  code: (piece, page, book) => {
+    const href = /^\w+(::\w+)+$/.test(piece.code) ? book.api.names.get(piece.code)?.href : null;
+    const code = `<code>${escapeHtml(piece.code)}</code>`;
+    return href ? `<a href="${href}">${code}</a>` : code;
+  },
+  number: ({ value }) => {
+    const full = `${value.written}${value.unit && ` ${unitText(value.unit)}`}`;
+    const tip = `${value.name} = ${full}, from ${value.chapter.program}`;
+    return `<data class="number" value="${escapeHtml(value.written)}" data-tip="${escapeHtml(tip)}">${quantityHtml(value)}</data>`;
+  },
+  claim: ({ claim, id }) => {
+    const name = escapeHtml(smarten(claim.test.name));
+    return `<a class="claim" id="${id}" href="claims.html#${claimId(claim.test.name)}" aria-label="Proved by the test: ${name}" data-tip="Proved by the test: ${name}"></a>`;
+  },
+  figref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
+  tabref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
+  exerciseref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
+  lstref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
+  eqref: ({ target }, page) => `<a href="${address(target, page)}">(${target.piece.number})</a>`,
+  citep: (piece, page, book) => `[${piece.args.map(key => `<a href="references.html#bib-${slug(key)}">${escapeHtml(book.references.get(key).piece.args[1])}</a>`).join('; ')}]`,
+  bibitem: ({ args: [key, name] }) => `<span class="bibkey" id="bib-${slug(key)}">[${escapeHtml(name)}]</span>`,
+  chapterref: ({ target }) => `<a href="${target.href}">Chapter ${target.number}, <em>${escapeHtml(smarten(target.title))}</em></a>`,
+  sectionref: ({ target, section }, page) => `<a href="${target.page === page ? '' : target.href}#${section.id}">section ${section.number}</a>`,
+};
+
+const label = ({ piece }) => `${NUMBERED[piece.name]} ${piece.number}`;
+
+export function inlineText(piece) {
+  if (piece.name === 'number') return quantityText(piece.value);
+  if (piece.name === 'code') return piece.code;
+  if (piece.name === 'math') return mathText(piece.html);
+  if (piece.name === 'citep' || piece.name === 'bibitem') return piece.args.join(' ');
+  return '';
+}
+
+// A formula in one line, as far as letters go: what KaTeX wrote for screen readers, without its tags.
+const mathText = html => html.replace(/<annotation[\s\S]*$/, '').replace(/<[^>]*>/g, '')
+  .replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&');

@@ -1,0 +1,42 @@
+// The book's own marks: how many arguments each takes (least, most), and what it is.
+//   inline  stands within a sentence;  block  stands alone;  box  stands alone and ends with \end...
+export const MARKS = {
+  number: { takes: [1, 1], kind: 'inline', usage: '\\number{name}' },
+  claim: { takes: [1, 1], kind: 'inline', usage: '\\claim{name of a test}', whole: true },
+  figref: { takes: [1, 1], kind: 'inline', usage: '\\figref{name}' },
+  eqref: { takes: [1, 1], kind: 'inline', usage: '\\eqref{name}' },
+  tabref: { takes: [1, 1], kind: 'inline', usage: '\\tabref{name}' },
+  lstref: { takes: [2, 2], kind: 'inline', usage: '\\lstref{path, tag}' },
+  citep: { takes: [1, 9], kind: 'inline', usage: '\\citep{key}' },
+  chapterref: { takes: [1, 1], kind: 'inline', usage: '\\chapterref{2-euler}' },
+  sectionref: { takes: [2, 2], kind: 'inline', usage: '\\sectionref{2-euler, name-of-section}' },
+  exerciseref: { takes: [1, 1], kind: 'inline', usage: '\\exerciseref{name}' },
+  bibitem: { takes: [2, 2], kind: 'inline', usage: '\\bibitem{key, Author year}' },
+  listing: { takes: [2, 3], kind: 'block', usage: '\\listing{path, tag} or \\listing{path, tag, Caption}' },
+  rows: { takes: [1, 1], kind: 'block', usage: '\\rows{table}' },
+  contents: { takes: [0, 0], kind: 'block', usage: '\\contents' },
+  figure: { takes: [2, 2], kind: 'box', usage: '\\figure{name, Title}' },
+  table: { takes: [1, 1], kind: 'box', usage: '\\table{name}' },
+  eq: { takes: [1, 1], kind: 'box', usage: '\\eq{name}' },
+  exercise: { takes: [2, 2], kind: 'box', usage: '\\exercise{name, Title}' },
+  hint: { takes: [0, 0], kind: 'box', within: 'exercise', usage: '\\hint' },
+  answer: { takes: [0, 0], kind: 'box', within: 'exercise', usage: '\\answer' },
+  goals: { takes: [0, 0], kind: 'box', usage: '\\goals' },
+  lead: { takes: [0, 0], kind: 'box', usage: '\\lead' },
+  aside: { takes: [0, 0], kind: 'box', usage: '\\aside' },
+  remark: { takes: [0, 0], kind: 'box', usage: '\\remark' },
+  takehome: { takes: [0, 0], kind: 'box', usage: '\\takehome' },
+};
+
+// Doxygen's own, left to it.
+export const PASSED_ON = ['ref'];
+
+export const NUMBERED = { figure: 'Figure', eq: 'equation', table: 'Table', listing: 'Listing', exercise: 'Exercise' };
+export const REFERS = { figref: 'figure', eqref: 'eq', tabref: 'table', exerciseref: 'exercise' };
+
+// "{a, b, the rest, with commas}" -> at most `most` arguments; the last one keeps its commas.
+export function splitArguments(text, { takes: [, most], whole }) {
+  if (whole || most === 1) return [text];
+  const parts = text.split(',').map(part => part.trim());
+  return parts.length <= most ? parts : [...parts.slice(0, most - 1), parts.slice(most - 1).join(', ')];
+}

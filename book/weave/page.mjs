@@ -1,0 +1,77 @@
+// One Markdown page: its pieces in order, its boxes checked, and the text that Doxygen gets to see.
+import { readFileSync } from 'node:fs';
+import { MARKS, NUMBERED } from './marks.mjs';
+import { scan } from './scan.mjs';
+import { slug } from './text.mjs';
+import { forDoxygen } from './prose.mjs';
+
+export function readPage(path, { file, order, name, folder, number, href, problems }) {
+  const page = { file, order, name, folder, number, href, source: readFileSync(path, 'utf8'), title: '', sections: [], pieces: [] };
+  const all = scan(page.source, file, problems);
+  page.pieces = all.filter(piece => piece.type !== 'text');
+  page.pieces.forEach((piece, i) => { piece.token = i; });
+  checkBoxes(page, problems);
+  nameHeadings(page, problems);
+  numberBoxes(page);
+  Object.assign(page, forDoxygen(all, page, problems));
+  return page;
+}
+
+function checkBoxes(page, problems) {
+  const open = [];
+  for (const piece of page.pieces) {
+    const within = MARKS[piece.name]?.within;
+    if (piece.type === 'open') {
+      if (within && open.at(-1)?.name !== within) problems.add(page.file, piece.line, `\\${piece.name} stands outside of \\${within}; put it between \\${within} and \\end${within}`);
+      open.push(piece);
+    } else if (piece.type === 'close') closeBox(page, open, piece, problems);
+    if (piece.type !== 'close') piece.box = open.findLast(box => box !== piece) ?? null;
+  }
+  for (const box of open) problems.add(page.file, box.line, `\\${box.name} is never closed; put \\end${box.name} where it ends`);
+}
+
+function closeBox(page, open, piece, problems) {
+  const top = open.at(-1);
+  if (top?.name === piece.name) {
+    piece.opens = open.pop();
+    return;
+  }
+  if (!open.some(box => box.name === piece.name)) {
+    problems.add(page.file, piece.line, `\\end${piece.name} closes nothing; there is no open \\${piece.name} before it`);
+    return;
+  }
+  problems.add(page.file, piece.line, `\\end${piece.name} comes before \\end${top.name}: \\${top.name} of line ${top.line} is still open; close it first`);
+  while (open.length && open.pop().name !== piece.name);
+}
+
+function nameHeadings(page, problems) {
+  const headings = page.pieces.filter(piece => piece.type === 'heading');
+  const [first, ...rest] = headings;
+  if (first?.line !== 1 || first.level !== 1) problems.add(page.file, 1, 'a page starts with its title; write "# Title" in the first line');
+  page.title = first?.level === 1 ? first.text : '';
+  const seen = new Map();
+  let section = 0, sub = 0, previous = 1;
+  for (const heading of rest) {
+    heading.id = slug(heading.text);
+    if (heading.level === 1) problems.add(page.file, heading.line, 'a second title; sections start with ##');
+    else if (heading.level > previous + 1) problems.add(page.file, heading.line, `a heading of level ${heading.level} right below one of level ${previous}; leave no level out`);
+    if (seen.has(heading.id)) problems.add(page.file, heading.line, `this section has the same name as the one in line ${seen.get(heading.id)}; links could not tell them apart`);
+    seen.set(heading.id, heading.line);
+    previous = heading.level;
+    if (heading.level === 2) { ++section; sub = 0; } else if (heading.level === 3) ++sub;
+    if (page.number && heading.level <= 3) heading.number = `${page.number}.${section}${heading.level === 3 ? `.${sub}` : ''}`;
+    page.sections.push(heading);
+  }
+}
+
+function numberBoxes(page) {
+  const count = {};
+  for (const piece of page.pieces) {
+    if (piece.name === 'claim') piece.id = `cited-${count.claim = (count.claim ?? 0) + 1}`;
+    if (piece.type === 'close' || !NUMBERED[piece.name]) continue;
+    count[piece.name] = (count[piece.name] ?? 0) + 1;
+    piece.number = page.number ? `${page.number}.${count[piece.name]}` : String(count[piece.name]);
+    piece.id = piece.name === 'listing' ? `listing-${count.listing}` : `${piece.name}-${slug(piece.args[0])}`;
+  }
+}
+

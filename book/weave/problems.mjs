@@ -1,0 +1,39 @@
+// Every mistake found in one weaving, so that all are told at once.
+export function createProblems() {
+  const list = [];
+  return {
+    list,
+    add(file, line, message) {
+      const known = list.some(p => p.file === file && p.line === line && p.message === message);
+      if (!known) list.push({ file, line, message });
+    },
+    get any() { return list.length > 0; },
+    print(stream = process.stderr) {
+      const sorted = [...list].sort((a, b) => a.file.localeCompare(b.file) || a.line - b.line);
+      for (const p of sorted) stream.write(`${p.line ? `${p.file}:${p.line}` : p.file}: ${p.message}\n`);
+    },
+  };
+}
+
+// "did you mean ...?" for a name that nothing bears, or nothing when no known name is near.
+export function didYouMean(name, known) {
+  const near = [...new Set(known)]
+    .map(candidate => ({ candidate, distance: distance(name.toLowerCase(), candidate.toLowerCase()) }))
+    .filter(({ candidate, distance }) => distance <= Math.max(2, Math.max(name.length, candidate.length) * 0.4))
+    .sort((a, b) => a.distance - b.distance)
+    .slice(0, 3)
+    .map(({ candidate }) => `"${candidate}"`);
+  return near.length ? ` Did you mean ${near.join(' or ')}?` : '';
+}
+
+function distance(a, b) {
+  let row = Array.from({ length: b.length + 1 }, (_, j) => j);
+  for (let i = 1; i <= a.length; ++i) {
+    const next = [i];
+    for (let j = 1; j <= b.length; ++j) {
+      next[j] = Math.min(row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1));
+    }
+    row = next;
+  }
+  return row[b.length];
+}

@@ -1,0 +1,48 @@
+// Pieces of compiled files, cut between two `// [tag]` lines.
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { didYouMean } from './problems.mjs';
+
+const MARKER = /^\s*\/\/ \[([\w-]+)\]\s*$/;
+const DOC = /^\s*\/\/\/(?!<)/;
+
+// Reads `path` once; returns a function that cuts tags out of it, or says what is wrong with it.
+export function createSnippets(source) {
+  const files = new Map();
+  return (path, tag) => {
+    if (!files.has(path)) files.set(path, readTagged(join(source, path)));
+    const file = files.get(path);
+    if (!file) return { fault: `there is no file ${path}; paths start at the top of the repository` };
+    const at = file.tags.get(tag);
+    if (!at) return { fault: `${path} has no tag "${tag}".${didYouMean(tag, file.tags.keys()) || noTag(tag)}` };
+    if (at.length !== 2) {
+      return { fault: `tag "${tag}" stands ${at.length} times in ${path} (line ${at.join(', ')}); `
+        + `it must stand twice, before and after the lines to show` };
+    }
+    return cut(file.lines, at);
+  };
+}
+
+const noTag = tag => ` Put a line "// [${tag}]" before and after the lines to show.`;
+
+function readTagged(path) {
+  if (!existsSync(path)) return null;
+  const lines = readFileSync(path, 'utf8').split('\n');
+  const tags = new Map();
+  lines.forEach((line, i) => {
+    const tag = line.match(MARKER)?.[1];
+    if (tag) tags.set(tag, [...(tags.get(tag) ?? []), i + 1]);
+  });
+  return { lines, tags };
+}
+
+function cut(lines, [first, last]) {
+  const kept = lines.slice(first, last - 1).map((text, i) => ({ text: text.replace(/\s+$/, ''), number: first + 1 + i }))
+    .filter(({ text }) => !MARKER.test(text) && !DOC.test(text))
+    .map(({ text, number }) => ({ text: text.replace('///<', '//'), number }));
+  while (kept.length && !kept[0].text) kept.shift();
+  while (kept.length && !kept.at(-1).text) kept.pop();
+  if (!kept.length) return { fault: `nothing but documentation stands between the two tags (line ${first} and ${last})` };
+  const indent = Math.min(...kept.filter(l => l.text).map(l => l.text.match(/^ */)[0].length));
+  return { lines: kept.map(l => ({ ...l, text: l.text.slice(indent) })) };
+}

@@ -1,0 +1,20 @@
+// A page for every file that the book's programs and figures are made of.
+import { readFileSync } from 'node:fs';
+import { extname, join } from 'node:path';
+import { codeLines } from './blocks.mjs';
+import { linker } from './api.mjs';
+import { highlightLines } from './highlight.mjs';
+import { escapeHtml } from './text.mjs';
+
+export const sourceHref = path => `source-${path.replace(/[^\w-]+/g, '-').toLowerCase()}.html`;
+
+export function sourcePages(book) {
+  return [...book.sources].map(path => {
+    const code = readFileSync(join(book.config.source, path), 'utf8').replace(/\n+$/, '');
+    const lines = highlightLines(code, extname(path).slice(1), linker(book.api, path));
+    const numbers = lines.map((_, i) => i + 1);
+    const body = `<figure class="listing source"><figcaption><span class="file">${lines.length} lines</span></figcaption>`
+      + `<pre><code>${codeLines(lines, numbers, n => ` id="L${n}"`)}</code></pre></figure>`;
+    return { href: sourceHref(path), title: path, kind: 'source', kicker: 'Source', titleHtml: `<code>${escapeHtml(path).replace(/\//g, '/<wbr>')}</code>`, body };
+  });
+}

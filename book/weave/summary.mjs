@@ -1,0 +1,28 @@
+// The few lines that the weaver prints when all went well.
+export function stopwatch() {
+  const parts = [];
+  const watch = (name, work) => {
+    const from = performance.now();
+    const result = work();
+    parts.push([name, (performance.now() - from) / 1000]);
+    return result;
+  };
+  watch.parts = parts;
+  return watch;
+}
+
+export function printSummary(book, pages, watch) {
+  const rows = [...book.chapters.values()].map(({ page, name, numbers, tests }) => {
+    const count = mark => page.pieces.filter(p => p.name === mark && p.type !== 'close').length;
+    return [name, page.words, count('figure'), count('listing'), `${count('claim')} of ${tests.length}`, `${count('number')} of ${numbers.size}`, count('exercise')];
+  });
+  printTable([['chapter', 'words', 'figures', 'listings', 'claims', 'numbers', 'exercises'], ...rows]);
+  const times = watch.parts.map(([name, seconds]) => `${name} ${seconds.toFixed(2)} s`).join(', ');
+  console.log(`${pages.length} pages woven in ${watch.parts.reduce((sum, [, s]) => sum + s, 0).toFixed(2)} s: ${times}`);
+  console.log(`open ${book.config.output}/index.html`);
+}
+
+function printTable(rows) {
+  const widths = rows[0].map((_, i) => Math.max(...rows.map(row => String(row[i]).length)));
+  for (const row of rows) console.log(row.map((cell, i) => (i ? String(cell).padStart(widths[i]) : String(cell).padEnd(widths[i]))).join('  ').trimEnd());
+}

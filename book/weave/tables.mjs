@@ -1,0 +1,43 @@
+// A table of the book made from the CSV file that the chapter's program wrote.
+import { existsSync } from 'node:fs';
+import { basename } from 'node:path';
+import { readCsv, readRecords } from './csv.mjs';
+import { numberHtml, unitHtml } from './numbers.mjs';
+import { escapeHtml } from './text.mjs';
+
+// Map of table name to its columns { column, unit, digits }, as tables.csv lists them.
+export function readTables(folder) {
+  const path = `${folder}/tables.csv`;
+  const tables = new Map();
+  if (!existsSync(path)) return tables;
+  for (const row of readRecords(path)) {
+    if (!tables.has(row.table)) tables.set(row.table, { name: row.table, path: `${folder}/${row.table}.csv`, columns: [] });
+    tables.get(row.table).columns.push(row);
+  }
+  return tables;
+}
+
+// What is wrong with the table's file, or nothing.
+export function tableFault(table) {
+  if (!existsSync(table.path)) return `tables.csv describes the table "${table.name}", but ${basename(table.path)} is not there`;
+  const header = readCsv(table.path)[0] ?? [];
+  const undescribed = header.find(name => !table.columns.some(c => c.column === name));
+  return undescribed && `column "${undescribed}" of ${basename(table.path)} has no row in tables.csv`;
+}
+
+export function tableHtml(table) {
+  const [header, ...rows] = readCsv(table.path);
+  const columns = header.map(name => table.columns.find(c => c.column === name));
+  const align = columns.map(c => (c.digits === 'text' ? '' : ' class="right"'));
+  const heads = columns.map((c, i) => `<th scope="col"${align[i]}>${head(c)}</th>`);
+  const body = rows.map(row => `<tr>${row.map((field, i) => `<td${align[i]}>${cell(field, columns[i])}</td>`).join('')}</tr>`);
+  return `<table><thead><tr>${heads.join('')}</tr></thead><tbody>\n${body.join('\n')}\n</tbody></table>`;
+}
+
+const head = c => escapeHtml(c.column) + (c.unit ? ` <span class="unit">[${unitHtml(c.unit)}]</span>` : '');
+
+function cell(field, column) {
+  if (column.digits === 'text') return escapeHtml(field);
+  if (field === '' || /^[-+]?nan$/i.test(field)) return '–';
+  return numberHtml(Number(field.replace(/inf(inity)?/i, 'Infinity')), Number(column.digits));
+}

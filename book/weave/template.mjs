@@ -1,0 +1,67 @@
+// The one page template.
+import { escapeHtml, smarten } from './text.mjs';
+
+// page: { href, title, kind, body, kicker?, titleHtml?, sections?, previous?, next? }
+export function pageHtml(book, page) {
+  const name = escapeHtml(smarten(book.title));
+  const title = escapeHtml(smarten(page.title));
+  const head = page.href === 'index.html' ? name : `${page.number ? `${page.number}. ` : ''}${title} · ${name}`;
+  return `<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>${head}</title>
+<meta name="color-scheme" content="light dark">
+<script>try{var t=localStorage.getItem("theme");if(t)document.documentElement.dataset.theme=t}catch(e){}</script>
+${page.body.includes('class="katex') ? '<link rel="stylesheet" href="katex/katex.css">\n' : ''}<link rel="stylesheet" href="book.css">
+<script defer src="book.js"></script>
+</head>
+<body class="${page.kind}">
+<a class="skip" href="#content">Skip to the text</a>
+<div class="shell">
+${sideNav(book, page, name)}
+<div class="page">
+<main id="content">
+<h1>${page.kicker ? `<span class="kicker">${escapeHtml(page.kicker)}</span> ` : ''}${page.titleHtml ?? title}</h1>
+${page.body}
+${pager(page)}</main>
+${onThisPage(page)}</div>
+</div>
+</body>
+</html>
+`;
+}
+
+function sideNav(book, page, name) {
+  const link = (href, text, number = '') => `<li><a href="${href}"${current(page, href)}><span class="no">${number}</span><span>${text}</span></a></li>`;
+  const chapters = [...book.chapters.values()].map(c => link(c.href, escapeHtml(smarten(c.title)), c.number));
+  const more = [link('reference.html', 'Code reference'), link('claims.html', 'Claims'), link('references.html', 'References')];
+  return `<nav class="side" aria-label="Book">
+<div class="bar"><a class="brand" href="index.html">${name}</a><button type="button" class="menu" aria-expanded="false">Contents</button></div>
+<div class="search" role="search"><input type="search" placeholder="Search" aria-label="Search the book" aria-keyshortcuts="/" autocomplete="off"><kbd>/</kbd><ul hidden></ul></div>
+<ol class="toc">
+${chapters.join('\n')}
+</ol>
+<ol class="toc more">
+${more.join('\n')}
+</ol>
+<div class="tools"><button type="button" class="theme">Light or dark</button></div>
+</nav>`;
+}
+
+function current(page, href) {
+  if (page.href === href) return ' aria-current="page"';
+  return href === 'reference.html' && (page.kind === 'api' || page.kind === 'source') ? ' aria-current="true"' : '';
+}
+
+function pager({ previous, next }) {
+  if (!previous && !next) return '';
+  const link = (rel, label, page) => (page ? `<a rel="${rel}" href="${page.href}"><small>${label}</small>${escapeHtml(smarten(page.title))}</a>` : '');
+  return `<nav class="pager" aria-label="Previous and next page">${link('prev', 'Previous', previous)}${link('next', 'Next', next)}</nav>\n`;
+}
+
+function onThisPage({ sections = [] }) {
+  if (sections.length < 2) return '';
+  return `<nav class="onpage" aria-label="On this page"><strong>On this page</strong><ol>${sections.map(s => `<li><a href="#${s.id}">${escapeHtml(smarten(s.title))}</a></li>`).join('')}</ol></nav>\n`;
+}
