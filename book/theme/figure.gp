@@ -7,8 +7,10 @@
 set datafile separator ","
 set datafile missing NaN
 set encoding utf8
-set terminal svg size WIDTH,HEIGHT dynamic enhanced rounded font 'Book Sans,15' name NAME
-set output OUT.NAME.".svg"
+set minussign
+# A figure that wants another shape than the page's calls `eval canvas(width, height)` first.
+canvas(w, h) = sprintf("WIDTH = %d; HEIGHT = %d; set terminal svg size %d,%d dynamic enhanced rounded font 'Book Sans,15'; set output '%s%s.svg'", w, h, w, h, OUT, NAME)
+eval canvas(WIDTH, HEIGHT)
 
 # One number for each method, the same in all figures: use as a line style, `ls EULER`.
 EULER = 1
@@ -44,9 +46,9 @@ unset key
 set samples 200
 set lmargin NARROW ? 6 : 7
 set rmargin 2
-set tmargin 2.2
+set tmargin 2.4
 set bmargin 3.4
 
 # The name of the vertical axis, written level above it; the horizontal one below.
-axis_names(x, y) = sprintf("set xlabel '%s' offset 0,0.3; set label 99 '%s' at graph 0,1.06 left offset -4,0", x, y)
+axis_names(x, y) = sprintf("set xlabel '%s' offset 0,0.3; set label 99 '%s' at graph 0,1.0 left offset -4,0.9", x, y)
 file(name) = DATA.name.".csv"

@@ -22,9 +22,11 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr void euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
   static_assert(std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>,
                 "acceleration must be callable as Vec(x, v, t)");
+  // [move]
   const Vec a = acceleration(x, v, t);
   x = x + h * v;
   v = v + h * a;
+  // [move]
 }
 // [step]
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fstream>
+#include <string>
 
 #include "measure/error.h"
 
@@ -53,6 +55,16 @@ double seconds_per_step(Step step, const Scene& scene, double h) {
     best = std::min(best, elapsed.count() / steps);
   }
   return best;
+}
+
+/// The processor that this program runs on, as the system names it.
+inline std::string machine() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const auto colon = line.find(": ");
+    if (line.starts_with("model name") && colon != line.npos) return line.substr(colon + 2);
+  }
+  return "an unnamed processor";
 }
 
 }  // namespace measure

@@ -29,12 +29,12 @@ std::string join(const std::vector<std::string>& cells) {
 }
 
 std::string text(const Cell& cell) {
-  return std::holds_alternative<double>(cell) ? shortest(std::get<double>(cell))
-                                              : std::get<std::string>(cell);
+  if (cell.words.empty()) return shortest(cell.value);
+  return cell.words.find(',') == std::string::npos ? cell.words : '"' + cell.words + '"';
 }
 
 bool is_text(const Table& table, std::size_t column) {
-  return !table.rows.empty() && std::holds_alternative<std::string>(table.rows[0][column]);
+  return !table.rows.empty() && !table.rows[0][column].words.empty();
 }
 
 std::string csv(const Table& table) {

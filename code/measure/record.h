@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace measure {
@@ -18,11 +17,18 @@ inline constexpr int whole = 0;
 struct Column {
   std::string name;
   std::string unit = "";
-  int digits = 3;  ///< `whole` for a count
+  int digits = 3;  ///< significant digits that the book shows; `whole` for a count
 };
 
-/// One cell of a table: a number or a word.
-using Cell = std::variant<double, std::string>;
+/// One cell of a table: a number, or words.
+struct Cell {
+  double value = 0;
+  std::string words = "";  ///< not empty: the cell holds these and no number
+
+  Cell(double number) : value(number) {}
+  Cell(std::string text) : words(std::move(text)) {}
+  Cell(const char* text) : words(text) {}
+};
 
 /// A table of measured values.
 struct Table {

@@ -2,6 +2,7 @@
 /// @file
 /// Takes a number of equal steps and lets somebody watch.
 #pragma once
+#include "integrate/constant_acceleration.h"
 #include "integrate/euler.h"
 #include "integrate/symplectic_euler.h"
 #include "scenes/state.h"
@@ -12,6 +13,12 @@ namespace measure {
 /// integrate::euler as an object that can be handed to run() and to every measurement.
 inline constexpr auto euler = [](auto& x, auto& v, auto t, auto h, auto&& acceleration) {
   integrate::euler(x, v, t, h, acceleration);
+};
+
+/// integrate::constant_acceleration as such an object.
+inline constexpr auto constant_acceleration = [](auto& x, auto& v, auto t, auto h,
+                                                 auto&& acceleration) {
+  integrate::constant_acceleration(x, v, t, h, acceleration);
 };
 
 /// integrate::symplectic_euler as such an object.
@@ -42,8 +49,13 @@ void run(Step step, const Scene& scene, scenes::State<Vec>& s, Real h, long step
 }
 // [run]
 
-/// The state after `steps` equal steps from `s`.
-/// @copydetails run
+/// The state after `steps` equal steps.
+///
+/// @param step  a method, called as `step(x, v, t, h, scene)`
+/// @param scene  the acceleration, called as `scene(x, v, t)`
+/// @param s  the start
+/// @param h  step size [s]
+/// @param steps  how many steps
 template <class Step, class Scene, class Vec, class Real>
 scenes::State<Vec> after(Step step, const Scene& scene, scenes::State<Vec> s, Real h, long steps) {
   run(step, scene, s, h, steps, [](Real, const scenes::State<Vec>&) {});

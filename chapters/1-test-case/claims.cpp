@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT-0
+// The claims of chapter 1. Each name is a sentence that the chapter says.
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <vector>
+
+#include "frames/fixed_step.h"
+#include "frames/uneven.h"
+#include "measure/order.h"
+#include "scenes/constant_velocity.h"
+#include "scenes/linear_drag.h"
+#include "scenes/projectile.h"
+#include "scenes/rocket.h"
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+using measure::constant_acceleration;
+using measure::euler;
+
+namespace {
+
+const scenes::Projectile<> jump{.start_velocity = {0, 5}};
+
+template <class Step>
+double apex(Step step, int frames_per_second) {
+  double highest = 0;
+  auto s = jump.start();
+  measure::run(step, jump, s, 1.0 / frames_per_second, frames_per_second,
+               [&](double, const auto& now) { highest = std::max(highest, now.x.y()); });
+  return highest;
+}
+
+/// The heights of a jump of a second, frame after frame; `advance` is given the length of a frame.
+template <class Advance>
+std::vector<double> heights(std::uint32_t game, Advance advance) {
+  frames::Uneven frame{.seed = game};
+  auto s = jump.start();
+  std::vector<double> seen;
+  for (double t = 0, length; t < 1; t += length) {
+    length = frame.next();
+    advance(length, s, seen);
+  }
+  return seen;
+}
+
+double highest_when_step_follows_frame(std::uint32_t game) {
+  const auto seen = heights(game, [](double length, auto& s, auto& states) {
+    integrate::euler(s.x, s.v, 0.0, length, jump);
+    states.push_back(s.x.y());
+  });
+  return *std::max_element(seen.begin(), seen.end());
+}
+
+std::vector<double> states_with_fixed_step(std::uint32_t game) {
+  frames::FixedStep<> clock;
+  auto seen = heights(game, [&](double length, auto& s, auto& states) {
+    clock.frame(length, [&](double t) {
+      integrate::euler(s.x, s.v, t, clock.h, jump);
+      states.push_back(s.x.y());
+    });
+  });
+  seen.resize(50);
+  return seen;
+}
+
+/// Where a ball at 3 m/s is drawn, on a screen of 144 frames a second with 60 steps a second.
+struct Drawn {
+  std::vector<double> newest, blended, true_place;
+};
+
+Drawn drawn_ball(int frames) {
+  frames::FixedStep<> clock;
+  Drawn drawn;
+  double before = 0, now = 0;
+  for (int frame = 1; frame <= frames; ++frame) {
+    clock.frame(1.0 / 144, [&](double) {
+      before = now;
+      now = 3 * clock.h * double(clock.steps);
+    });
+    drawn.newest.push_back(now);
+    drawn.blended.push_back(before + clock.blend() * (now - before));
+    drawn.true_place.push_back(3.0 * frame / 144);
+  }
+  return drawn;
+}
+
+float walked(float distance, float rate) {
+  float x = distance;
+  for (int n = 0; n < int(10 * rate); ++n) x = x + (1 / rate) * 0.1f;
+  return x - distance;
+}
+
+}  // namespace
+
+TEST_CASE("A ledge at 1.33 m is in reach at 30 frames a second and out of reach at 60") {
+  CHECK(apex(euler, 30) > 1.33);
+  CHECK(apex(euler, 60) < 1.33);
+  CHECK(apex(euler, 144) < apex(euler, 60));
+}
+
+TEST_CASE("A constant velocity is followed exactly by a step of any length") {
+  const scenes::ConstantVelocity<> drifting;
+  for (const double h : {1.0 / 60, 3600.0, 365.25 * 86400}) {
+    auto s = drifting.start();
+    integrate::euler(s.x, s.v, 0.0, h, drifting);
+    CHECK((s.x - drifting.exact(h).x).norm() <= 1e-15 * s.x.norm());
+    CHECK(s.v == drifting.exact(h).v);
+  }
+}
+
+TEST_CASE("One long exact step and twelve short ones land a cannonball in the same place") {
+  const scenes::Projectile<> ball{.start_velocity = {40, 30}};
+  const double landing = 2 * 30 / 9.81;
+  const auto once = measure::after(constant_acceleration, ball, ball.start(), landing, 1);
+  const auto often = measure::after(constant_acceleration, ball, ball.start(), landing / 12, 12);
+  CHECK((once.x - often.x).norm() < 1e-12 * once.x.norm());
+  CHECK_THAT(once.x.y(), WithinAbs(0, 1e-12));
+}
+
+TEST_CASE("With the exact step a jump has one height at every frame rate") {
+  for (const int rate : {20, 30, 60, 144}) {
+    const auto s = measure::after(constant_acceleration, jump, jump.start(), 0.5 / rate, rate);
+    CHECK_THAT(s.x.y(), WithinRel(jump.exact(0.5).x.y(), 1e-13));
+  }
+}
+
+TEST_CASE("The constant formula leaves a burning rocket far below where it is") {
+  const scenes::Rocket<> rocket;
+  const auto s = measure::after(constant_acceleration, rocket, rocket.start(), rocket.burn_time, 1);
+  CHECK(s.x < 0.7 * rocket.exact(rocket.burn_time).x);
+}
+
+TEST_CASE("Ten Euler steps follow a rocket better than one step of the constant formula") {
+  const scenes::Rocket<> rocket;
+  const double truth = rocket.exact(rocket.burn_time).x;
+  const double once =
+      measure::after(constant_acceleration, rocket, rocket.start(), rocket.burn_time, 1).x;
+  const double ten = measure::after(euler, rocket, rocket.start(), rocket.burn_time / 10, 10).x;
+  CHECK(std::abs(ten - truth) < std::abs(once - truth));
+}
+
+TEST_CASE("Euler's method has order one on a falling leaf") {
+  const auto study = measure::halvings(euler, scenes::LinearDrag<>{.c = 2}, 1.0 / 64, 4.0, 5);
+  for (std::size_t i = 1; i < study.size(); ++i) {
+    CHECK_THAT(study[i].position_order, WithinAbs(1, 0.1));
+    CHECK_THAT(study[i].velocity_order, WithinAbs(1, 0.1));
+  }
+}
+
+TEST_CASE("On a falling leaf the term with half a h squared leaves the order at one") {
+  const scenes::LinearDrag<> leaf{.c = 2};
+  const auto study = measure::halvings(constant_acceleration, leaf, 1.0 / 64, 4.0, 5);
+  for (std::size_t i = 1; i < study.size(); ++i) {
+    CHECK_THAT(study[i].position_order, WithinAbs(1, 0.1));
+    CHECK_THAT(study[i].velocity_order, WithinAbs(1, 0.1));
+  }
+}
+
+TEST_CASE(
+    "On a falling leaf the term with half a h squared makes the error more than twice as large") {
+  const scenes::LinearDrag<> leaf{.c = 2};
+  const auto plain = measure::halvings(euler, leaf, 1.0 / 64, 4.0, 5);
+  const auto curved = measure::halvings(constant_acceleration, leaf, 1.0 / 64, 4.0, 5);
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    CHECK(curved[i].error.position > 2 * plain[i].error.position);
+    CHECK(curved[i].error.velocity == plain[i].error.velocity);
+  }
+}
+
+TEST_CASE("When the step follows the frame, two players with one jump reach two heights") {
+  double lowest = INFINITY, highest = 0;
+  for (std::uint32_t game = 1; game <= 10; ++game) {
+    lowest = std::min(lowest, highest_when_step_follows_frame(game));
+    highest = std::max(highest, highest_when_step_follows_frame(game));
+  }
+  CHECK(highest - lowest > 0.05);
+}
+
+TEST_CASE("With a fixed step, uneven frames do not change one bit of a jump") {
+  const auto first = states_with_fixed_step(1);
+  for (std::uint32_t game = 2; game <= 10; ++game) CHECK(states_with_fixed_step(game) == first);
+}
+
+TEST_CASE("A frame of ten seconds is paid for with a quarter of a second of steps") {
+  frames::FixedStep<> clock;
+  int steps = 0;
+  clock.frame(10.0, [&](double) { ++steps; });
+  CHECK(steps == 15);
+  CHECK(clock.saved < clock.h);
+}
+
+TEST_CASE(
+    "Drawn from the newest state, more than half of the frames of a fast screen show no motion") {
+  const Drawn ball = drawn_ball(1440);
+  int still = 0;
+  for (std::size_t i = 1; i < ball.newest.size(); ++i)
+    still += ball.newest[i] == ball.newest[i - 1];
+  CHECK(still > 720);
+}
+
+TEST_CASE("Blended, every frame moves a steady ball by the same amount") {
+  const Drawn ball = drawn_ball(1440);
+  for (std::size_t i = 4; i < ball.blended.size(); ++i) {
+    CHECK_THAT(ball.blended[i] - ball.blended[i - 1], WithinAbs(3.0 / 144, 1e-12));
+  }
+}
+
+TEST_CASE("A blended picture is never more than one step behind") {
+  const Drawn ball = drawn_ball(1440);
+  for (std::size_t i = 0; i < ball.blended.size(); ++i) {
+    const double behind = (ball.true_place[i] - ball.blended[i]) / 3;
+    CHECK(behind >= -1e-12);
+    CHECK(behind <= 1.0 / 60 + 1e-12);
+  }
+}
+
+TEST_CASE("In single precision a slow walker stands still sixteen kilometres out") {
+  CHECK(walked(16'000, 240) == 0);
+  CHECK_THAT(walked(0, 240), WithinRel(1.0f, 1e-4f));
+  CHECK(walked(4'000, 240) > 1.1f);
+}
+
+TEST_CASE("Far from the origin, more steps a second move a float less") {
+  CHECK(walked(16'000, 60) > 0);
+  CHECK(walked(16'000, 240) == 0);
+}
+
+TEST_CASE("A float clock that adds up steps is wrong by more than ten minutes after a night") {
+  float clock = 0;
+  for (long n = 0; n < 8L * 3600 * 60; ++n) clock = clock + 1 / 60.0f;
+  CHECK(std::abs(double(clock) - 8 * 3600) > 600);
+}
+
+TEST_CASE("A clock that multiplies is right to rounding after a night") {
+  frames::FixedStep<> clock;
+  clock.steps = 8L * 3600 * 60;
+  double now = 0;
+  clock.frame(clock.h, [&](double t) { now = t; });
+  CHECK_THAT(now, WithinRel(8 * 3600.0, 1e-15));
+}

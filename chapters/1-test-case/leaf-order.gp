@@ -1,0 +1,17 @@
+eval axis_names("step  [s]", "largest error  [m]")
+set logscale xy
+set xrange [0.0015:0.16]
+set yrange [0.0005:0.5]
+set xtics ("1/512" 1/512., "1/256" 1/256., "1/128" 1/128., "1/64" 1/64., "1/32" 1/32., "1/16" 1/16., "1/8" 1/8.)
+if (NARROW) set xtics ("1/512" 1/512., "1/128" 1/128., "1/32" 1/32., "1/8" 1/8.)
+set ytics ("1 mm" 0.001, "1 cm" 0.01, "10 cm" 0.1)
+set lmargin 7.5
+unset mxtics
+set label 1 "Euler" at 1/20.,0.028 left tc rgb "#000001"
+set label 2 "with  {/:Italic a h}^2/2" at 1/45.,0.15 right tc rgb "#00000b"
+set label 3 "slope 1" at 1/560.,0.02 left tc rgb "#000007"
+plot 4.9*x with lines ls CONTEXT, \
+     file("order") using 1:2 with linespoints ls EULER, \
+     file("order") using 1:4 with linespoints ls SECOND, \
+     file("order") using 1:2:(sprintf("Euler, step %.4f s: error %.2g m", $1, $2)) with labels hypertext point ls EULER, \
+     file("order") using 1:4:(sprintf("with the term, step %.4f s: error %.2g m", $1, $4)) with labels hypertext point ls SECOND

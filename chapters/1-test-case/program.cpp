@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT-0
+// Chapter 1: where is the thing one frame later?
+#include <algorithm>
+#include <cmath>
+
+#include "frames/fixed_step.h"
+#include "frames/uneven.h"
+#include "measure/order.h"
+#include "measure/record.h"
+#include "scenes/linear_drag.h"
+#include "scenes/projectile.h"
+#include "scenes/quadratic_drag.h"
+#include "scenes/rocket.h"
+
+using measure::euler;
+using measure::Record;
+using measure::whole;
+
+namespace {
+
+// [jump]
+const scenes::Projectile<> jump{.start_velocity = {0, 5}};
+
+/// How high the jump goes when every frame is one step.
+double apex(int frames_per_second) {
+  double highest = 0;
+  auto s = jump.start();
+  measure::run(euler, jump, s, 1.0 / frames_per_second, frames_per_second,
+               [&](double, const auto& now) { highest = std::max(highest, now.x.y()); });
+  return highest;
+}
+// [jump]
+
+void jumps(Record& record) {
+  auto& table = record.table("jump", {{"rate", "Hz", whole}, {"t", "s"}, {"height", "m"}});
+  for (const int rate : {20, 30, 60, 144}) {
+    auto s = jump.start();
+    measure::run(euler, jump, s, 1.0 / rate, rate,
+                 [&](double t, const auto& now) { table.add({double(rate), t, now.x.y()}); });
+    record.number("apex-" + std::to_string(rate), apex(rate), 4, "m");
+  }
+  record.number("apex-exact", jump.exact(5 / 9.81).x.y(), 4, "m");
+}
+
+void cannon(Record& record) {
+  // [cannon]
+  const scenes::Projectile<> ball{.start_velocity = {40, 30}};
+  auto s = ball.start();
+  const double landing = 2 * 30 / 9.81;
+  integrate::constant_acceleration(s.x, s.v, 0.0, landing, ball);
+  // [cannon]
+  record.number("cannon-range", s.x.x(), 4, "m");
+  record.number("cannon-height-of-landing", std::abs(s.x.y()), 2, "m");
+
+  auto& exact = record.table("cannon", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
+  for (int frame = 0; frame <= 12; ++frame) {
+    const auto now = ball.exact(landing * frame / 12).x;
+    exact.add({landing * frame / 12, now.x(), now.y()});
+  }
+  auto& air = record.table("cannon-in-air", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
+  const scenes::QuadraticDrag<> heavy_air{.k = 0.01};
+  s = ball.start();
+  long n = 0;
+  measure::run(
+      euler, [&](auto& x, auto& v, double t) { return heavy_air(x, v, t); }, s, 1e-4, 60'000,
+      [&](double t, const auto& now) {
+        if (n++ % 500 == 0 && now.x.y() >= 0) air.add({t, now.x.x(), now.x.y()});
+      });
+  record.number("cannon-range-in-air", air.rows.back()[1].value, 3, "m");
+}
+
+void rocket(Record& record) {
+  const scenes::Rocket<> rocket;
+  auto& table = record.table("rocket", {{"t", "s"}, {"exact", "m"}, {"as if constant", "m"}});
+  auto& dots = record.table("rocket-euler", {{"t", "s"}, {"height", "m"}});
+  for (int i = 0; i <= 100; ++i) {
+    const double t = rocket.burn_time * i / 100;
+    auto s = rocket.start();
+    integrate::constant_acceleration(s.x, s.v, 0.0, t, rocket);
+    table.add({t, rocket.exact(t).x, s.x});
+  }
+  auto s = rocket.start();
+  measure::run(euler, rocket, s, rocket.burn_time / 10, 10,
+               [&](double t, const auto& now) { dots.add({t, now.x}); });
+  record.number("rocket-exact", rocket.exact(rocket.burn_time).x, 4, "m");
+  record.number("rocket-constant", table.rows.back()[2].value, 4, "m");
+  record.number("rocket-euler", s.x, 4, "m");
+}
+
+void order(Record& record) {
+  const scenes::LinearDrag<> leaf{.c = 2};
+  auto& table = record.table(
+      "order", {{"step", "s", 4}, {"Euler", "m"}, {"order"}, {"with a h^2/2", "m"}, {"its order"}});
+  // [order]
+  const auto plain = measure::halvings(euler, leaf, 1.0 / 8, 4.0, 7);
+  const auto curved = measure::halvings(measure::constant_acceleration, leaf, 1.0 / 8, 4.0, 7);
+  // [order]
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    table.add({plain[i].h, plain[i].error.position, plain[i].position_order,
+               curved[i].error.position, curved[i].position_order});
+  }
+  record.number("leaf-ratio", curved.back().error.position / plain.back().error.position, 2);
+}
+
+void uneven_frames(Record& record) {
+  auto& table = record.table("uneven", {{"game", "", whole}, {"t", "s"}, {"height", "m"}});
+  double lowest = INFINITY, highest = 0;
+  for (std::uint32_t game = 1; game <= 10; ++game) {
+    // [uneven]
+    frames::Uneven frame{.seed = game};
+    auto s = jump.start();
+    double apex = 0;
+    for (double t = 0, length; t < 1; t += length) {
+      table.add({double(game), t, s.x.y()});
+      apex = std::max(apex, s.x.y());
+      length = frame.next();
+      integrate::euler(s.x, s.v, t, length, jump);
+    }
+    // [uneven]
+    lowest = std::min(lowest, apex);
+    highest = std::max(highest, apex);
+  }
+  record.number("uneven-lowest", lowest, 3, "m");
+  record.number("uneven-highest", highest, 3, "m");
+}
+
+void display(Record& record) {
+  auto& table =
+      record.table("display", {{"frame", "", whole}, {"newest state", "cm"}, {"blended", "cm"}});
+  // [blend]
+  frames::FixedStep<> clock{.h = 1.0 / 60};
+  double before = 0, now = 0;
+  double newest = 0, blended = 0;
+  for (int frame = 0; frame < 48; ++frame) {
+    clock.frame(1.0 / 144, [&](double) {
+      before = now;
+      now += 3 * clock.h;
+    });
+    const double shown = before + clock.blend() * (now - before);
+    // [blend]
+    if (frame >= 8) table.add({double(frame - 8), 100 * (now - newest), 100 * (shown - blended)});
+    newest = now;
+    blended = shown;
+  }
+}
+
+void far_away(Record& record) {
+  auto& table = record.table("far", {{"distance", "m", whole}, {"t", "s"}, {"walked", "m"}});
+  for (const float distance : {0.0f, 1500.0f, 4000.0f, 16'000.0f}) {
+    // [far]
+    float x = distance;
+    for (int n = 0; n <= 10 * 240; ++n) {
+      if (n % 40 == 0) table.add({distance, n / 240.0, double(x) - distance});
+      x = x + (1 / 240.0f) * 0.1f;
+    }
+    // [far]
+    record.number("walked-" + std::to_string(int(distance)), table.rows.back()[2].value, 3, "m");
+  }
+  float clock = 0;
+  constexpr long night = 8L * 3600 * 60;
+  for (long n = 0; n < night; ++n) clock = clock + 1 / 60.0f;
+  record.number("clock-wrong", std::abs(double(clock) - 8 * 3600), 3, "s");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return measure::record(argc, argv, [](Record& record) {
+    jumps(record);
+    cannon(record);
+    rocket(record);
+    order(record);
+    uneven_frames(record);
+    display(record);
+    far_away(record);
+  });
+}

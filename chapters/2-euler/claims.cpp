@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT-0
+// The claims of chapter 2. Each name is a sentence that the chapter says.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "measure/cost.h"
+#include "measure/energy.h"
+#include "measure/order.h"
+#include "measure/stability.h"
+#include "scenes/circle.h"
+#include "scenes/friction.h"
+#include "scenes/linear_drag.h"
+#include "scenes/outer_solar_system.h"
+#include "scenes/projectile.h"
+#include "scenes/quadratic_drag.h"
+#include "scenes/spring.h"
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+using measure::euler;
+using scenes::LinearDrag;
+using scenes::Spring;
+using scenes::State;
+
+namespace {
+
+const scenes::Circle<> drone{.omega = 2 * std::numbers::pi / 8, .radius = 10};
+constexpr double h = 1.0 / 60;
+
+const auto energy = [](const auto& x, const auto& v) { return drone.energy(x, v); };
+const auto spin = [](const auto& x, const auto& v) { return drone.angular_momentum(x, v); };
+
+/// The size of a spring's state after many steps, from a start with both position and velocity.
+double size_after(long steps, const Spring<>& spring, double step) {
+  const auto end = measure::after(euler, spring, State<double>{1, spring.omega}, step, steps);
+  return std::hypot(end.x, end.v / spring.omega);
+}
+
+/// Without gravity, so that a fall has nothing to do but stop.
+const LinearDrag<> braking{.c = 2, .g = 0, .v0 = 10};
+
+double speed_after(double ch, long steps) {
+  return measure::after(euler, braking, braking.start(), ch / braking.c, steps).v;
+}
+
+}  // namespace
+
+TEST_CASE("Euler gains energy on every step of a circle") {
+  for (const double step : {1e-4, h, 0.1, 1.0}) {
+    CHECK(measure::drift(euler, drone, step, 1000, energy).smallest_gain > 0);
+  }
+}
+
+TEST_CASE("Every step of a circle multiplies the energy by 1 + (h omega)^2") {
+  for (const double step : {h, 0.1, 1.0}) {
+    const double growth = 1 + std::pow(step * drone.omega, 2);
+    const auto drift = measure::drift(euler, drone, step, 100, energy);
+    CHECK_THAT(1 + drift.last, WithinRel(std::pow(growth, 100), 1e-12));
+    CHECK_THAT(1 + drift.smallest_gain, WithinRel(growth, 1e-12));
+  }
+}
+
+TEST_CASE("The angular momentum of the drone grows by the same factor as its energy") {
+  for (const double step : {h, 0.1, 1.0}) {
+    const double growth = measure::drift(euler, drone, step, 50, energy).last;
+    CHECK_THAT(measure::drift(euler, drone, step, 50, spin).last, WithinRel(growth, 1e-10));
+  }
+}
+
+TEST_CASE("Each step of the drone ends outside the circle that it started on") {
+  auto s = drone.start();
+  double before = s.x.norm();
+  for (int n = 0; n < 5000; ++n) {
+    integrate::euler(s.x, s.v, 0.0, h, drone);
+    CHECK(s.x.norm() > before);
+    before = s.x.norm();
+  }
+}
+
+TEST_CASE("Four times the steps take a quarter of the growth in a minute") {
+  const double coarse = std::log1p(measure::drift(euler, drone, h, 3600, energy).last);
+  const double fine = std::log1p(measure::drift(euler, drone, h / 4, 4 * 3600, energy).last);
+  CHECK_THAT(coarse / fine, WithinRel(4, 0.01));
+}
+
+TEST_CASE("Euler has order one on the drone, in position and in velocity") {
+  const auto study = measure::halvings(euler, drone, 1.0 / 60, 8.0, 6);
+  for (std::size_t i = 1; i < study.size(); ++i) {
+    CHECK_THAT(study[i].position_order, WithinAbs(1, 0.1));
+    CHECK_THAT(study[i].velocity_order, WithinAbs(1, 0.1));
+  }
+}
+
+TEST_CASE("Euler asks for the acceleration once in a step") {
+  CHECK(measure::evaluations_per_step(euler, drone, h) == 1);
+}
+
+TEST_CASE("Euler loses an undamped spring at every step size") {
+  for (const double homega : {0.001, 0.01, 0.1, 1.0}) {
+    CHECK(measure::spectral_radius(euler, Spring<>{}, homega) > 1);
+    const double growth = std::pow(1 + homega * homega, 1000);
+    CHECK_THAT(size_after(2000, Spring<>{.omega = 20}, homega / 20),
+               WithinRel(std::sqrt(2) * growth, 1e-6));
+  }
+}
+
+TEST_CASE("Euler holds a damped spring while h omega is less than two zeta") {
+  for (const double zeta : {0.1, 0.5, 0.9, 1.0}) {
+    CHECK(size_after(20'000, {.omega = 20, .zeta = zeta}, 0.99 * 2 * zeta / 20) < 0.2);
+  }
+}
+
+TEST_CASE("Euler loses a damped spring when h omega is more than two zeta") {
+  for (const double zeta : {0.1, 0.5, 0.9, 1.0}) {
+    CHECK(size_after(20'000, {.omega = 20, .zeta = zeta}, 1.01 * 2 * zeta / 20) > 5);
+  }
+}
+
+TEST_CASE("An overdamped spring is limited by its fast rate alone") {
+  for (const double zeta : {1.5, 2.0, 5.0}) {
+    const double fast = 20 * (zeta + std::sqrt(zeta * zeta - 1));
+    const Spring<> spring{.omega = 20, .zeta = zeta};
+    CHECK_THAT(measure::stability_limit(euler, spring, 1e-6, 1), WithinRel(2 / fast, 1e-9));
+    CHECK(size_after(20'000, spring, 0.99 * 2 / fast) < 0.2);
+    CHECK(size_after(20'000, spring, 1.01 * 2 / fast) > 5);
+  }
+}
+
+TEST_CASE("Twice the damping above critical halves the step that Euler can take, or worse") {
+  double before = measure::stability_limit(euler, Spring<>{.zeta = 1}, 1e-6, 10);
+  for (const double zeta : {2.0, 4.0, 8.0}) {
+    const double limit = measure::stability_limit(euler, Spring<>{.zeta = zeta}, 1e-6, 10);
+    CHECK(limit < 0.5 * before);
+    before = limit;
+  }
+}
+
+TEST_CASE("Below c h = 1 Euler brakes without turning round") {
+  for (long n = 1; n <= 20; ++n) {
+    CHECK(speed_after(0.5, n) > 0);
+    CHECK(speed_after(0.5, n) < speed_after(0.5, n - 1));
+  }
+}
+
+TEST_CASE("Between c h = 1 and 2 Euler's brakes throw the thing back and forth, less each time") {
+  for (long n = 1; n <= 20; ++n) {
+    CHECK(speed_after(1.5, n) * speed_after(1.5, n - 1) < 0);
+    CHECK(std::abs(speed_after(1.5, n)) < std::abs(speed_after(1.5, n - 1)));
+  }
+}
+
+TEST_CASE("Above c h = 2 Euler's brakes speed the thing up") {
+  CHECK(std::abs(speed_after(1.99, 500)) < 0.1);
+  CHECK(std::abs(speed_after(2.01, 500)) > 1000);
+}
+
+TEST_CASE("Euler's terminal speed in linear drag is exact") {
+  const LinearDrag<> leaf{.c = 2};
+  for (const double step : {h, 0.1, 0.5, 0.9}) {
+    CHECK_THAT(-measure::after(euler, leaf, leaf.start(), step, 2000).v,
+               WithinRel(leaf.terminal_speed(), 1e-12));
+  }
+}
+
+TEST_CASE("At ten steps a second a parachute that opens too fast throws its diver upwards") {
+  const scenes::QuadraticDrag<> parachute{.k = 9.81 / (5 * 5)};
+  double x = 0, v = -50;
+  integrate::euler(x, v, 0.0, 0.1, parachute);
+  CHECK(v > 40);
+  x = 0, v = -50;
+  integrate::euler(x, v, 0.0, h, parachute);
+  CHECK(v < 0);
+}
+
+TEST_CASE("Under a constant force Euler's velocity is exact") {
+  const scenes::Projectile<> jump{.start_velocity = {3, 5}};
+  for (const double step : {h, 0.1, 1.0}) {
+    const auto end = measure::after(euler, jump, jump.start(), step, 100);
+    CHECK((end.v - jump.exact(100 * step).v).norm() < 1e-12 * end.v.norm());
+  }
+}
+
+TEST_CASE("Under a constant force Euler's position is off by a h t / 2") {
+  const scenes::Projectile<> jump{.start_velocity = {3, 5}};
+  for (const double step : {h, 0.1, 1.0}) {
+    const double t = 100 * step;
+    const auto end = measure::after(euler, jump, jump.start(), step, 100);
+    CHECK_THAT(end.x.y() - jump.exact(t).x.y(), WithinRel(9.81 * step * t / 2, 1e-9));
+    CHECK_THAT(end.x.x(), WithinRel(jump.exact(t).x.x(), 1e-12));
+  }
+}
+
+TEST_CASE("Under Coulomb friction Euler never comes to rest but trembles") {
+  const scenes::Friction<> puck;
+  auto s = puck.start();
+  int turns = 0;
+  double before = s.v;
+  measure::run(euler, puck, s, h, 2000, [&](double t, const auto& now) {
+    if (t > 20) turns += now.v * before < 0;
+    before = now.v;
+  });
+  CHECK(turns > 700);
+}
+
+TEST_CASE("Ten-day steps of Euler lose two thirds of the energy that binds the planets") {
+  const scenes::OuterSolarSystem<> system;
+  const auto start = system.start();
+  const auto end = measure::after(euler, system, start, 10.0, 20'000);
+  CHECK_THAT(system.energy(end.x, end.v) / system.energy(start.x, start.v), WithinAbs(0.34, 0.02));
+}
+
+TEST_CASE("Ten-day steps of Euler carry Jupiter past the orbit of Saturn") {
+  const scenes::OuterSolarSystem<> system;
+  const auto start = system.start();
+  const auto end = measure::after(euler, system, start, 10.0, 20'000);
+  const auto from_sun = [](const auto& s, int body) { return (s.x.col(body) - s.x.col(0)).norm(); };
+  CHECK(from_sun(end, 1) > from_sun(start, 2));
+}

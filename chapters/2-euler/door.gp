@@ -1,0 +1,13 @@
+eval axis_names("time  [s]", "how far open")
+set xrange [0:2]
+set yrange [-0.45:1.25]
+set xtics 0.5
+set ytics 0.5
+set label 1 "21.2 ms" at NARROW ? 0.98 : 1.02,1.12 right tc rgb "#000008"
+set label 2 "19.2 ms" at 1.5,0.33 left tc rgb "#000001"
+set label 3 "true" at 0.3,0.86 left tc rgb "#000007"
+plot file("door-outside") using 1:2 with linespoints ls LIMIT dt solid lw 1 ps 0.3, \
+     file("door-inside") using 1:2 with linespoints ls EULER lw 1.2 ps 0.35, \
+     file("door-exact") using 1:2 with lines ls EXACT, \
+     file("door-outside") using 1:(abs($2) < 2 ? $2 : NaN):(sprintf("21.2 ms, at %.2f s: %.3f", $1, $2)) with labels hypertext point ls LIMIT ps 0.3, \
+     file("door-inside") using 1:2:(sprintf("19.2 ms, at %.2f s: %.3f", $1, $2)) with labels hypertext point ls EULER ps 0.35

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT-0
+// Chapter 2: Euler's method, one scene after the other.
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "measure/cost.h"
+#include "measure/energy.h"
+#include "measure/order.h"
+#include "measure/path.h"
+#include "measure/stability.h"
+#include "scenes/circle.h"
+#include "scenes/linear_drag.h"
+#include "scenes/outer_solar_system.h"
+#include "scenes/projectile.h"
+#include "scenes/quadratic_drag.h"
+#include "scenes/spring.h"
+
+using measure::euler;
+using measure::Record;
+using measure::whole;
+using scenes::State;
+
+namespace {
+
+// [drone]
+constexpr scenes::Circle<> drone{.omega = 2 * std::numbers::pi / 8, .radius = 10};
+constexpr double h = 1.0 / 60;
+constexpr long turn = 480;
+// [drone]
+
+void spiral(Record& record) {
+  auto& path = record.table("spiral", {{"t", "s"}, {"x", "m"}, {"y", "m"}, {"distance", "m", 4}});
+  auto s = drone.start();
+  // [spiral]
+  measure::run(euler, drone, s, h, 10 * turn, [&](double t, const auto& now) {
+    const double distance = now.x.norm();
+    path.add({t, now.x.x(), now.x.y(), distance});
+    if (t == turn * h) record.number("distance-1", distance, 4, "m");
+  });
+  record.number("distance-10", s.x.norm(), 4, "m");
+  // [spiral]
+
+  auto& coarse = record.table("tangent", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
+  s = drone.start();
+  measure::run(euler, drone, s, 1.0, 4,
+               [&](double t, const auto& now) { coarse.add({t, now.x.x(), now.x.y()}); });
+}
+
+void energy(Record& record) {
+  const auto drone_energy = [](auto& x, auto& v) { return drone.energy(x, v); };
+  const double growth = 1 + std::pow(h * drone.omega, 2);
+  record.number("growth-step", growth, 8);
+  record.number("growth-minute", std::pow(growth, 3600), 4);
+  record.number("growth-measured", 1 + measure::drift(euler, drone, h, 3600, drone_energy).last, 4);
+
+  auto& table = record.table("energy", {{"t", "s"}, {"30 Hz"}, {"60 Hz"}, {"120 Hz"}, {"240 Hz"}});
+  for (int t = 0; t <= 60; t += 3) {
+    std::vector<measure::Cell> row{double(t)};
+    for (const int rate : {30, 60, 120, 240}) {
+      row.push_back(1 + measure::drift(euler, drone, 1.0 / rate, t * rate, drone_energy).last);
+    }
+    table.add(row);
+  }
+}
+
+void order(Record& record) {
+  auto& table = record.table("order", {{"steps per second", "", whole},
+                                       {"error", "m"},
+                                       {"order"},
+                                       {"velocity error", "m/s"},
+                                       {"velocity order"}});
+  // [order]
+  for (const auto& row : measure::halvings(euler, drone, 1.0 / 15, 8.0, 8)) {
+    table.add({1 / row.h, row.error.position, row.position_order, row.error.velocity,
+               row.velocity_order});
+  }
+  // [order]
+  record.number("order-last", table.rows.back()[2].value, 3);
+  record.number("error-60", table.rows[2][1].value, 3, "m");
+  record.number("error-120", table.rows[3][1].value, 3, "m");
+  int rate = 60;
+  while (measure::largest_error(euler, drone, 1.0 / rate, 8 * rate).position > 0.01) rate += 60;
+  record.number("rate-for-a-centimetre", rate, whole, "Hz");
+}
+
+// [suspension]
+constexpr scenes::Spring<> suspension{.omega = 20, .zeta = 0.1, .x0 = 0.1};
+constexpr scenes::Spring<> door{.omega = 10, .zeta = 5, .x0 = 1};
+// [suspension]
+
+void springs(Record& record) {
+  scenes::Spring<> undamped = suspension;
+  undamped.zeta = 0;
+  const auto energy = [&](double x, double v) { return undamped.energy(x, v); };
+  const double gain = measure::drift(euler, undamped, h, 60, energy).last;
+  record.number("swing-after-a-second", std::sqrt(1 + gain), 3);
+
+  // [limit]
+  const double limit = measure::stability_limit(euler, suspension, 0.001, 0.1);
+  record.number("suspension-limit", 1000 * limit, 4, "ms");
+  measure::path(record, "suspension-inside", euler, suspension, 0.9 * limit, 1.5);
+  measure::path(record, "suspension-outside", euler, suspension, 1.1 * limit, 1.5);
+  // [limit]
+  record.number("suspension-rate", 1 / limit, 4, "Hz");
+  measure::exact_path(record, "suspension-exact", suspension, 1.5);
+
+  auto& map = record.table("limits", {{"zeta"}, {"limit"}});
+  for (double zeta = 0.1; zeta < 3.01; zeta += 0.1) {
+    map.add({zeta, measure::stability_limit(euler, scenes::Spring<>{.zeta = zeta}, 1e-6, 10.0)});
+  }
+}
+
+void stiffness(Record& record) {
+  const double limit = measure::stability_limit(euler, door, 0.001, 0.1);
+  record.number("door-limit", 1000 * limit, 3, "ms");
+  measure::path(record, "door-inside", euler, door, 0.95 * limit, 2);
+  measure::path(record, "door-outside", euler, door, 1.05 * limit, 2);
+  measure::exact_path(record, "door-exact", door, 2);
+
+  auto& table = record.table("stiffness", {{"omega", "rad/s", whole},
+                                           {"zeta", "", whole},
+                                           {"still open after 1 s"},
+                                           {"steps per second needed", "", whole}});
+  for (const double zeta : {5.0, 10.0, 20.0, 40.0}) {
+    const scenes::Spring<> closer{.omega = 2 * zeta, .zeta = zeta, .x0 = 1};
+    const double step = measure::stability_limit(euler, closer, 1e-6, 1.0);
+    table.add({closer.omega, zeta, closer.exact(1).x, std::ceil(1 / step)});
+  }
+}
+
+void drag(Record& record) {
+  const scenes::LinearDrag<> leaf{.c = 2};
+  for (const double ch : {0.5, 1.5, 2.1}) {
+    const std::string name = "drag-" + std::to_string(std::lround(10 * ch));
+    measure::path(record, name, euler, leaf, ch / leaf.c, 9);
+  }
+  record.number("terminal-speed", leaf.g / leaf.c, 4, "m/s");
+  const auto end = measure::after(euler, leaf, leaf.start(), h, 60 * 60);
+  record.number("terminal-speed-euler", -end.v, 4, "m/s");
+
+  // [parachute]
+  const scenes::QuadraticDrag<> parachute{.k = 9.81 / (5 * 5)};
+  State<double> diver{0, -50};
+  integrate::euler(diver.x, diver.v, 0.0, 0.1, parachute);
+  record.number("diver-after-one-step", diver.v, 3, "m/s");
+  // [parachute]
+}
+
+void constant_force(Record& record) {
+  const scenes::Projectile<> jump{.start_velocity = {0, 5}};
+  auto& table = record.table("jump", {{"h", "s"}, {"t", "s"}, {"error", "m"}});
+  for (const int rate : {15, 30, 60}) {
+    auto s = jump.start();
+    measure::run(euler, jump, s, 1.0 / rate, rate, [&](double t, const auto& now) {
+      table.add({1.0 / rate, t, now.x.y() - jump.exact(t).x.y()});
+    });
+    const double error = table.rows.back()[2].value;
+    record.number("jump-error-" + std::to_string(rate), 100 * error, 3, "cm");
+  }
+}
+
+void planets(Record& record) {
+  using System = scenes::OuterSolarSystem<>;
+  const System system;
+  std::vector<measure::Column> columns{{"day"}};
+  for (const std::string name : {"Jupiter", "Saturn", "Uranus", "Neptune", "Pluto"}) {
+    columns.push_back({name + " x"});
+    columns.push_back({name + " y"});
+  }
+  const auto follow = [&](auto step, const std::string& name, double days, long every) {
+    auto& table = record.table(name, columns);
+    auto s = system.start();
+    long n = 0;
+    measure::run(step, system, s, days, std::lround(200'000 / days), [&](double day, auto& now) {
+      if (n++ % every != 0) return;
+      std::vector<measure::Cell> row{day};
+      for (int body = 1; body < 6; ++body) {
+        for (int axis = 0; axis < 2; ++axis) row.push_back(now.x(axis, body) - now.x(axis, 0));
+      }
+      table.add(row);
+    });
+    return s;
+  };
+  // [planets]
+  const auto start = system.start();
+  const auto end = follow(euler, "planets-euler", 10.0, 20);
+  // [planets]
+  follow(measure::symplectic_euler, "planets-true", 10.0, 20);
+  const auto sun_to_jupiter = [](const auto& s) { return (s.x.col(1) - s.x.col(0)).norm(); };
+  record.number("jupiter-start", sun_to_jupiter(start), 3, "AU");
+  record.number("jupiter-end", sun_to_jupiter(end), 3, "AU");
+  const double energy = system.energy(start.x, start.v);
+  record.number("planets-energy", 100 * (system.energy(end.x, end.v) / energy - 1), 3, "%");
+}
+
+std::string text(const char* form, double value) {
+  char line[80];
+  std::snprintf(line, sizeof line, form, value);
+  return line;
+}
+
+void card(Record& record) {
+  auto& table = record.table("card", {{"asked"}, {"measured"}});
+  const auto study = measure::halvings(euler, drone, 1.0 / 480, 8.0, 3);
+  table.add({"order in position", text("%.2f", study.back().position_order)});
+  table.add({"order in velocity", text("%.2f", study.back().velocity_order)});
+  const auto evaluations = double(measure::evaluations_per_step(euler, drone, h));
+  table.add({"evaluations of the acceleration per step", text("%.0f", evaluations)});
+  const scenes::LinearDrag<> braking{.c = 1, .g = 0};
+  table.add({"drag: stable while ch is under",
+             text("%.3f", measure::stability_limit(euler, braking, 1e-6, 10))});
+  const scenes::Spring<> damped{.zeta = 0.5};
+  table.add({"spring with ζ = 0.5: stable while hω is under",
+             text("%.3f", measure::stability_limit(euler, damped, 1e-6, 10))});
+  const double radius = measure::spectral_radius(euler, scenes::Spring<>{}, 0.1);
+  table.add({"undamped spring: energy after a step of hω = 0.1",
+             text("%.4f of what it was", radius * radius)});
+  table.add({"time of one step of the drone on " + measure::machine(),
+             text("%.1f ns", 1e9 * measure::seconds_per_step(euler, drone, h))});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return measure::record(argc, argv, [](Record& record) {
+    spiral(record);
+    energy(record);
+    order(record);
+    springs(record);
+    stiffness(record);
+    drag(record);
+    constant_force(record);
+    planets(record);
+    card(record);
+  });
+}

@@ -1,0 +1,15 @@
+eval axis_names("damping ratio  {/Symbol z}", "largest stable step, {/:Italic h}ω")
+set xlabel "damping ratio  ζ"
+set xrange [0:3.1]
+set yrange [0:2.2]
+set xtics 0.5
+set ytics 0.5
+limit(z) = z <= 1 ? 2*z : 2*(z - sqrt(z*z - 1))
+set label 1 "explodes" at 2,1.6 center tc rgb "#000008"
+set label 2 "dies away" at 0.92,0.3 center front tc rgb "#000001"
+set label 3 "2ζ" at 0.4,1.05 center tc rgb "#000007"
+set label 4 "2(ζ − √(ζ² − 1))" at 1.45,1 left tc rgb "#000007"
+plot limit(x) with filledcurves x1 ls AREA, \
+     limit(x) with lines ls CONTEXT, \
+     file("limits") using 1:2 with points ls EULER, \
+     file("limits") using 1:2:(sprintf("ζ = %.1f: measured limit %.4f", $1, $2)) with labels hypertext point ls EULER

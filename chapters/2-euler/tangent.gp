@@ -1,0 +1,22 @@
+eval NARROW ? canvas(400, 330) : canvas(640, 470)
+eval axis_names("x  [m]", "y  [m]")
+set size ratio -1
+set xrange [-16:16]
+set yrange [-3.5:19]
+set xtics 10
+set ytics 10
+set parametric
+set trange [0:2*pi]
+unset grid
+set label 1 "{/:Italic r}" at 4.6,-1.1 center tc rgb "#000007"
+set label 2 "{/:Italic h v}" at 10.6,4 left tc rgb "#000001"
+set label 3 "outside" at 10.6,8.4 left tc rgb "#000001"
+set arrow 1 from 0,0 to 10,0 nohead ls CONTEXT
+set arrow 2 from 0,0 to 10,7.854 nohead ls CONTEXT
+set arrow 3 from 9,0 to 9,1 nohead ls CONTEXT
+set arrow 4 from 9,1 to 10,1 nohead ls CONTEXT
+plot 10*cos(t), 10*sin(t) with lines ls EXACT, \
+     file("tangent") using 2:3 with linespoints ls EULER ps 0.8, \
+     "+" every 1000 using (0):(0) with points ls CONTEXT pt 7 ps 0.8, \
+     file("tangent") using 2:3:(sprintf("after %.0f s: %.2f m from the tower", $1, sqrt($2**2 + $3**2))) \
+       with labels hypertext point ls EULER ps 0.8

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The exact step while the acceleration does not change.
+#pragma once
+#include <type_traits>
+
+namespace integrate {
+
+// [step]
+/// One step as if the acceleration stayed what it is at the start of the step.
+///
+/// Exact for any h under a constant force. Order 1 otherwise, one evaluation of the acceleration,
+/// stable on drag while c*h < 2.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @see Galileo, Discorsi (1638), third day, proposition II
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void constant_acceleration(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
+  static_assert(std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>,
+                "acceleration must be callable as Vec(x, v, t)");
+  const Vec a = acceleration(x, v, t);
+  x = x + h * v + (h * h / Real(2)) * a;
+  v = v + h * a;
+}
+// [step]
+
+}  // namespace integrate
