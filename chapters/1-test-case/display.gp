@@ -1,12 +1,12 @@
 eval axis_names("frame", "moved since the frame before  [cm]")
 last = NARROW ? 20 : 40
-set xrange [-0.7:last - 0.3]
+set xrange [-0.7:last + (NARROW ? 4.5 : 5)]
 set yrange [0:6.2]
 set xtics 0,5
 set ytics 0,1
 set grid noxtics
 set label 1 "newest state" at 0,5.6 left tc rgb "#00000a"
-set label 2 "blended" at NARROW ? 8.4 : 20.4,2.5 left tc rgb "#00000b"
+set label 2 "blended" at last,2.08 left tc rgb "#00000b"
 plot file("display") using 1:2 with impulses ls FIRST lw 3, \
      file("display") using 1:2 with points ls FIRST, \
      file("display") using 1:3 with linespoints ls SECOND lw 1.4, \

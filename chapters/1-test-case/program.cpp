@@ -89,14 +89,17 @@ void rocket(Record& record) {
 
 void order(Record& record) {
   const scenes::LinearDrag<> leaf{.c = 2};
-  auto& table = record.table(
-      "order", {{"step", "s", 4}, {"Euler", "m"}, {"order"}, {"with a h^2/2", "m"}, {"its order"}});
+  auto& table = record.table("order", {{"steps per second", "", whole},
+                                       {"Euler", "m"},
+                                       {"order"},
+                                       {"with a h²/2", "m"},
+                                       {"its order"}});
   // [order]
   const auto plain = measure::halvings(euler, leaf, 1.0 / 8, 4.0, 7);
   const auto curved = measure::halvings(measure::constant_acceleration, leaf, 1.0 / 8, 4.0, 7);
   // [order]
   for (std::size_t i = 0; i < plain.size(); ++i) {
-    table.add({plain[i].h, plain[i].error.position, plain[i].position_order,
+    table.add({1 / plain[i].h, plain[i].error.position, plain[i].position_order,
                curved[i].error.position, curved[i].position_order});
   }
   record.number("leaf-ratio", curved.back().error.position / plain.back().error.position, 2);

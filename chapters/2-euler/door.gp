@@ -3,7 +3,7 @@ set xrange [0:2]
 set yrange [-0.45:1.25]
 set xtics 0.5
 set ytics 0.5
-set label 1 "21.2 ms" at NARROW ? 0.98 : 1.02,1.12 right tc rgb "#000008"
+set label 1 "21.2 ms" at 0.99,1.08 left tc rgb "#000008"
 set label 2 "19.2 ms" at 1.5,0.33 left tc rgb "#000001"
 set label 3 "true" at 0.3,0.86 left tc rgb "#000007"
 plot file("door-outside") using 1:2 with linespoints ls LIMIT dt solid lw 1 ps 0.3, \

@@ -8,9 +8,9 @@ set ytics ("1 cm" 0.01, "10 cm" 0.1, "1 m, 1 m/s" 1)
 if (NARROW) set ytics ("1 cm" 0.01, "10 cm" 0.1, "1 m" 1)
 set lmargin NARROW ? 7.5 : 10
 unset mxtics
-set label 1 "position" at 130,0.26 left tc rgb "#000001"
+set label 1 "position" at 270,0.115 left tc rgb "#000001"
 set label 2 "velocity" at 38,0.27 right tc rgb "#000001"
-set label 3 "slope −1" at 300,0.21 left tc rgb "#000007"
+set label 3 "slope −1" at 1000,0.065 left tc rgb "#000007"
 plot 50/x with lines ls CONTEXT, \
      file("order") using 1:2 with linespoints ls EULER, \
      file("order") using 1:4 with linespoints ls EULER dt (5,4) pt 6, \

@@ -64,6 +64,16 @@ void energy(Record& record) {
   }
 }
 
+/// The fewest steps per second, in hundreds, that keep the drone within a centimetre of its place.
+int rate_for_a_centimetre(int turns) {
+  int rate = 2000 * turns;
+  const auto error = [&] {
+    return measure::largest_error(euler, drone, 1.0 / rate, 8L * turns * rate).position;
+  };
+  while (error() > 0.01) rate += 100;
+  return rate;
+}
+
 void order(Record& record) {
   auto& table = record.table("order", {{"steps per second", "", whole},
                                        {"error", "m"},
@@ -79,9 +89,8 @@ void order(Record& record) {
   record.number("order-last", table.rows.back()[2].value, 3);
   record.number("error-60", table.rows[2][1].value, 3, "m");
   record.number("error-120", table.rows[3][1].value, 3, "m");
-  int rate = 60;
-  while (measure::largest_error(euler, drone, 1.0 / rate, 8 * rate).position > 0.01) rate += 60;
-  record.number("rate-for-a-centimetre", rate, whole, "Hz");
+  record.number("rate-for-one-turn", rate_for_a_centimetre(1), whole);
+  record.number("rate-for-ten-turns", rate_for_a_centimetre(10), whole);
 }
 
 // [suspension]

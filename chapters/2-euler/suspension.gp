@@ -1,11 +1,11 @@
 eval axis_names("time  [s]", "stretch  [m]")
 set xrange [0:1.5]
-set yrange [-0.32:0.32]
+set yrange [-0.2:0.2]
 set xtics 0,0.25
 set ytics 0.1
-set label 1 "11 ms: grows" at 1.48,0.29 right tc rgb "#000008"
-set label 2 "9 ms: dies away" at 1.48,-0.27 right tc rgb "#000001"
-set label 3 "true" at 0.02,-0.1 left tc rgb "#000007"
+set label 1 "11 ms: grows" at 1.48,0.17 right tc rgb "#000008"
+set label 2 "9 ms: dies away" at 1.48,-0.17 right tc rgb "#000001"
+set label 3 "true" at 0.02,-0.12 left tc rgb "#000007"
 plot file("suspension-outside") using 1:2 with linespoints ls LIMIT dt solid lw 1.2 ps 0.35, \
      file("suspension-exact") using 1:2 with lines ls EXACT, \
      file("suspension-inside") using 1:2 with linespoints ls EULER lw 1.4 ps 0.35, \

@@ -12,7 +12,7 @@ namespace measure {
 
 /// The length of a vector, or the size of a number.
 template <class Vec>
-auto length(const Vec& x) {
+double length(const Vec& x) {
   if constexpr (std::is_arithmetic_v<Vec>) {
     return std::abs(x);
   } else {
@@ -41,8 +41,10 @@ Error largest_error(Step step, const Scene& scene, Real h, long steps) {
   auto s = scene.start();
   run(step, scene, s, h, steps, [&](Real t, const auto& now) {
     const auto truth = scene.exact(t);
-    largest.position = std::max<double>(largest.position, length<decltype(now.x)>(now.x - truth.x));
-    largest.velocity = std::max<double>(largest.velocity, length(now.v - truth.v));
+    const auto position = length(now.x - truth.x);
+    const auto velocity = length(now.v - truth.v);
+    largest.position = std::max(largest.position, position);
+    largest.velocity = std::max(largest.velocity, velocity);
   });
   return largest;
 }

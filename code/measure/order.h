@@ -10,11 +10,14 @@
 namespace measure {
 
 /// One row of an order study: a step, its errors, and the order that they show.
+///
+/// The order is log2 of the error of the row before over the error of this row. The first row has
+/// none: it is not a number there.
 struct Halving {
-  double h = 0;               ///< step size [s]
-  Error error;                ///< largest errors of the run with this step
-  double position_order = 0;  ///< log2 of the error at 2h over the error at h; 0 in the first row
-  double velocity_order = 0;  ///< the same for the velocity
+  double h = 0;                 ///< step size [s]
+  Error error;                  ///< largest errors of the run with this step
+  double position_order = NAN;  ///< order in position
+  double velocity_order = NAN;  ///< order in velocity
 };
 
 // [halvings]
@@ -30,7 +33,8 @@ template <class Step, class Scene>
 std::vector<Halving> halvings(Step step, const Scene& scene, double h, double duration, int rows) {
   std::vector<Halving> study;
   for (int row = 0; row < rows; ++row, h /= 2) {
-    Halving now{.h = h, .error = largest_error(step, scene, h, std::lround(duration / h))};
+    const long steps = std::lround(duration / h);
+    Halving now{.h = h, .error = largest_error(step, scene, h, steps)};
     if (row > 0) {
       const Error before = study.back().error;
       now.position_order = std::log2(before.position / now.error.position);

@@ -49,8 +49,8 @@ std::string csv(const Table& table) {
   return lines;
 }
 
-std::runtime_error failure(const path& file) {
-  return std::runtime_error("can't write " + file.string() + ": " + std::strerror(errno));
+std::runtime_error failure(const path& file, int error) {
+  return std::runtime_error("can't write " + file.string() + ": " + std::strerror(error));
 }
 
 path part(const path& file) {
@@ -60,7 +60,13 @@ path part(const path& file) {
 void write_part(const path& file, const std::string& lines) {
   std::ofstream out(part(file), std::ios::binary);
   out << lines << std::flush;
-  if (!out) throw failure(file);
+  if (!out) throw failure(file, errno);
+}
+
+void put_in_place(const path& file) {
+  std::error_code problem;
+  std::filesystem::rename(part(file), file, problem);
+  if (problem) throw failure(file, problem.value());
 }
 
 }  // namespace
@@ -95,7 +101,7 @@ void Record::write(const path& folder) const {
   }
   try {
     for (const auto& [file, lines] : files) write_part(file, lines);
-    for (const auto& [file, lines] : files) std::filesystem::rename(part(file), file);
+    for (const auto& [file, lines] : files) put_in_place(file);
   } catch (...) {
     std::error_code ignored;
     for (const auto& [file, lines] : files) std::filesystem::remove(part(file), ignored);
@@ -120,8 +126,8 @@ int record(int argc, char** argv, const std::function<void(Record&)>& fill) {
                  argv[argc > 2 ? 2 : 1], program.c_str());
     return 2;
   }
-  if (argc == 2 && access(argv[1], W_OK | X_OK) != 0) {
-    std::fprintf(stderr, "%s: can't write to '%s': %s; name a folder that exists\n",
+  if (argc == 2 && access((path(argv[1]) / "").c_str(), W_OK | X_OK) != 0) {
+    std::fprintf(stderr, "%s: can't write to '%s': %s; name a folder that is yours\n",
                  program.c_str(), argv[1], std::strerror(errno));
     return 2;
   }

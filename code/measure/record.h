@@ -57,9 +57,9 @@ class Record {
   /// Starts a table, written as NAME.csv. The reference stays good.
   Table& table(std::string name, std::vector<Column> columns);
 
-  /// Writes numbers.csv, tables.csv and one file for each table, all of them or none.
+  /// Writes numbers.csv, tables.csv and one file for each table.
   ///
-  /// Every file is written beside its place and then renamed.
+  /// Each is written beside its place first, and put there only when all of them are whole.
   ///
   /// @param folder  must exist
   /// @throws std::runtime_error  one line that says which file could not be written, and why

@@ -1,0 +1,30 @@
+# A chapter's program must refuse bad input: exit code 2, one line on stderr, nothing on stdout, and
+# nothing left behind.
+file(REMOVE_RECURSE ${SCRATCH})
+file(MAKE_DIRECTORY ${SCRATCH}/empty ${SCRATCH}/blocked/numbers.csv)
+file(WRITE ${SCRATCH}/file "")
+
+function(refuses reason)
+  execute_process(COMMAND ${PROGRAM} ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  if(NOT code EQUAL 2)
+    message(SEND_ERROR "${ARGN}: exit code ${code}, expected 2")
+  endif()
+  if(NOT out STREQUAL "")
+    message(SEND_ERROR "${ARGN}: printed on stdout: ${out}")
+  endif()
+  if(NOT err MATCHES "^program: [^\n]*${reason}[^\n]*\n$")
+    message(SEND_ERROR "${ARGN}: expected one line with '${reason}', got: ${err}")
+  endif()
+endfunction()
+
+refuses("don't know '--fast'" --fast)
+refuses("don't know 'more'" ${SCRATCH}/empty more)
+refuses("No such file or directory; name a folder" ${SCRATCH}/missing)
+refuses("name a folder" ${SCRATCH}/file)
+refuses("can't write" /proc)
+refuses("can't write" ${SCRATCH}/blocked)
+
+file(GLOB_RECURSE left LIST_DIRECTORIES false ${SCRATCH}/*.part ${SCRATCH}/*.part* ${SCRATCH}/empty/*)
+if(left)
+  message(SEND_ERROR "left behind: ${left}")
+endif()
