@@ -22,6 +22,14 @@ TEST_CASE("A puck slides until its energy is spent, and then lies still") {
   }
 }
 
+TEST_CASE("A puck at rest has no speed left over from rounding") {
+  for (const double v0 : {0.1, 0.3, 0.7, -0.9, 1.7}) {
+    const scenes::Friction<> puck{.mu = 0.3, .v0 = v0};
+    CHECK(puck.exact(puck.stopping_time()).v == 0);
+    CHECK(puck.exact(10).v == 0);
+  }
+}
+
 TEST_CASE("A puck obeys its equation while it slides, either way, and at rest") {
   for (const long double v0 : {3.0L, -3.0L, 0.0L}) {
     const scenes::Friction<long double> puck{.mu = 0.3L, .v0 = v0};

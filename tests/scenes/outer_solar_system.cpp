@@ -90,4 +90,6 @@ TEST_CASE("The outer solar system has the energy that its data says, and keeps w
     circles += System::masses[body] * std::sqrt(System::G * seen[body - 1].axis);
   }
   CHECK_THAT(spin.norm(), WithinRel(circles, 0.003));
+  // Its axis is close to that of the ecliptic, which leans 23.4 degrees towards -y.
+  CHECK(spin.dot(Eigen::Vector3d(0, -0.398, 0.917)) > 0.999 * spin.norm());
 }

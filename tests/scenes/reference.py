@@ -8,7 +8,7 @@ the formula that the scene itself uses. The build does not run this.
 import csv
 import pathlib
 
-from mpmath import mp, mpf, odefun, quad, sin, sqrt, nstr
+from mpmath import exp, mp, mpf, odefun, polyroots, quad, sin, sqrt, nstr
 
 mp.dps = 40
 
@@ -37,6 +37,12 @@ for zeta in (0, tenth(2), 1, tenth(25)):
     solve(f"spring omega=3 zeta={nstr(zeta, 3)}", spring, [tenth(5)], [mpf(-2)], [tenth(7), 2])
 solve("circle omega=1.5 radius=2", lambda x, v, t: [-mpf("2.25") * c for c in x], [2, 0], [0, 3],
       [tenth(9), 7])
+
+# x'' + 2 zeta omega x' + omega^2 x = 0 at omega = 1e4, zeta = 5e3: two exponentials, whose rates
+# are the roots of a polynomial. From x = 1, v = 0.
+fast, slow = sorted(polyroots([1, mpf(10) ** 8, mpf(10) ** 8], maxsteps=200, extraprec=200))
+for t in (1, 50):
+    show(f"stiff door t={t}", (fast * exp(slow * t) - slow * exp(fast * t)) / (fast - slow))
 
 
 def kepler(x, v, t):
