@@ -140,11 +140,11 @@ void display(Record& record) {
       now += 3 * clock.h;
     });
     const double shown = before + clock.blend() * (now - before);
-    // [blend]
     if (frame >= 8) table.add({double(frame - 8), 100 * (now - newest), 100 * (shown - blended)});
     newest = now;
     blended = shown;
   }
+  // [blend]
 }
 
 void far_away(Record& record) {

@@ -41,6 +41,7 @@ void spiral(Record& record) {
   record.number("distance-10", s.x.norm(), 4, "m");
   // [spiral]
 
+  record.number("step-length", 100 * h * drone.start().v.norm(), 2, "cm");
   auto& coarse = record.table("tangent", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
   s = drone.start();
   measure::run(euler, drone, s, 1.0, 4,
@@ -200,6 +201,7 @@ void planets(Record& record) {
   record.number("jupiter-start", sun_to_jupiter(start), 3, "AU");
   record.number("jupiter-end", sun_to_jupiter(end), 3, "AU");
   const double energy = system.energy(start.x, start.v);
+  record.number("years", 200'000 / 365.25, 3);
   record.number("planets-energy", 100 * (system.energy(end.x, end.v) / energy - 1), 3, "%");
 }
 
