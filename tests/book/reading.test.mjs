@@ -1,0 +1,127 @@
+// What a reader does on a page: light and dark, copying, values under the mouse, hints, the next page, printing.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { chapters, parse } from './book.mjs';
+import { openTab, pageOf, visit } from './browser.mjs';
+
+const tab = await openTab();
+const phone = await openTab('dark');
+const chapter = chapters.at(-1);
+
+const colours = () => {
+  const style = getComputedStyle(document.documentElement);
+  return Object.fromEntries([...style].filter(name => name.startsWith('--')).map(name => [name, style.getPropertyValue(name)]));
+};
+const paper = page => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+
+// A page that scrolls hides the value shown, and it tells so one frame later.
+async function bringIntoView(thing) {
+  await thing.scrollIntoViewIfNeeded();
+  await tab.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+test('the theme button turns the page dark, figures too, and the next page remembers', async () => {
+  await visit(tab, chapter);
+  const line = () => tab.evaluate(() => getComputedStyle(document.querySelector('.plot svg [style*="stroke:var(--plot-"]')).stroke);
+  const [light, lightLine] = [await paper(tab), await line()];
+  await tab.locator('button.theme').click();
+  const dark = await paper(tab);
+  assert.notEqual(dark, light);
+  assert.notEqual(await line(), lightLine);
+  await tab.reload();
+  assert.equal(await paper(tab), dark);
+  await visit(tab, 'index.html');
+  assert.equal(await paper(tab), dark);
+});
+
+test('dark by the button has the colours of dark by the system', async () => {
+  await visit(tab, chapter);
+  await visit(phone, chapter);
+  assert.equal(await tab.evaluate(() => document.documentElement.dataset.theme), 'dark');
+  assert.deepEqual(await tab.evaluate(colours), await phone.evaluate(colours));
+  await tab.locator('button.theme').click();
+  assert.notDeepEqual(await tab.evaluate(colours), await phone.evaluate(colours));
+});
+
+test('the copy button copies the lines of the source, and no line numbers', async () => {
+  await visit(tab, chapter);
+  const listing = tab.locator('figure.listing').first();
+  await listing.locator('button').click();
+  await listing.locator('button', { hasText: 'Copied' }).waitFor();
+  const copied = (await tab.evaluate(() => navigator.clipboard.readText())).replace(/\n$/, '').split('\n');
+  const [page] = (await listing.locator('a.file').getAttribute('href')).split('#');
+  const numbers = await listing.locator('[data-n]').evaluateAll(marks => marks.map(mark => Number(mark.dataset.n)));
+  const source = parse(page)('pre').text().split('\n');
+  const lines = numbers.map(n => source[n - 1]);
+  const indent = Math.min(...lines.filter(line => line.trim()).map(line => line.search(/\S/)));
+  assert.deepEqual(copied, lines.map(line => line.slice(indent)));
+});
+
+test('a point of a figure shows its value', async () => {
+  await visit(tab, chapter);
+  const points = tab.locator('.plot .wide [data-tip]');
+  const point = points.nth(Math.floor(await points.count() / 2));
+  const value = await point.getAttribute('data-tip');
+  assert.match(value, /\d/);
+  await bringIntoView(point);
+  await point.hover();
+  assert.equal(await tab.locator('.tip').textContent(), value);
+  assert.ok(await tab.locator('.tip').isVisible());
+  await tab.locator('h1').hover();
+  assert.ok(await tab.locator('.tip').isHidden());
+});
+
+test('a number shows its full value', async () => {
+  await visit(tab, chapter);
+  const number = tab.locator('data.number').first();
+  await bringIntoView(number);
+  await number.hover();
+  const tip = await tab.locator('.tip').textContent();
+  assert.ok(tip.includes(await number.getAttribute('value')), tip);
+});
+
+test('a hint is closed, and opens', async () => {
+  await visit(tab, chapter);
+  const hint = tab.locator('details.hint').first();
+  assert.ok(await hint.locator('> :not(summary)').first().isHidden());
+  await hint.locator('summary').click();
+  assert.ok(await hint.locator('> :not(summary)').first().isVisible());
+});
+
+test('next leads from the first page through all chapters, previous back', async () => {
+  const way = ['index.html', ...chapters];
+  await visit(tab, way[0]);
+  for (const page of way.slice(1)) {
+    await tab.locator('a[rel=next]').click();
+    assert.equal(pageOf(tab), page);
+  }
+  for (const page of way.slice(0, -1).reverse()) {
+    await tab.locator('a[rel=prev]').click();
+    assert.equal(pageOf(tab), page);
+  }
+});
+
+test('figures have a shape for a desktop and one for a phone', async () => {
+  for (const [reader, shown, hidden] of [[tab, '.wide', '.narrow'], [phone, '.narrow', '.wide']]) {
+    await visit(reader, chapter);
+    for (const figure of await reader.locator('figure.plot').all()) {
+      const id = await figure.getAttribute('id');
+      assert.ok(await figure.locator(`${shown} svg`).isVisible(), `${id}: no ${shown}`);
+      assert.ok(await figure.locator(`${hidden} svg`).isHidden(), `${id}: ${hidden} as well`);
+    }
+  }
+});
+
+test('a chapter prints on white, without menus, with its hints open', async () => {
+  await visit(phone, chapter);
+  await phone.emulateMedia({ media: 'print' });
+  await phone.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  assert.match(await paper(phone), /^rgba?\((255, 255, 255|0, 0, 0, 0\))/);
+  for (const menu of ['nav.side', 'button.copy']) assert.ok(await phone.locator(menu).first().isHidden(), `${menu} is printed`);
+  assert.ok(await phone.locator('details.hint > :not(summary)').first().isVisible());
+  const pdf = await phone.pdf({ format: 'A4' });
+  const sheets = pdf.toString('latin1').match(/\/Type\s*\/Page\b/g).length;
+  assert.ok(sheets >= 1 && sheets < 60, `${sheets} sheets`);
+});
