@@ -3,7 +3,7 @@ set xrange [0:9]
 set yrange [-2.2:13]
 set xtics 0,3
 set ytics 0,5
-set label 1 "{/:Italic ch} = 0.5" at NARROW ? 2.3 : 1.45,1.6 left tc rgb "#000001"
+set label 1 "{/:Italic ch} = 0.5" at NARROW ? 2.3 : 0.5,NARROW ? 1.6 : 1.7 left tc rgb "#000001"
 set label 2 "1.5" at 0.9,7.4 left tc rgb "#000001"
 set label 3 "2.1" at NARROW ? 5.4 : 5.5,11.6 left tc rgb "#000008"
 set label 4 "true" at 7.2,4 left tc rgb "#000007"

@@ -8,7 +8,7 @@ set ytics 25
 name(body) = word("Jupiter Saturn Uranus Neptune Pluto", body + 1)
 set label 1 "Pluto" at 42,33 left tc rgb "#000007"
 set label 2 "Neptune" at 0,31 center tc rgb "#000007"
-set label 3 "Uranus" at 0,-19.5 center tc rgb "#000007"
+set label 3 "Uranus" at 0,-23.5 center tc rgb "#000007"
 plot for [body=0:4] file("planets-true") using (column(2*body + 2)):(column(2*body + 3)) with lines ls EXACT dt solid lw 0.8, \
      for [body=0:4] file("planets-euler") using (column(2*body + 2)):(column(2*body + 3)) with lines ls EULER lw 0.6, \
      for [body=0:4] file("planets-euler") every 40 using (column(2*body + 2)):(column(2*body + 3)): \

@@ -65,14 +65,15 @@ void energy(Record& record) {
   }
 }
 
-/// The fewest steps per second, in hundreds, that keep the drone within a centimetre of its place.
-int rate_for_a_centimetre(int turns) {
-  int rate = 2000 * turns;
-  const auto error = [&] {
-    return measure::largest_error(euler, drone, 1.0 / rate, 8L * turns * rate).position;
-  };
-  while (error() > 0.01) rate += 100;
-  return rate;
+/// Steps per second, in hundreds, that keep the drone within a centimetre of its place.
+double rate_for_a_centimetre(long turns) {
+  double rate = 1000.0 * double(turns);
+  while (true) {
+    const long steps = turns * std::lround(8 * rate);
+    const double error = measure::largest_error(euler, drone, 1 / rate, steps).position;
+    if (error <= 0.01) return rate;
+    rate = 100 * std::ceil(rate / 100 * error / 0.01);  // as for a method of order one
+  }
 }
 
 void order(Record& record) {
