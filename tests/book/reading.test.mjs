@@ -69,7 +69,7 @@ test('a point of a figure shows its value', async () => {
   await point.hover();
   assert.equal(await tab.locator('.tip').textContent(), value);
   assert.ok(await tab.locator('.tip').isVisible());
-  await tab.locator('h1').hover();
+  await tab.mouse.move(0, 0);
   assert.ok(await tab.locator('.tip').isHidden());
 });
 
