@@ -29,7 +29,7 @@ export async function openTab(look = 'light') {
   const context = await browser.newContext({ ...looks[look], reducedMotion: 'reduce' });
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const tab = await context.newPage();
-  tab.setDefaultTimeout(10000);
+  tab.setDefaultTimeout(20000);
   tab.faults = [];
   tab.on('console', message => tab.faults.push(`console: ${message.text()}`));
   tab.on('pageerror', error => tab.faults.push(`script: ${error.message}`));
