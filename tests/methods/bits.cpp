@@ -56,3 +56,10 @@ TEST_CASE("A long run of symplectic Euler has the same bits everywhere") {
   CHECK(hash_of_run(measure::symplectic_euler, planets, planets.start(), 10.0, 2000) ==
         0x3f2555ec196ee37d);
 }
+
+TEST_CASE("A long run of constant accelerations has the same bits everywhere") {
+  const auto step = measure::constant_acceleration;
+  CHECK(hash_of_run(step, pendulum, pendulum.start(), 1e-3, 100'000) == 0x203c7408c3b84d4c);
+  CHECK(hash_of_run(step, scenes::Orbit<>(), perihelion, 1e-3, 100'000) == 0x4ced0df9a4a27e14);
+  CHECK(hash_of_run(step, planets, planets.start(), 10.0, 2000) == 0x96dc6b8ed143800c);
+}

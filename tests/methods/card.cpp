@@ -13,6 +13,7 @@
 #include "measure/stability.h"
 #include "scenes/circle.h"
 #include "scenes/linear_drag.h"
+#include "scenes/projectile.h"
 #include "scenes/spring.h"
 
 using Catch::Matchers::WithinRel;
@@ -38,21 +39,36 @@ template <class Step>
 void check_order_and_cost(const std::string& method, Step step) {
   const scenes::Circle<> circle;
   const auto study = measure::halvings(step, circle, 0.01, 5.0, 4);
-  const double order = std::stod(promised(method, "Order ([0-9]+), "));
+  const double order = std::stod(promised(method, "Order ([0-9]+)[ ,]"));
   CHECK(std::abs(study.back().position_order - order) < 0.1);
   const char* const counts[] = {"no", "one", "two", "three", "four"};
   const auto evaluations = measure::evaluations_per_step(step, circle, 0.1);
   CHECK(promised(method, ", ([a-z]+) evaluations? of the acceleration") == counts[evaluations]);
 }
 
+template <class Step>
+void check_drag_limit(const std::string& method, Step step) {
+  const double limit = std::stod(promised(method, "stable on drag while c\\*h < ([0-9.]+)"));
+  const scenes::LinearDrag<> drag{.c = 5, .g = 0};
+  CHECK(measure::spectral_radius(step, drag, 0.999 * limit / 5) <= 1);
+  CHECK(measure::spectral_radius(step, drag, 1.001 * limit / 5) > 1.0005);
+}
+
 }  // namespace
+
+TEST_CASE("The card of the exact step of a constant acceleration says what is measured") {
+  const std::string method = "constant_acceleration";
+  check_order_and_cost(method, measure::constant_acceleration);
+  promised(method, "(Exact for any h under a constant force)");
+  const scenes::Projectile<> ball;
+  const auto end = measure::after(measure::constant_acceleration, ball, ball.start(), 7.0, 1);
+  CHECK((end.x - ball.exact(7).x).norm() < 1e-12);
+  check_drag_limit(method, measure::constant_acceleration);
+}
 
 TEST_CASE("Euler's card says what is measured") {
   check_order_and_cost("euler", measure::euler);
-  const double c_h = std::stod(promised("euler", "stable on drag while c\\*h < ([0-9.]+)"));
-  const scenes::LinearDrag<> drag{.c = 5, .g = 0};
-  CHECK(measure::spectral_radius(measure::euler, drag, 0.999 * c_h / 5) <= 1);
-  CHECK(measure::spectral_radius(measure::euler, drag, 1.001 * c_h / 5) > 1.0005);
+  check_drag_limit("euler", measure::euler);
   const double per_zeta = std::stod(promised("euler", "h\\*omega < ([0-9.]+)\\*zeta"));
   for (const double zeta : {0.1, 0.5, 1.0}) {
     const scenes::Spring<> spring{.omega = 3, .zeta = zeta};

@@ -41,3 +41,15 @@ TEST_CASE("Under constant force Euler lags by a h t / 2, symplectic Euler leads 
     }
   }
 }
+
+TEST_CASE("Under constant force the exact step is exact, however long it is") {
+  for (const double h : {1.0 / 60, 0.25, 30.0}) {
+    for (const int steps : {1, 7, 100}) {
+      const Misses exact = misses(measure::constant_acceleration, h, steps);
+      const double rounding = 1e-14 * 9.81 * (h * steps) * (h * steps);
+      CAPTURE(h, steps, exact.up);
+      CHECK(std::abs(exact.up) < rounding + 1e-12);
+      CHECK(exact.speed < rounding + 1e-12);
+    }
+  }
+}

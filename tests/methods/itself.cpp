@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "integrate/constant_acceleration.h"
 #include "integrate/euler.h"
 #include "integrate/symplectic_euler.h"
 
@@ -52,6 +53,23 @@ TEST_CASE("Symplectic Euler moves by h v + h^2 a, and its velocity is the distan
   }
 }
 
+TEST_CASE("The exact step of a constant acceleration moves with the mean of its two velocities") {
+  for (const double h : {0.3, -0.2}) {
+    double x = 0.7, v = -1.1;
+    double at = x, speed = v;
+    for (int n = 0; n < 8; ++n) {
+      const double t = 0.25 + n * h;
+      integrate::constant_acceleration(x, v, t, h, pushed);
+      const double faster = speed + h * pushed(at, speed, t);
+      at += h * (speed + faster) / 2;
+      speed = faster;
+      CAPTURE(h, n);
+      CHECK_THAT(x, WithinRel(at, 1e-12));
+      CHECK_THAT(v, WithinRel(speed, 1e-12));
+    }
+  }
+}
+
 TEST_CASE("A step of each method is what comes out by hand") {
   // At x = 1, v = 2, t = 1/2 the acceleration is -1 - 1 + 1/2 = -3/2, and h is 1/2.
   const auto simple = [](double x, double v, double t) { return -x * x * x - v / 2 + t; };
@@ -63,9 +81,13 @@ TEST_CASE("A step of each method is what comes out by hand") {
   integrate::symplectic_euler(x, v, 0.5, 0.5, simple);
   CHECK(v == 1.25);
   CHECK(x == 1.625);
+  x = 1, v = 2;
+  integrate::constant_acceleration(x, v, 0.5, 0.5, simple);
+  CHECK(v == 1.25);
+  CHECK(x == 1.8125);
 }
 
-TEST_CASE("Euler and symplectic Euler ask for the acceleration once, at the start of the step") {
+TEST_CASE("The methods of order 1 ask for the acceleration once, at the start of the step") {
   struct Asked {
     double x, v, t;
     bool operator==(const Asked&) const = default;
@@ -76,10 +98,14 @@ TEST_CASE("Euler and symplectic Euler ask for the acceleration once, at the star
     return 5.0;
   };
   double x = 1, v = 2;
-  integrate::euler(x, v, 3.0, 0.5, remember);
-  CHECK(asked == std::vector<Asked>{{1, 2, 3}});
-  asked.clear();
-  x = 1, v = 2;
-  integrate::symplectic_euler(x, v, 3.0, 0.5, remember);
+  SECTION("Euler") {
+    integrate::euler(x, v, 3.0, 0.5, remember);
+  }
+  SECTION("symplectic Euler") {
+    integrate::symplectic_euler(x, v, 3.0, 0.5, remember);
+  }
+  SECTION("constant acceleration") {
+    integrate::constant_acceleration(x, v, 3.0, 0.5, remember);
+  }
   CHECK(asked == std::vector<Asked>{{1, 2, 3}});
 }

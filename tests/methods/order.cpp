@@ -104,6 +104,10 @@ TEST_CASE("Euler has order 1 in position and in velocity") {
   check_order_everywhere(1, measure::euler);
 }
 
+TEST_CASE("The exact step of a constant acceleration has order 1 where it is not constant") {
+  check_order_everywhere(1, measure::constant_acceleration);
+}
+
 TEST_CASE("Symplectic Euler has order 1 in position and in velocity") {
   check_order_everywhere(1, measure::symplectic_euler);
 }

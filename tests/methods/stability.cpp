@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // Just inside its limit a run stays bounded; just outside it blows up.
+#include "measure/stability.h"
+
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
@@ -35,16 +37,23 @@ double farthest(Step step, const Spring<>& spring, double h) {
   return most / std::abs(spring.x0);
 }
 
+template <class Step>
+void check_drag_limit(Step step, double c) {
+  const LinearDrag<> leaf{.c = c, .v0 = 3};
+  const double inside = measure::after(step, leaf, leaf.start(), 1.99 / c, 5000).v;
+  CHECK_THAT(inside, WithinRel(-leaf.terminal_speed(), 1e-13));
+  const double outside = measure::after(step, leaf, leaf.start(), 2.01 / c, 5000).v;
+  CHECK(std::abs(outside) > 1e6);
+}
+
 }  // namespace
 
 TEST_CASE("Euler finds the terminal speed while c h < 2, and blows up beyond") {
-  for (const double c : {0.5, 20.0}) {
-    const LinearDrag<> leaf{.c = c, .v0 = 3};
-    const double inside = measure::after(measure::euler, leaf, leaf.start(), 1.99 / c, 5000).v;
-    CHECK_THAT(inside, WithinRel(-leaf.terminal_speed(), 1e-13));
-    const double outside = measure::after(measure::euler, leaf, leaf.start(), 2.01 / c, 5000).v;
-    CHECK(std::abs(outside) > 1e6);
-  }
+  for (const double c : {0.5, 20.0}) check_drag_limit(measure::euler, c);
+}
+
+TEST_CASE("So does the exact step of a constant acceleration: its velocity is Euler's") {
+  for (const double c : {0.5, 20.0}) check_drag_limit(measure::constant_acceleration, c);
 }
 
 TEST_CASE("Euler on drag alternates around the terminal speed when c h is between 1 and 2") {
@@ -80,6 +89,17 @@ TEST_CASE("Euler gives an undamped spring 1 + (h omega)^2 times its energy on ev
       integrate::euler(x, v, 0.0, h_omega / 7, spring);
       CHECK_THAT(spring.energy(x, v) / before, WithinRel(1 + h_omega * h_omega, 1e-13));
     }
+  }
+}
+
+TEST_CASE("A constant acceleration per step makes an undamped spring grow with every step, too") {
+  // The step's matrix has determinant 1 + (h omega)^2 / 2, the square of the growth.
+  for (const double h_omega : {0.01, 0.1, 1.0}) {
+    const Spring<> spring{.omega = 7};
+    const double radius =
+        measure::spectral_radius(measure::constant_acceleration, spring, h_omega / 7);
+    CHECK_THAT(radius * radius, WithinRel(1 + h_omega * h_omega / 2, 1e-13));
+    CHECK_FALSE(growth(measure::constant_acceleration, spring, 0.1 / 7) < 1e6);
   }
 }
 

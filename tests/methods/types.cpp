@@ -52,11 +52,13 @@ double there_and_back(Step step, int steps) {
 TEST_CASE("The clock may be a double while everything else is a float") {
   check_that_clock_keeps_its_type(measure::euler);
   check_that_clock_keeps_its_type(measure::symplectic_euler);
+  check_that_clock_keeps_its_type(measure::constant_acceleration);
 }
 
 TEST_CASE("The compiler can take the steps itself") {
   STATIC_CHECK(after_two_steps(measure::euler) == 0.75);
   STATIC_CHECK(after_two_steps(measure::symplectic_euler) == 0.4375);
+  STATIC_CHECK(after_two_steps(measure::constant_acceleration) == 0.578125);
 }
 
 TEST_CASE("Backwards with a negative step the start is found again, up to the order") {
@@ -64,5 +66,8 @@ TEST_CASE("Backwards with a negative step the start is found again, up to the or
              WithinRel(2.0, 0.02));
   CHECK_THAT(there_and_back(measure::symplectic_euler, 2000) /
                  there_and_back(measure::symplectic_euler, 4000),
+             WithinRel(2.0, 0.02));
+  CHECK_THAT(there_and_back(measure::constant_acceleration, 2000) /
+                 there_and_back(measure::constant_acceleration, 4000),
              WithinRel(2.0, 0.02));
 }

@@ -8,8 +8,12 @@
 struct Plain {
   float a, b;
 };
-inline Plain operator+(Plain p, Plain q) { return {p.a + q.a, p.b + q.b}; }
-inline Plain operator*(float s, Plain p) { return {s * p.a, s * p.b}; }
+inline Plain operator+(Plain p, Plain q) {
+  return {p.a + q.a, p.b + q.b};
+}
+inline Plain operator*(float s, Plain p) {
+  return {s * p.a, s * p.b};
+}
 
 // Every coordinate moves by itself, and all arguments of the acceleration matter. The clock is a
 // double for all.
@@ -27,6 +31,7 @@ int differs(const char* type, Method method, Real x, Real v, double x0, double v
   take_steps<double>(method, x0, v0, 1.0);
   const double tolerance = sizeof(Real) == sizeof(float) ? 1e-5 : 1e-14;
   if (std::abs(x - x0) < tolerance && std::abs(v - v0) < tolerance) return 0;
-  std::printf("%s: x %.9g, v %.9g; on double: x %.9g, v %.9g\n", type, double(x), double(v), x0, v0);
+  std::printf("%s: x %.9g, v %.9g; on double: x %.9g, v %.9g\n", type, double(x), double(v), x0,
+              v0);
   return 1;
 }
