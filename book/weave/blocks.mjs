@@ -25,7 +25,7 @@ function listing({ book, hold }, piece) {
 }
 
 function fence({ hold }, { language, code }) {
-  const kind = languageOf(language) === 'bash' ? ' shell' : '';
+  const kind = languageOf(language) === 'bash' ? ' terminal' : '';
   return `<div class="codebox${kind}"><pre><code>${hold(highlightLines(code, language).join('\n'))}</code></pre></div>`;
 }
 

@@ -56,12 +56,12 @@ const raise = digits => [...digits].map(c => SUPERSCRIPT[c]).join('');
 
 export function numberText(value, digits) {
   return write(value, digits, { separator: NARROW, minus: MINUS, infinity: '∞',
-    power: (m, e) => `${m}${NARROW}×${NARROW}10${raise(signed(e, '-'))}` });
+    power: (m, e) => `${m}\u00a0×\u00a010${raise(signed(e, '-'))}` });
 }
 
 export function numberHtml(value, digits) {
   return write(value, digits, { separator: NARROW, minus: MINUS, infinity: '∞',
-    power: (m, e) => `${m}${NARROW}×${NARROW}10<sup>${signed(e, MINUS)}</sup>` });
+    power: (m, e) => `${m}\u00a0×\u00a010<sup>${signed(e, MINUS)}</sup>` });
 }
 
 export function numberTex(value, digits) {
