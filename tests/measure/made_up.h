@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT-0
+// Methods and scenes that are made up so that every measurement has a known answer.
+#pragma once
+#include <cmath>
+
+#include "scenes/state.h"
+
+namespace made_up {
+
+// A body that nothing pushes, from x = 0 at 1 m/s.
+struct Drifter {
+  template <class Time>
+  double operator()(const double&, const double&, Time) const {
+    return 0;
+  }
+  scenes::State<double> start() const { return {0, 1}; }
+  scenes::State<double> exact(double t) const { return {t, 1}; }
+};
+
+// A method of a known order: on the drifter, x is wrong by t h^order and v by 3 t h^order.
+inline auto of_order(int order) {
+  return [order](double& x, double& v, double, double h, const auto&) {
+    x = x + h * 1 + h * std::pow(h, order);
+    v = v + 3 * h * std::pow(h, order);
+  };
+}
+
+// Multiplies the velocity by a factor that depends on the time alone, and does not move.
+template <class Factor>
+auto scaling(Factor factor) {
+  return [factor](double&, double& v, double t, double, const auto&) { v = factor(t) * v; };
+}
+
+}  // namespace made_up
