@@ -1,9 +1,9 @@
 eval axis_names("across  [m]", "height  [m]")
 set xrange [0:255]
-set yrange [0:55]
+set yrange [-1.5:55]
 set xtics 50
-set ytics 10
-set label 1 "in a vacuum: a formula" at 122,49 center tc rgb "#000007"
+set ytics 0,10
+set label 1 "in a vacuum: a formula" at 122,NARROW ? 51 : 49.5 center tc rgb "#000007"
 set label 2 "in air: steps" at 100,12 left tc rgb "#00000b"
 plot 30.0/40*x - 9.81/2*(x/40.0)**2 with lines ls EXACT, \
      file("cannon-in-air") using 2:3 with lines ls SECOND, \

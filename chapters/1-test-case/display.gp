@@ -2,13 +2,13 @@ eval axis_names("frame", "moved since the frame before  [cm]")
 last = NARROW ? 20 : 40
 set xrange [-0.7:last + (NARROW ? 4.5 : 5)]
 set yrange [0:6.2]
-set xtics 0,5
+set xtics 0,5,last
 set ytics 0,1
 set grid noxtics
 set label 1 "newest state" at 0,5.6 left tc rgb "#00000a"
-set label 2 "blended" at last,2.08 left tc rgb "#00000b"
-plot file("display") using 1:2 with impulses ls FIRST lw 3, \
-     file("display") using 1:2 with points ls FIRST, \
-     file("display") using 1:3 with linespoints ls SECOND lw 1.4, \
-     file("display") using 1:2:(sprintf("newest state: %.2f cm", $2)) with labels hypertext point ls FIRST, \
-     file("display") using 1:3:(sprintf("blended: %.2f cm", $3)) with labels hypertext point ls SECOND
+set label 2 "blended" at last,2.08 left offset 0.5,0 tc rgb "#00000b"
+plot file("display") every ::8 using ($1 - 8):2 with impulses ls FIRST lw 3, \
+     file("display") every ::8 using ($1 - 8):2 with points ls FIRST, \
+     file("display") every ::8 using ($1 - 8):3 with linespoints ls SECOND lw 1.4, \
+     file("display") every ::8 using ($1 - 8):2:(sprintf("newest state: %.2f cm", $2)) with labels hypertext point ls FIRST, \
+     file("display") every ::8 using ($1 - 8):3:(sprintf("blended: %.2f cm", $3)) with labels hypertext point ls SECOND

@@ -4,7 +4,7 @@ set yrange [-0.08:1.3]
 set xtics 2
 set ytics 0,0.25
 set label 1 "4 km" at 9.2,1.17 right tc rgb "#00000a"
-set label 2 "1.5 km" at 9.9,0.72 right tc rgb "#00000b"
+set label 2 "1.5 km" at 9.9,NARROW ? 0.66 : 0.72 right tc rgb "#00000b"
 set label 3 "16 km" at 9.9,0.1 right tc rgb "#00000c"
 set label 4 "at the origin" at NARROW ? 5.6 : 6.3,NARROW ? 0.33 : 0.46 left tc rgb "#000007"
 distance(i) = word("4000 1500 16000", i)

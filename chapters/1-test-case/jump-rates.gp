@@ -6,7 +6,7 @@ set ytics 0.75,0.25
 rate(i) = word("20 30 60 144", i)
 set label 1 "ledge, 1.33 m" at 0.94,NARROW ? 1.37 : 1.358 right tc rgb "#000008"
 set label 2 "20 Hz" at 0.52,1.445 center tc rgb "#000001"
-set label 3 "144 Hz" at 0.52,1.235 center tc rgb "#000001"
+set label 3 "144 Hz" at 0.52,NARROW ? 1.19 : 1.225 center tc rgb "#000001"
 plot 1.33 with lines ls LIMIT, \
      5*x - 9.81*x**2/2 with lines ls EXACT, \
      for [i=1:4] file("jump") using ($1 == rate(i) + 0 ? $2 : NaN):3 with linespoints ls EULER lw 1.4 ps (i == 4 ? 0.3 : 0.6), \

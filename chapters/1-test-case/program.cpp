@@ -85,6 +85,9 @@ void rocket(Record& record) {
   record.number("rocket-exact", rocket.exact(rocket.burn_time).x, 4, "m");
   record.number("rocket-constant", table.rows.back()[2].value, 4, "m");
   record.number("rocket-euler", s.x, 4, "m");
+  const auto curved = measure::after(measure::constant_acceleration, rocket, rocket.start(),
+                                     rocket.burn_time / 10, 10);
+  record.number("rocket-ten-constant", curved.x, 4, "m");
 }
 
 void order(Record& record) {
@@ -102,6 +105,9 @@ void order(Record& record) {
     table.add({1 / plain[i].h, plain[i].error.position, plain[i].position_order,
                curved[i].error.position, curved[i].position_order});
   }
+  record.number("leaf-error-euler", 100 * plain[0].error.position, 3, "cm");
+  record.number("leaf-error-term", 100 * curved[0].error.position, 3, "cm");
+  record.number("leaf-fall", -leaf.exact(4).x, 3, "m");
   record.number("leaf-ratio", curved.back().error.position / plain.back().error.position, 2);
 }
 
@@ -133,16 +139,16 @@ void display(Record& record) {
   // [blend]
   frames::FixedStep<> clock{.h = 1.0 / 60};
   double before = 0, now = 0;
-  double newest = 0, blended = 0;
+  double now_before = 0, shown_before = 0;
   for (int frame = 0; frame < 48; ++frame) {
     clock.frame(1.0 / 144, [&](double) {
       before = now;
       now += 3 * clock.h;
     });
     const double shown = before + clock.blend() * (now - before);
-    if (frame >= 8) table.add({double(frame - 8), 100 * (now - newest), 100 * (shown - blended)});
-    newest = now;
-    blended = shown;
+    table.add({double(frame), 100 * (now - now_before), 100 * (shown - shown_before)});
+    now_before = now;
+    shown_before = shown;
   }
   // [blend]
 }

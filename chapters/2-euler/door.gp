@@ -3,11 +3,11 @@ set xrange [0:2]
 set yrange [-0.45:1.25]
 set xtics 0.5
 set ytics 0.5
-set label 1 "21.2 ms" at 0.99,1.08 left tc rgb "#000008"
+set label 1 "21.2 ms" at 0.99,1.08 left tc rgb "#00000c"
 set label 2 "19.2 ms" at 1.5,0.33 left tc rgb "#000001"
 set label 3 "true" at 0.3,0.86 left tc rgb "#000007"
-plot file("door-outside") using 1:2 with linespoints ls LIMIT dt solid lw 1 ps 0.3, \
+plot file("door-outside") using 1:2 with linespoints ls THIRD pt 7 lw 1 ps 0.3, \
      file("door-inside") using 1:2 with linespoints ls EULER lw 1.2 ps 0.35, \
      file("door-exact") using 1:2 with lines ls EXACT, \
-     file("door-outside") using 1:(abs($2) < 2 ? $2 : NaN):(sprintf("21.2 ms, at %.2f s: %.3f", $1, $2)) with labels hypertext point ls LIMIT ps 0.3, \
+     file("door-outside") using 1:(abs($2) < 2 ? $2 : NaN):(sprintf("21.2 ms, at %.2f s: %.3f", $1, $2)) with labels hypertext point ls THIRD pt 7 ps 0.3, \
      file("door-inside") using 1:2:(sprintf("19.2 ms, at %.2f s: %.3f", $1, $2)) with labels hypertext point ls EULER ps 0.35

@@ -5,13 +5,14 @@ set xrange [-17:17]
 set yrange [-17:17]
 set xtics 10
 set ytics 10
-set label 1 "should be here" at 0,-7 center tc rgb "#000007"
+set label 1 "should be on this" at 0,-3 center tc rgb "#000007"
 set parametric
 set trange [0:2*pi]
 set label 2 "start" at 8.9,0.9 right tc rgb "#000001"
-plot 10*cos(t), 10*sin(t) with lines ls EXACT, \
+plot 12*cos(t), 12*sin(t) with lines ls LIMIT, \
+     10*cos(t), 10*sin(t) with lines ls EXACT, \
      file("spiral") every 8 using 2:3 with lines ls EULER lw 1.4, \
-     file("spiral") every 37 using 2:3 with points ls EULER ps 0.35, \
+     file("spiral") every 120 using 2:3 with points ls EULER ps 0.35, \
      "+" every 1000 using (0):(0) with points ls CONTEXT pt 7 ps 0.8, \
-     file("spiral") every 37 using 2:3:(sprintf("after %.0f s: %.2f m from the tower", $1, $4)) \
+     file("spiral") every 120 using 2:3:(sprintf("after %.0f s: %.2f m from the tower", $1, $4)) \
        with labels hypertext point ls EULER ps 0.35

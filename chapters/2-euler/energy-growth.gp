@@ -1,4 +1,4 @@
-eval axis_names("time  [s]", "energy, in parts of the first")
+eval axis_names("time  [s]", "energy, relative to the start")
 set logscale y
 set xrange [0:NARROW ? 70 : 68]
 set yrange [0.9:4.2]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // Chapter 2: Euler's method, one scene after the other.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -31,15 +32,24 @@ constexpr long turn = 480;
 
 void spiral(Record& record) {
   auto& path = record.table("spiral", {{"t", "s"}, {"x", "m"}, {"y", "m"}, {"distance", "m", 4}});
-  auto s = drone.start();
   // [spiral]
+  auto s = drone.start();
   measure::run(euler, drone, s, h, 10 * turn, [&](double t, const auto& now) {
-    const double distance = now.x.norm();
-    path.add({t, now.x.x(), now.x.y(), distance});
-    if (t == turn * h) record.number("distance-1", distance, 4, "m");
+    path.add({t, now.x.x(), now.x.y(), now.x.norm()});
   });
+  const auto once = measure::after(euler, drone, drone.start(), h, turn);
+  record.number("distance-1", once.x.norm(), 4, "m");
   record.number("distance-10", s.x.norm(), 4, "m");
   // [spiral]
+
+  double nearest = INFINITY, farthest = 0;
+  s = drone.start();
+  measure::run(measure::symplectic_euler, drone, s, h, 10 * turn, [&](double, const auto& now) {
+    nearest = std::min(nearest, now.x.norm());
+    farthest = std::max(farthest, now.x.norm());
+  });
+  record.number("swapped-nearest", nearest, 4, "m");
+  record.number("swapped-farthest", farthest, 4, "m");
 
   record.number("step-length", 100 * h * drone.start().v.norm(), 2, "cm");
   auto& coarse = record.table("tangent", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
@@ -53,6 +63,7 @@ void energy(Record& record) {
   const double growth = 1 + std::pow(h * drone.omega, 2);
   record.number("growth-step", growth, 8);
   record.number("growth-minute", std::pow(growth, 3600), 4);
+  record.number("growth-240", std::pow(1 + std::pow(drone.omega / 240, 2), 4 * 3600), 4);
   record.number("growth-measured", 1 + measure::drift(euler, drone, h, 3600, drone_energy).last, 4);
 
   auto& table = record.table("energy", {{"t", "s"}, {"30 Hz"}, {"60 Hz"}, {"120 Hz"}, {"240 Hz"}});
@@ -65,15 +76,16 @@ void energy(Record& record) {
   }
 }
 
-/// Steps per second, in hundreds, that keep the drone within a centimetre of its place.
+/// Fewest steps per second, in hundreds, that keep the drone within a centimetre of its place.
 double rate_for_a_centimetre(long turns) {
-  double rate = 1000.0 * double(turns);
-  while (true) {
-    const long steps = turns * std::lround(8 * rate);
-    const double error = measure::largest_error(euler, drone, 1 / rate, steps).position;
-    if (error <= 0.01) return rate;
-    rate = 100 * std::ceil(rate / 100 * error / 0.01);  // as for a method of order one
-  }
+  const auto error = [turns](double rate) {
+    return measure::largest_error(euler, drone, 1 / rate, turns * std::lround(8 * rate)).position;
+  };
+  double rate = 2000.0 * double(turns);
+  rate = 100 * std::ceil(rate / 100 * error(rate) / 0.01);  // order one says where to look
+  while (error(rate) > 0.01) rate += 100;
+  while (error(rate - 100) <= 0.01) rate -= 100;
+  return rate;
 }
 
 void order(Record& record) {
@@ -114,6 +126,8 @@ void springs(Record& record) {
   measure::path(record, "suspension-outside", euler, suspension, 1.1 * limit, 1.5);
   // [limit]
   record.number("suspension-rate", 1 / limit, 4, "Hz");
+  const double at_60 = measure::spectral_radius(euler, suspension, h);
+  record.number("suspension-at-60", std::pow(at_60, 60), 3);
   measure::exact_path(record, "suspension-exact", suspension, 1.5);
 
   auto& map = record.table("limits", {{"zeta"}, {"limit"}});
@@ -129,8 +143,8 @@ void stiffness(Record& record) {
   measure::path(record, "door-outside", euler, door, 1.05 * limit, 2);
   measure::exact_path(record, "door-exact", door, 2);
 
-  auto& table = record.table("stiffness", {{"omega", "rad/s", whole},
-                                           {"zeta", "", whole},
+  auto& table = record.table("stiffness", {{"ω", "rad/s", whole},
+                                           {"ζ", "", whole},
                                            {"still open after 1 s"},
                                            {"steps per second needed", "", whole}});
   for (const double zeta : {5.0, 10.0, 20.0, 40.0}) {
@@ -153,9 +167,12 @@ void drag(Record& record) {
   // [parachute]
   const scenes::QuadraticDrag<> parachute{.k = 9.81 / (5 * 5)};
   State<double> diver{0, -50};
-  integrate::euler(diver.x, diver.v, 0.0, 0.1, parachute);
-  record.number("diver-after-one-step", diver.v, 3, "m/s");
+  record.number("diver-after-one-step", measure::after(euler, parachute, diver, 0.1, 1).v, 3,
+                "m/s");
   // [parachute]
+  record.number("diver-at-60", -measure::after(euler, parachute, diver, h, 1).v, 3, "m/s");
+  record.number("diver-true", -measure::after(euler, parachute, diver, h / 1e5, 100'000).v, 3,
+                "m/s");
 }
 
 void constant_force(Record& record) {
@@ -193,17 +210,28 @@ void planets(Record& record) {
     });
     return s;
   };
-  // [planets]
   const auto start = system.start();
   const auto end = follow(euler, "planets-euler", 10.0, 20);
-  // [planets]
   follow(measure::symplectic_euler, "planets-true", 10.0, 20);
-  const auto sun_to_jupiter = [](const auto& s) { return (s.x.col(1) - s.x.col(0)).norm(); };
-  record.number("jupiter-start", sun_to_jupiter(start), 3, "AU");
-  record.number("jupiter-end", sun_to_jupiter(end), 3, "AU");
+  const auto apart = [](const auto& s, int i, int j) { return (s.x.col(i) - s.x.col(j)).norm(); };
+  record.number("jupiter-start", apart(start, 0, 1), 3, "AU");
+  record.number("jupiter-end", apart(end, 0, 1), 3, "AU");
+  record.number("saturn-end", apart(end, 0, 2), 3, "AU");
+  double meeting = INFINITY, meeting_day = 0;
+  auto s = start;
+  measure::run(euler, system, s, 10.0, 20'000, [&](double day, const auto& now) {
+    if (apart(now, 1, 2) < meeting) {
+      meeting = apart(now, 1, 2);
+      meeting_day = day;
+    }
+  });
+  record.number("meeting-distance", meeting, 2, "AU");
+  record.number("meeting-year", meeting_day / 365.25, 3);
+  record.number("jupiter-angle", 10 * 2 * std::numbers::pi / 4332.6, 3);
+  record.number("drone-angle", h * drone.omega, 3);
   const double energy = system.energy(start.x, start.v);
   record.number("years", 200'000 / 365.25, 3);
-  record.number("planets-energy", 100 * (system.energy(end.x, end.v) / energy - 1), 3, "%");
+  record.number("planets-energy", 100 * (1 - system.energy(end.x, end.v) / energy), 3, "%");
 }
 
 std::string text(const char* form, double value) {

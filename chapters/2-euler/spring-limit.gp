@@ -7,7 +7,7 @@ set ytics 0.5
 limit(z) = z <= 1 ? 2*z : 2*(z - sqrt(z*z - 1))
 set label 1 "explodes" at 2,1.6 center tc rgb "#000008"
 set label 2 "dies away" at 0.92,0.3 center front tc rgb "#000001"
-set label 3 "2ζ" at 0.4,1.05 center tc rgb "#000007"
+set label 3 "2ζ" at NARROW ? 0.33 : 0.4,1.08 center tc rgb "#000007"
 set label 4 "2(ζ − √(ζ² − 1))" at 1.45,1 left tc rgb "#000007"
 plot limit(x) with filledcurves x1 ls AREA, \
      limit(x) with lines ls CONTEXT, \

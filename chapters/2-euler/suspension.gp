@@ -3,11 +3,11 @@ set xrange [0:1.5]
 set yrange [-0.2:0.2]
 set xtics 0,0.25
 set ytics 0.1
-set label 1 "11 ms: grows" at 1.48,0.17 right tc rgb "#000008"
+set label 1 "11 ms: grows" at 1.48,0.17 right tc rgb "#00000c"
 set label 2 "9 ms: dies away" at 1.48,-0.17 right tc rgb "#000001"
 set label 3 "true" at 0.02,-0.12 left tc rgb "#000007"
-plot file("suspension-outside") using 1:2 with linespoints ls LIMIT dt solid lw 1.2 ps 0.35, \
+plot file("suspension-outside") using 1:2 with linespoints ls THIRD pt 7 lw 1.2 ps 0.35, \
      file("suspension-exact") using 1:2 with lines ls EXACT, \
      file("suspension-inside") using 1:2 with linespoints ls EULER lw 1.4 ps 0.35, \
-     file("suspension-outside") using 1:2:(sprintf("11 ms, at %.3f s: %.3f m", $1, $2)) with labels hypertext point ls LIMIT ps 0.35, \
+     file("suspension-outside") using 1:2:(sprintf("11 ms, at %.3f s: %.3f m", $1, $2)) with labels hypertext point ls THIRD pt 7 ps 0.35, \
      file("suspension-inside") using 1:2:(sprintf("9 ms, at %.3f s: %.3f m", $1, $2)) with labels hypertext point ls EULER ps 0.35

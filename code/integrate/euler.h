@@ -10,7 +10,8 @@ namespace integrate {
 /// One step of Euler's method: position and velocity both move along the tangent at the start.
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag while c*h < 2, on a damped spring
-/// (zeta <= 1) while h*omega < 2*zeta, never on an undamped one.
+/// while h*omega < 2*zeta (zeta <= 1) or 2*(zeta - sqrt(zeta^2 - 1)) (zeta >= 1), never on an
+/// undamped one.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place

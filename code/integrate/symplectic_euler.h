@@ -21,8 +21,10 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr void symplectic_euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
   static_assert(std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>,
                 "acceleration must be callable as Vec(x, v, t)");
+  // [move]
   v = v + h * acceleration(x, v, t);
   x = x + h * v;
+  // [move]
 }
 // [step]
 
