@@ -36,6 +36,12 @@ TEST_CASE("The largest departure counts, up or down, and the last keeps its sign
   CHECK(found.smallest_gain == -0.75);
 }
 
+TEST_CASE("A loss counts as a departure") {
+  // 1, 0.25, 1.5
+  const auto dipping = made_up::scaling([](double t) { return t < 1 ? 0.25 : 6; });
+  CHECK(measure::drift(dipping, made_up::Drifter(), 1.0, 2, doubled).largest == 0.75);
+}
+
 TEST_CASE("A negative energy that rises has a gain above zero") {
   const auto shrinking = made_up::scaling([](double) { return 0.75; });
   const auto found = measure::drift(shrinking, made_up::Drifter(), 1.0, 2, negative);

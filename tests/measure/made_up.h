@@ -17,11 +17,11 @@ struct Drifter {
   scenes::State<double> exact(double t) const { return {t, 1}; }
 };
 
-// A method of a known order: on the drifter, x is wrong by t h^order and v by 3 t h^order.
-inline auto of_order(int order) {
-  return [order](double& x, double& v, double, double h, const auto&) {
-    x = x + h * 1 + h * std::pow(h, order);
-    v = v + 3 * h * std::pow(h, order);
+// A method of known orders: on the drifter, x is wrong by t h^in_x and v by 3 t h^in_v.
+inline auto of_orders(int in_x, int in_v) {
+  return [in_x, in_v](double& x, double& v, double, double h, const auto&) {
+    x = x + h * 1 + h * std::pow(h, in_x);
+    v = v + 3 * h * std::pow(h, in_v);
   };
 }
 
