@@ -9,10 +9,10 @@
 #include "measure/energy.h"
 #include "measure/order.h"
 #include "measure/stability.h"
+#include "planets.h"
 #include "scenes/circle.h"
 #include "scenes/friction.h"
 #include "scenes/linear_drag.h"
-#include "scenes/outer_solar_system.h"
 #include "scenes/projectile.h"
 #include "scenes/quadratic_drag.h"
 #include "scenes/spring.h"
@@ -43,6 +43,10 @@ const LinearDrag<> braking{.c = 2, .g = 0, .v0 = 10};
 
 double speed_after(double ch, long steps) {
   return measure::after(euler, braking, braking.start(), ch / braking.c, steps).v;
+}
+
+auto after_ten_day_steps(const State<Planets::Vec>& start) {
+  return measure::after(euler, Planets(), start, days, planet_steps);
 }
 
 }  // namespace
@@ -206,26 +210,20 @@ TEST_CASE("Under Coulomb friction Euler never comes to rest but trembles") {
 
 TEST_CASE(
     "Ten-day steps of Euler lift the energy of the planets two thirds of the way to freedom") {
-  const scenes::OuterSolarSystem<> system;
+  const Planets system;
   const auto start = system.start();
-  const auto end = measure::after(euler, system, start, 10.0, 20'000);
+  const auto end = after_ten_day_steps(start);
   CHECK_THAT(system.energy(end.x, end.v) / system.energy(start.x, start.v), WithinAbs(0.34, 0.02));
 }
 
 TEST_CASE("Ten-day steps of Euler carry Jupiter past the orbit of Saturn") {
-  const scenes::OuterSolarSystem<> system;
-  const auto start = system.start();
-  const auto end = measure::after(euler, system, start, 10.0, 20'000);
-  const auto from_sun = [](const auto& s, int body) { return (s.x.col(body) - s.x.col(0)).norm(); };
-  CHECK(from_sun(end, 1) > from_sun(start, 2));
+  const auto start = Planets().start();
+  CHECK(apart(after_ten_day_steps(start), 0, 1) > apart(start, 0, 2));
 }
 
 TEST_CASE("Ten-day steps of Euler throw Saturn past the orbit of Neptune") {
-  const scenes::OuterSolarSystem<> system;
-  const auto start = system.start();
-  const auto end = measure::after(euler, system, start, 10.0, 20'000);
-  const auto from_sun = [](const auto& s, int body) { return (s.x.col(body) - s.x.col(0)).norm(); };
-  CHECK(from_sun(end, 2) > 1.1 * from_sun(start, 4));
+  const auto start = Planets().start();
+  CHECK(apart(after_ten_day_steps(start), 0, 2) > 1.1 * apart(start, 0, 4));
 }
 
 TEST_CASE("With two lines swapped the drone stays within four centimetres of its circle") {

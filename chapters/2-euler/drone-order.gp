@@ -1,15 +1,15 @@
 eval axis_names("steps per second", "largest error  [m] or [m/s]")
 set logscale xy
 set xrange [12:2500]
-set yrange [0.005:3.2]
+set yrange [0.005:8]
 set xtics (15, 30, 60, 120, 240, 480, 960, 1920)
 if (NARROW) set xtics (15, 60, 240, 960)
 set ytics (0.01, 0.1, 1)
 unset mxtics
 set label 1 "position" at 36,1.15 left tc rgb "#000001"
 set label 2 "velocity" at 26,0.42 right tc rgb "#000001"
-set label 3 "slope −1" at 1000,0.072 left tc rgb "#000007"
-plot 50/x with lines ls CONTEXT, \
+set label 3 "slope −1" at 1000,0.13 left tc rgb "#000007"
+plot 100/x with lines ls CONTEXT, \
      file("order") using 1:2 with linespoints ls EULER, \
      file("order") using 1:4 with linespoints ls EULER dt (5,4) pt 6, \
      file("order") using 1:2:(sprintf("%d steps a second: %.3g m", $1, $2)) with labels hypertext point ls EULER, \

@@ -2,17 +2,16 @@
 // Chapter 2: Euler's method, one scene after the other.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
-#include "measure/cost.h"
+#include "measure/card.h"
 #include "measure/energy.h"
 #include "measure/order.h"
 #include "measure/path.h"
 #include "measure/stability.h"
+#include "planets.h"
 #include "scenes/circle.h"
 #include "scenes/linear_drag.h"
-#include "scenes/outer_solar_system.h"
 #include "scenes/projectile.h"
 #include "scenes/quadratic_drag.h"
 #include "scenes/spring.h"
@@ -51,6 +50,7 @@ void spiral(Record& record) {
   record.number("swapped-nearest", nearest, 4, "m");
   record.number("swapped-farthest", farthest, 4, "m");
 
+  record.number("drone-angle", h * drone.omega, 3);
   record.number("step-length", 100 * h * drone.start().v.norm(), 2, "cm");
   auto& coarse = record.table("tangent", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
   s = drone.start();
@@ -188,78 +188,6 @@ void constant_force(Record& record) {
   }
 }
 
-void planets(Record& record) {
-  using System = scenes::OuterSolarSystem<>;
-  const System system;
-  std::vector<measure::Column> columns{{"day"}};
-  for (const std::string name : {"Jupiter", "Saturn", "Uranus", "Neptune", "Pluto"}) {
-    columns.push_back({name + " x"});
-    columns.push_back({name + " y"});
-  }
-  const auto follow = [&](auto step, const std::string& name, double days, long every) {
-    auto& table = record.table(name, columns);
-    auto s = system.start();
-    long n = 0;
-    measure::run(step, system, s, days, std::lround(200'000 / days), [&](double day, auto& now) {
-      if (n++ % every != 0) return;
-      std::vector<measure::Cell> row{day};
-      for (int body = 1; body < 6; ++body) {
-        for (int axis = 0; axis < 2; ++axis) row.push_back(now.x(axis, body) - now.x(axis, 0));
-      }
-      table.add(row);
-    });
-    return s;
-  };
-  const auto start = system.start();
-  const auto end = follow(euler, "planets-euler", 10.0, 20);
-  follow(measure::symplectic_euler, "planets-true", 10.0, 20);
-  const auto apart = [](const auto& s, int i, int j) { return (s.x.col(i) - s.x.col(j)).norm(); };
-  record.number("jupiter-start", apart(start, 0, 1), 3, "AU");
-  record.number("jupiter-end", apart(end, 0, 1), 3, "AU");
-  record.number("saturn-end", apart(end, 0, 2), 3, "AU");
-  double meeting = INFINITY, meeting_day = 0;
-  auto s = start;
-  measure::run(euler, system, s, 10.0, 20'000, [&](double day, const auto& now) {
-    if (apart(now, 1, 2) < meeting) {
-      meeting = apart(now, 1, 2);
-      meeting_day = day;
-    }
-  });
-  record.number("meeting-distance", meeting, 2, "AU");
-  record.number("meeting-year", meeting_day / 365.25, 3);
-  record.number("jupiter-angle", 10 * 2 * std::numbers::pi / 4332.6, 3);
-  record.number("drone-angle", h * drone.omega, 3);
-  const double energy = system.energy(start.x, start.v);
-  record.number("years", 200'000 / 365.25, 3);
-  record.number("planets-energy", 100 * (1 - system.energy(end.x, end.v) / energy), 3, "%");
-}
-
-std::string text(const char* form, double value) {
-  char line[80];
-  std::snprintf(line, sizeof line, form, value);
-  return line;
-}
-
-void card(Record& record) {
-  auto& table = record.table("card", {{"asked"}, {"measured"}});
-  const auto study = measure::halvings(euler, drone, 1.0 / 480, 8.0, 3);
-  table.add({"order in position", text("%.2f", study.back().position_order)});
-  table.add({"order in velocity", text("%.2f", study.back().velocity_order)});
-  const auto evaluations = double(measure::evaluations_per_step(euler, drone, h));
-  table.add({"evaluations of the acceleration per step", text("%.0f", evaluations)});
-  const scenes::LinearDrag<> braking{.c = 1, .g = 0};
-  table.add({"drag: stable while ch is under",
-             text("%.3f", measure::stability_limit(euler, braking, 1e-6, 10))});
-  const scenes::Spring<> damped{.zeta = 0.5};
-  table.add({"spring with ζ = 0.5: stable while hω is under",
-             text("%.3f", measure::stability_limit(euler, damped, 1e-6, 10))});
-  const double radius = measure::spectral_radius(euler, scenes::Spring<>{}, 0.1);
-  table.add({"undamped spring: energy after a step of hω = 0.1",
-             text("%.4f of what it was", radius * radius)});
-  table.add({"time of one step of the drone on " + measure::machine(),
-             text("%.1f ns", 1e9 * measure::seconds_per_step(euler, drone, h))});
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -272,6 +200,6 @@ int main(int argc, char** argv) {
     drag(record);
     constant_force(record);
     planets(record);
-    card(record);
+    measure::card(record, "card", euler);
   });
 }
