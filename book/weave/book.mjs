@@ -7,14 +7,16 @@ import { readPage } from './page.mjs';
 import { createProblems } from './problems.mjs';
 import { createSnippets } from './snippets.mjs';
 import { readTables } from './tables.mjs';
+import { slug } from './text.mjs';
 
 export function readBook(config) {
   const problems = createProblems();
+  const sources = findSources(config);
   const book = {
     config, problems,
     chapters: new Map(), pages: [], labels: new Map(), references: new Map(), claims: new Map(),
-    sources: findSources(config),
-    snippet: createSnippets(config.source),
+    sources,
+    snippet: createSnippets(config.source, sources),
     short: path => relative(config.source, path),
   };
   for (const chapter of config.chapters) book.chapters.set(chapter.name, readChapter(book, chapter));
@@ -46,7 +48,7 @@ function readChapter(book, { name, folder, build }) {
   if (!existsSync(numbersFile)) book.problems.add(`${folder}/program.cpp`, 1, `the program has not written ${book.short(numbersFile)}; build the chapter first`);
   const claims = readClaims(join(build, 'claims.xml'), { source, command: book.short(join(build, 'claims')) });
   if (claims.fault) book.problems.add(`${folder}/claims.cpp`, 1, claims.fault);
-  const figures = new Map(readdirSync(join(source, folder)).filter(file => file.endsWith('.gp')).sort().map(file => {
+  const figures = new Map((existsSync(join(source, folder)) ? readdirSync(join(source, folder)) : []).filter(file => file.endsWith('.gp')).sort().map(file => {
     const figure = file.slice(0, -3);
     const drawn = suffix => join(build, 'figures', `${figure}${suffix}.svg`);
     return [figure, { name: figure, script: `${folder}/${file}`, wide: drawn(''), narrow: drawn('-narrow') }];
@@ -75,8 +77,8 @@ function readPages(book) {
 
 function registerClaims(book, chapter) {
   for (const test of chapter.tests) {
-    const other = book.claims.get(test.name);
-    if (other) book.problems.add(test.file, test.line, `the test name "${test.name}" is taken by ${other.test.file}:${other.test.line}; names are unique in the book`);
+    const other = book.claims.get(test.name) ?? [...book.claims.values()].find(claim => slug(claim.test.name) === slug(test.name));
+    if (other) book.problems.add(test.file, test.line, `the test name "${test.name}" is taken by ${other.test.file}:${other.test.line}; names are unique in the book, by their letters and digits`);
     else book.claims.set(test.name, { test, chapter, cited: [] });
   }
 }

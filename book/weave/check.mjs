@@ -1,23 +1,23 @@
 // Looks up everything that the marks name, and reports what is not there.
 import { existsSync } from 'node:fs';
-import { failureText } from './claims.mjs';
+import { checkWhole } from './check-whole.mjs';
+import { findChapter, findNumber } from './find.mjs';
 import { MARKS, NUMBERED, REFERS } from './marks.mjs';
 import { renderTex, substituteNumbers } from './math.mjs';
-import { didYouMean } from './problems.mjs';
+import { didYouMean, nameOneOf } from './problems.mjs';
 import { tableFault } from './tables.mjs';
 
 export function checkBook(book) {
   collectLabels(book);
   for (const page of book.pages) {
     for (const piece of page.pieces) {
-      const report = message => book.problems.add(page.file, piece.line, message);
+      const report = (message, line = 0) => book.problems.add(page.file, piece.line + line, message);
       const check = CHECKS[piece.name];
       if (check && piece.type !== 'close') check({ book, page, piece, report });
       checkPlace(piece, report);
     }
   }
-  checkFigureScripts(book);
-  checkClaims(book);
+  checkWhole(book);
 }
 
 function collectLabels(book) {
@@ -31,13 +31,18 @@ function collectLabels(book) {
       }
       if (!first) book.labels.set(key, { page, piece });
     }
-    for (const piece of page.pieces.filter(p => p.name === 'bibitem')) book.references.set(piece.args[0], { page, piece });
+    for (const piece of page.pieces.filter(p => p.name === 'bibitem')) {
+      const [key] = piece.args;
+      const first = book.references.get(key);
+      if (first) book.problems.add(page.file, piece.line, `the reference "${key}" is taken by ${first.page.file}:${first.piece.line}; give this one another key`);
+      else book.references.set(key, { page, piece });
+    }
   }
 }
 
 function checkPlace(piece, report) {
   const box = piece.box;
-  if (piece.type === 'heading' && box) report(`a heading inside \\${box.name} of line ${box.line}; is \\end${box.name} missing?`);
+  if (piece.type === 'heading' && box?.closed) report(`a heading inside \\${box.name} of line ${box.line}; is \\end${box.name} missing?`);
   if (MARKS[piece.name]?.kind === 'box' && ['figure', 'table', 'eq'].includes(box?.name)) report(`\\${piece.name} stands inside \\${box.name} of line ${box.line}, which can hold no box`);
 }
 
@@ -46,10 +51,7 @@ const CHECKS = {
     piece.value = findNumber(book, page, piece.args[0], report);
   },
   math: ({ book, page, piece, report }) => { piece.html = formula(book, page, piece, false, report); },
-  display({ book, page, piece, report }) {
-    piece.html = formula(book, page, piece, true, report);
-    if (piece.box?.name === 'eq') (piece.box.formulas ??= []).push(piece);
-  },
+  display: ({ book, page, piece, report }) => { piece.html = formula(book, page, piece, true, report); },
   claim({ book, page, piece, report }) {
     const [name] = piece.args;
     piece.claim = book.claims.get(name);
@@ -61,11 +63,13 @@ const CHECKS = {
     const [path, tag] = piece.args;
     piece.target = book.labels.get(`listing:${page.name}:${path}:${tag}`)
       ?? [...book.labels].find(([key]) => key.startsWith('listing:') && key.endsWith(`:${path}:${tag}`))?.[1];
-    if (!piece.target) report(`no \\listing{${path}, ${tag}} stands in the book`);
+    if (piece.target) return;
+    const known = [...book.labels.values()].filter(label => label.piece.name === 'listing').map(label => label.piece.args.slice(0, 2).join(', '));
+    report(`no \\listing{${path}, ${tag}} stands in the book.${nameOneOf(`${path}, ${tag}`, known)}`);
   },
   citep({ book, piece, report }) {
     for (const key of piece.args) {
-      if (!book.references.has(key)) report(`there is no reference "${key}" in book/references.md.${didYouMean(key, book.references.keys())}`);
+      if (!book.references.has(key)) report(`there is no reference "${key}" in book/references.md.${nameOneOf(key, book.references.keys())}`);
     }
   },
   chapterref({ book, piece, report }) { piece.target = findChapter(book, piece.args[0], report); },
@@ -74,7 +78,7 @@ const CHECKS = {
     piece.target = findChapter(book, name, report);
     if (!piece.target) return;
     piece.section = piece.target.page.sections.find(section => section.id === id);
-    if (!piece.section) report(`${name} has no section "${id}".${didYouMean(id, piece.target.page.sections.map(s => s.id))}`);
+    if (!piece.section) report(`${name} has no section "${id}".${nameOneOf(id, piece.target.page.sections.map(s => s.id))}`);
   },
   listing({ book, piece, report }) {
     const [path, tag, caption = ''] = piece.args;
@@ -102,7 +106,7 @@ const CHECKS = {
     const [name] = piece.args;
     const tables = book.chapters.get(page.name)?.tables ?? new Map();
     piece.table = tables.get(name);
-    if (!piece.table) report(`the program of this chapter writes no table "${name}".${didYouMean(name, tables.keys())}`);
+    if (!piece.table) report(`the program of this chapter writes no table "${name}".${nameOneOf(name, tables.keys())}`);
     const fault = piece.table && tableFault(piece.table);
     if (fault) report(fault);
   },
@@ -114,7 +118,7 @@ function reference({ book, piece, report }) {
   piece.target = book.labels.get(`${kind}:${name}`);
   if (piece.target) return;
   const known = [...book.labels.keys()].filter(key => key.startsWith(`${kind}:`)).map(key => key.slice(kind.length + 1));
-  report(`there is no \\${kind}{${name}}.${didYouMean(name, known)}`);
+  report(`there is no \\${kind}{${name}}.${nameOneOf(name, known)}`);
 }
 
 function plainTitle(title, report) {
@@ -124,47 +128,6 @@ function plainTitle(title, report) {
 
 function formula(book, page, piece, display, report) {
   const problems = book.problems.list.length;
-  const tex = substituteNumbers(piece.tex, name => findNumber(book, page, name, report));
+  const tex = substituteNumbers(piece.tex, (name, line) => findNumber(book, page, name, message => report(message, line)));
   return problems === book.problems.list.length ? renderTex(tex, display, report) : '';
-}
-
-function findChapter(book, name, report) {
-  const chapter = book.chapters.get(name);
-  if (!chapter) report(`there is no chapter "${name}".${didYouMean(name, book.chapters.keys())}`);
-  return chapter;
-}
-
-export function findNumber(book, page, name, report) {
-  const [owner, own] = name.includes('/') ? name.split('/') : [page.name, name];
-  const chapter = book.chapters.get(owner);
-  const number = chapter?.numbers.get(own);
-  if (number && Number.isNaN(number.value)) report(`the number "${name}" is not a number: ${chapter.program} wrote "${number.written}"`);
-  if (number) return { ...number, chapter };
-  const known = [...(chapter?.numbers.keys() ?? [])].map(known => (owner === page.name && !name.includes('/') ? known : `${owner}/${known}`));
-  const elsewhere = [...book.chapters.values()].filter(c => c.numbers.has(own)).map(c => `${c.name}/${own}`);
-  if (!chapter && !elsewhere.length) report(name.includes('/') ? `there is no chapter "${owner}" that could write the number "${name}"` : `no chapter writes here: name the number's chapter, as in \\number{2-euler/${name}}`);
-  else report(`unknown number "${name}"; ${chapter ? chapter.program : 'the program'} writes none of that name.${didYouMean(name, [...known, ...elsewhere])}`);
-  return null;
-}
-
-function checkFigureScripts(book) {
-  for (const chapter of book.chapters.values()) {
-    for (const figure of chapter.figures.values()) {
-      if (!figure.used) book.problems.add(figure.script, 1, `no \\figure{${figure.name}, ...} in ${chapter.page.file} shows this figure; show it, or delete the script`);
-    }
-  }
-}
-
-function checkClaims(book) {
-  for (const claim of book.claims.values()) {
-    if (claim.test.passed) continue;
-    const { test } = claim;
-    for (const { page, piece } of claim.cited) book.problems.add(page.file, piece.line, `the claim is false: "${test.name}"${failureText(test)}`);
-    if (!claim.cited.length) book.problems.add(test.file, test.line, `this test fails: "${test.name}"${failureText(test)}`);
-  }
-  for (const page of book.pages) {
-    for (const box of page.pieces.filter(piece => piece.type === 'open' && piece.name === 'eq')) {
-      if (box.formulas?.length !== 1) book.problems.add(page.file, box.line, `\\eq{${box.args[0]}} holds ${box.formulas?.length ?? 0} displayed formulas; it numbers one: \\f[ ... \\f]`);
-    }
-  }
 }

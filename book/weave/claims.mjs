@@ -5,7 +5,7 @@ import * as cheerio from 'cheerio';
 
 // Reads one chapter's report into test cases { name, file, line, passed, failures, command }.
 export function readClaims(path, { source, command }) {
-  if (!existsSync(path)) return { tests: [], fault: `there is no report of the claims at ${path}; build the chapter first` };
+  if (!existsSync(path)) return { tests: [], fault: `there is no report of the claims at ${fromSource(source, path)}; build the chapter first` };
   const text = readFileSync(path, 'utf8');
   if (!/<\/Catch2?TestRun>\s*$/.test(text)) {
     return { tests: [], fault: `the report of the claims ends in the middle: the claims program crashed; run ${command}` };

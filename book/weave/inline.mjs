@@ -18,6 +18,7 @@ const HTML = {
     const code = `<code>${escapeHtml(piece.code)}</code>`;
     return href ? `<a href="${href}">${code}</a>` : code;
   },
+  character: piece => escapeHtml(piece.character),
   number: ({ value }) => {
     const full = `${value.written}${value.unit && ` ${unitText(value.unit)}`}`;
     const tip = `${value.name} = ${full}, from ${value.chapter.program}`;
@@ -43,6 +44,7 @@ const label = ({ piece }) => `${NUMBERED[piece.name]} ${piece.number}`;
 export function inlineText(piece) {
   if (piece.name === 'number') return quantityText(piece.value);
   if (piece.name === 'code') return piece.code;
+  if (piece.name === 'character') return piece.character;
   if (piece.name === 'math') return mathText(piece.html);
   if (piece.name === 'citep' || piece.name === 'bibitem') return piece.args.join(' ');
   return '';

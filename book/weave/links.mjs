@@ -15,7 +15,8 @@ export function checkLinks(book, pages, files) {
 function idsOf(book, file, href, html) {
   const ids = new Set();
   for (const [, id] of html.matchAll(/<[^>]*? id="([^"]*)"/g)) {
-    if (ids.has(id)) book.problems.add(file, 1, `the id "${id}" stands twice in ${href}; rename the section or box`);
+    const named = book.pages.find(page => page.file === file)?.pieces.findLast(piece => piece.id === id);
+    if (ids.has(id)) book.problems.add(file, named?.line ?? 1, `the id "${id}" stands twice in ${href}; rename the section or box`);
     ids.add(id);
   }
   return ids;
@@ -23,6 +24,8 @@ function idsOf(book, file, href, html) {
 
 function lineOf(book, file, url) {
   const page = book.pages.find(p => p.file === file);
-  const at = page ? page.source.indexOf(`(${url.replace(page.href, '')}`) : -1;
-  return at < 0 ? 1 : page.source.slice(0, at).split('\n').length;
+  if (!page) return 1;
+  const ways = [url, url.replace(page.href, '')].flatMap(way => [`(${way})`, `"${way}"`, `<${way}>`]);
+  const at = ways.map(way => page.source.indexOf(way)).find(found => found >= 0) ?? 0;
+  return page.source.slice(0, at).split('\n').length;
 }

@@ -11,8 +11,16 @@ export function readNumbers(path) {
   if (!existsSync(path)) return new Map();
   return new Map(readRecords(path).map(row => [row.name, {
     name: row.name, written: row.value, value: Number(row.value.replace(/^([-+]?)inf(inity)?$/i, '$1Infinity')),
-    unit: row.unit, digits: Number(row.digits),
+    unit: row.unit, digits: row.digits === '' ? NaN : Number(row.digits),
   }]));
+}
+
+// What is wrong with a number that a sentence or a formula shows, or nothing.
+export function numberFault({ name, value, written, digits }) {
+  if (Number.isNaN(value)) return `the number "${name}" is not a number: "${written}"`;
+  if (!Number.isInteger(digits) || digits < 0 || digits > 17) return `the number "${name}" has no digits to show it with; give it 1 to 17, or 0 for an integer`;
+  if (digits === 0 && Number.isFinite(value) && !Number.isInteger(value)) return `the number "${name}" is shown as an integer and is ${written}; give it digits`;
+  return null;
 }
 
 // Sign, digits and power of ten of a value rounded to `digits` significant digits (0: an integer with all of them).

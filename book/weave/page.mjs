@@ -1,12 +1,17 @@
 // One Markdown page: its pieces in order, its boxes checked, and the text that Doxygen gets to see.
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { MARKS, NUMBERED } from './marks.mjs';
 import { scan } from './scan.mjs';
 import { slug } from './text.mjs';
 import { forDoxygen } from './prose.mjs';
 
 export function readPage(path, { file, order, name, folder, number, href, problems }) {
-  const page = { file, order, name, folder, number, href, source: readFileSync(path, 'utf8'), title: '', sections: [], pieces: [] };
+  const page = { file, order, name, folder, number, href, source: '', title: '', sections: [], pieces: [], doxygenText: '', lineMap: [1] };
+  if (!existsSync(path)) {
+    problems.add(file, 1, 'there is no such file; every chapter, the start page and the references have one');
+    return page;
+  }
+  page.source = readFileSync(path, 'utf8');
   const all = scan(page.source, file, problems);
   page.pieces = all.filter(piece => piece.type !== 'text');
   page.pieces.forEach((piece, i) => { piece.token = i; });
@@ -22,18 +27,19 @@ function checkBoxes(page, problems) {
   for (const piece of page.pieces) {
     const within = MARKS[piece.name]?.within;
     if (piece.type === 'open') {
-      if (within && open.at(-1)?.name !== within) problems.add(page.file, piece.line, `\\${piece.name} stands outside of \\${within}; put it between \\${within} and \\end${within}`);
+      if (within && !open.some(box => box.name === within)) problems.add(page.file, piece.line, `\\${piece.name} stands outside of \\${within}; put it between \\${within} and \\end${within}`);
       open.push(piece);
     } else if (piece.type === 'close') closeBox(page, open, piece, problems);
     if (piece.type !== 'close') piece.box = open.findLast(box => box !== piece) ?? null;
   }
-  for (const box of open) problems.add(page.file, box.line, `\\${box.name} is never closed; put \\end${box.name} where it ends`);
+  for (const box of open) if (!box.told) problems.add(page.file, box.line, `\\${box.name} is never closed; put \\end${box.name} where it ends`);
 }
 
 function closeBox(page, open, piece, problems) {
   const top = open.at(-1);
   if (top?.name === piece.name) {
     piece.opens = open.pop();
+    piece.opens.closed = piece;
     return;
   }
   if (!open.some(box => box.name === piece.name)) {
@@ -41,7 +47,9 @@ function closeBox(page, open, piece, problems) {
     return;
   }
   problems.add(page.file, piece.line, `\\end${piece.name} comes before \\end${top.name}: \\${top.name} of line ${top.line} is still open; close it first`);
-  while (open.length && open.pop().name !== piece.name);
+  const at = open.findLastIndex(box => box.name === piece.name);
+  for (const box of open.slice(at)) box.told = true;
+  open.splice(at, 1);
 }
 
 function nameHeadings(page, problems) {

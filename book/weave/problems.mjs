@@ -26,6 +26,13 @@ export function didYouMean(name, known) {
   return near.length ? ` Did you mean ${near.join(' or ')}?` : '';
 }
 
+// The same for a short list of names, which is told when none is near.
+export function nameOneOf(name, known) {
+  const all = [...new Set(known)];
+  if (!all.length) return ' There is none yet.';
+  return didYouMean(name, all) || ` There is ${all.slice(0, 5).map(one => `"${one}"`).join(', ')}${all.length > 5 ? ' and more' : ''}.`;
+}
+
 function distance(a, b) {
   let row = Array.from({ length: b.length + 1 }, (_, j) => j);
   for (let i = 1; i <= a.length; ++i) {

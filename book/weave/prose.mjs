@@ -61,10 +61,12 @@ const cells = row => row.trim().replace(/^\||(?<!\\)\|$/g, '').split(/(?<!\\)\|/
 function markTables(out, page, problems) {
   const lines = out.text.split('\n');
   for (let i = 0; i < lines.length; ++i) {
+    if (/^\s*(?:>|[-*+]\s|\d+\.\s)[>\s]*\|/.test(lines[i])) problems.add(page.file, out.map[i] ?? 1, 'a table cannot start behind a > or in the line of a list mark: Doxygen makes a paragraph of it; put it on lines of its own');
     const starts = /^\s*\|/.test(lines[i]) || (lines[i].includes('|') && SEPARATOR.test(lines[i + 1] ?? '') && lines[i + 1].includes('|'));
     if (!starts) continue;
     let end = i;
     while (end < lines.length && lines[end].includes('|')) ++end;
+    checkIndent(lines, i, () => out.map[i] ?? 1, page, problems);
     checkRows(lines.slice(i, end), row => out.map[i + row] ?? 1, page, problems);
     const piece = { type: 'tablestart', token: page.pieces.length, line: out.map[i] ?? 1 };
     page.pieces.push(piece);
@@ -74,11 +76,17 @@ function markTables(out, page, problems) {
   return lines.join('\n');
 }
 
+// Doxygen ends the list before an indented table that an empty line stands above, and counts the items below from 1 again.
+function checkIndent(lines, i, lineOf, page, problems) {
+  if (/^\s/.test(lines[i]) && !lines[i - 1]?.trim()) problems.add(page.file, lineOf(), 'this table stands apart from its list item; put it right below the text of the item, without an empty line, or do not indent it');
+}
+
 function checkRows(rows, lineOf, page, problems) {
   if (!SEPARATOR.test(rows[1] ?? '')) {
     problems.add(page.file, lineOf(0), 'this table has no row of dashes below its head; write |---|---| as its second line');
     return;
   }
+  if (rows.length < 3) problems.add(page.file, lineOf(0), 'this table has a head and no rows; write its rows right below the dashes');
   const wanted = cells(rows[0]);
   rows.forEach((row, i) => {
     if (cells(row) !== wanted) problems.add(page.file, lineOf(i), `this row has ${cells(row)} cells and the head of its table ${wanted}; a | that is no border is written \\|`);

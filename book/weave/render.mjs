@@ -74,7 +74,9 @@ function sectionsOf(page, raw, expand) {
 // Markup that Doxygen did not take for markup.
 function findLeftovers(page, raw, report) {
   const text = raw.replace(/<code>[^<]*<\/code>/g, '').replace(/<[^>]*>/g, ' ');
-  for (const [all, found] of text.matchAll(/[^\n\ue000-\ue003]{0,12}(\*\*|\*(?=\w)|(?<=\w)\*|\]\(|`|@ref|\\\w+)[^\n\ue000-\ue003]{0,12}/g)) {
+  const strayTable = [...text.matchAll(TOKEN)].some(([, n]) => page.pieces[n].type === 'tablestart');
+  for (const [all, found] of text.matchAll(/[^\n\ue000-\ue003]{0,12}(\*\*|\*(?=\w)|(?<=\w)\*|\]\(|\]\[|\[\^|\||`|@ref|\\\w+)[^\n\ue000-\ue003]{0,12}/g)) {
+    if (found === '|' && strayTable) continue;
     report(lineOf(page, all.trim()), `"${found}" was left standing in "${all.trim()}": Doxygen did not take it for markup; write \\${found[0]} if it is meant so`);
   }
 }

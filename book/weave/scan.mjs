@@ -1,8 +1,8 @@
 // Cuts a chapter's Markdown into pieces: plain text, headings, code, formulas and the book's marks.
+import { codeSpan, comment, dollars, fence, heading, image, sticky, underline } from './markdown.mjs';
 import { MARKS, PASSED_ON, splitArguments } from './marks.mjs';
 import { didYouMean } from './problems.mjs';
 
-const CPP = /^(c|cc|cpp|c\+\+|cxx|h|hpp)$/i;
 const FORMULA_END = { '$': '\\f$', '[': '\\f]', '{': '\\f}' };
 
 export function scan(source, file, problems) {
@@ -25,8 +25,8 @@ export function scan(source, file, problems) {
 
   while (at < source.length) {
     const lineStart = at === 0 || source[at - 1] === '\n';
-    const step = (lineStart && (fence(context, at) ?? heading(context, at)))
-      || comment(context, at) || codeSpan(context, at) || command(context, at);
+    const step = (lineStart && (fence(context, at) ?? heading(context, at) ?? underline(context, at)))
+      || comment(context, at) || image(context, at) || dollars(context, at) || codeSpan(context, at) || command(context, at);
     if (!step) moveTo(nextSpecial(source, at));
     else if (step.piece === undefined) moveTo(step.end);
     else take(step.end, step.piece);
@@ -36,7 +36,7 @@ export function scan(source, file, problems) {
 }
 
 function nextSpecial(source, at) {
-  const special = /[\\`@<\n]/g;
+  const special = /[\\`@<!$\n]/g;
   special.lastIndex = at;
   const found = special.exec(source);
   if (!found) return source.length;
@@ -50,57 +50,6 @@ function indentAt(source, at) {
   return ' '.repeat(prefix.length);
 }
 
-function sticky(pattern, source, at) {
-  const regex = new RegExp(pattern, 'y');
-  regex.lastIndex = at;
-  return regex.exec(source);
-}
-
-function fence({ source, report }, at) {
-  const open = sticky(/[ \t]*(`{3,}|~{3,})[ \t]*([^\s`]*)[^\n]*\n/, source, at);
-  if (!open) return undefined;
-  const [all, ticks, language] = open;
-  const from = at + all.length;
-  const close = new RegExp(`^[ \\t]*${ticks[0]}{${ticks.length},}[ \\t]*$`, 'm').exec(source.slice(from));
-  if (!close) {
-    report(`this fence is never closed; put a line ${ticks} after the code`);
-    return { end: source.length, piece: null };
-  }
-  if (CPP.test(language)) report('C++ typed into the prose; cut it from a compiled file with \\listing{path, tag}');
-  const indent = all.match(/^[ \t]*/)[0].length;
-  const code = source.slice(from, from + close.index).replace(new RegExp(`^ {0,${indent}}`, 'gm'), '').replace(/\n$/, '');
-  return { end: from + close.index + close[0].length, piece: { type: 'block', name: 'fence', language, code } };
-}
-
-function heading({ source, report }, at) {
-  const found = sticky(/(#{1,6})[ \t]+([^\n]*?)[ \t]*#*[ \t]*(?=\n|$)/, source, at);
-  if (!found) return undefined;
-  const [all, marks, text] = found;
-  const outsideCode = text.replace(/`[^`]*`/g, '');
-  if (/\\f[$[{]/.test(outsideCode)) report('a formula in a heading: write the heading in words');
-  else if (/\\[a-z]/i.test(outsideCode)) report('a mark in a heading: headings are plain text and `code`');
-  return { end: at + all.length, piece: { type: 'heading', level: marks.length, text } };
-}
-
-function comment({ source, report }, at) {
-  if (!source.startsWith('<!--', at)) return undefined;
-  const end = source.indexOf('-->', at);
-  if (end < 0) report('this comment is never closed; put --> after it');
-  return { end: end < 0 ? source.length : end + 3, piece: null };
-}
-
-function codeSpan({ source, report }, at) {
-  if (source[at] !== '`') return undefined;
-  const ticks = sticky(/`+/, source, at)[0];
-  const span = sticky(/(`+)(?!`)((?:(?!\n[ \t]*\n)[\s\S])*?[^`])\1(?!`)/, source, at);
-  if (!span) {
-    report(`this code span is never closed; put ${ticks} after it, or write \\\` for a backtick`);
-    return { end: at + ticks.length, piece: null };
-  }
-  const code = span[2].replace(/\s+/g, ' ').replace(/^ (.*`.*) $/, '$1');
-  return { end: at + span[0].length, piece: { type: 'inline', name: 'code', code } };
-}
-
 function command(context, at) {
   const { source, report } = context;
   if (source[at] === '@') {
@@ -112,9 +61,14 @@ function command(context, at) {
   if (source[at] !== '\\') return undefined;
   if (source[at + 1] === 'f' && /[$[{\]}]/.test(source[at + 2] ?? '')) return formula(context, at);
   const word = sticky(/\\([A-Za-z]+)/, source, at)?.[1];
-  if (!word) return { end: at + 2 };
+  if (!word) return escaped(source[at + 1], at);
   if (PASSED_ON.includes(word)) return { end: at + word.length + 1 };
   return mark(context, at, word);
+}
+
+// Carried past Doxygen like a mark, so that what is left standing behind Doxygen was not meant.
+function escaped(character, at) {
+  return /[!-/:-@[-`{-~]/.test(character ?? '') ? { end: at + 2, piece: { type: 'inline', name: 'character', character } } : { end: at + 2 };
 }
 
 function formula({ source, report }, at) {

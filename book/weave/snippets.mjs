@@ -7,12 +7,12 @@ const MARKER = /^\s*\/\/ \[([\w-]+)\]\s*$/;
 const DOC = /^\s*\/\/\/(?!<)/;
 
 // Reads `path` once; returns a function that cuts tags out of it, or says what is wrong with it.
-export function createSnippets(source) {
+export function createSnippets(source, sources) {
   const files = new Map();
   return (path, tag) => {
     if (!files.has(path)) files.set(path, readTagged(join(source, path)));
     const file = files.get(path);
-    if (!file) return { fault: `there is no file ${path}; paths start at the top of the repository` };
+    if (!file) return { fault: `there is no file ${path}; paths start at the top of the repository.${didYouMean(path, sources)}` };
     const at = file.tags.get(tag);
     if (!at) return { fault: `${path} has no tag "${tag}".${didYouMean(tag, file.tags.keys()) || noTag(tag)}` };
     if (at.length !== 2) {

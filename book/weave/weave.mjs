@@ -67,15 +67,13 @@ function writeBook(book, pages, documents) {
   const { output } = book.config;
   const fresh = `${output}.new`, old = `${output}.old`;
   rmSync(fresh, { recursive: true, force: true });
+  process.on('exit', () => rmSync(fresh, { recursive: true, force: true }));
   mkdirSync(fresh, { recursive: true });
   copyAssets(book, fresh);
   writeFileSync(join(fresh, 'search-index.js'), searchScript(documents));
   for (const { href, html } of pages) writeFileSync(join(fresh, href), html);
   checkLinks(book, pages, new Set(filesIn(fresh)));
-  if (book.problems.any) {
-    rmSync(fresh, { recursive: true, force: true });
-    return;
-  }
+  if (book.problems.any) return;
   rmSync(old, { recursive: true, force: true });
   if (existsSync(output)) renameSync(output, old);
   renameSync(fresh, output);

@@ -1,0 +1,38 @@
+// Looks at what only the whole book shows: what is there and shown nowhere, tests that fail, boxes without what they are for.
+import { failureText } from './claims.mjs';
+
+export function checkWhole(book) {
+  checkFigureScripts(book);
+  checkClaims(book);
+  for (const page of book.pages) checkContents(book, page);
+}
+
+function checkFigureScripts(book) {
+  for (const chapter of book.chapters.values()) {
+    for (const figure of chapter.figures.values()) {
+      if (!figure.used) book.problems.add(figure.script, 1, `no \\figure{${figure.name}, ...} in ${chapter.page.file} shows this figure; show it, or delete the script`);
+    }
+  }
+}
+
+function checkClaims(book) {
+  for (const claim of book.claims.values()) {
+    if (claim.test.passed) continue;
+    const { test } = claim;
+    for (const { page, piece } of claim.cited) book.problems.add(page.file, piece.line, `the claim is false: "${test.name}"${failureText(test)}`);
+    if (!claim.cited.length) book.problems.add(test.file, test.line, `this test fails: "${test.name}"${failureText(test)}`);
+  }
+}
+
+// A pair of boxes holds what it numbers, and one of it.
+function checkContents(book, page) {
+  const boxes = name => page.pieces.filter(piece => piece.type === 'open' && piece.name === name && piece.closed);
+  for (const box of boxes('eq')) {
+    const n = page.pieces.filter(piece => piece.name === 'display' && piece.box === box).length;
+    if (n !== 1) book.problems.add(page.file, box.line, `\\eq{${box.args[0]}} holds ${n} displayed formulas; it numbers one: \\f[ ... \\f]`);
+  }
+  for (const box of boxes('table')) {
+    const n = page.pieces.filter(piece => (piece.name === 'rows' && piece.box === box) || (piece.type === 'tablestart' && box.line <= piece.line && piece.line <= box.closed.line)).length;
+    if (n !== 1) book.problems.add(page.file, box.line, `\\table{${box.args[0]}} holds ${n} tables; put one between its caption and \\endtable: \\rows{name}, or rows in Markdown`);
+  }
+}

@@ -1,0 +1,24 @@
+// Looks up what a page names in one of the chapters, or reports what is wrong with the name.
+import { numberFault } from './numbers.mjs';
+import { didYouMean, nameOneOf } from './problems.mjs';
+
+export function findChapter(book, name, report) {
+  const chapter = book.chapters.get(name);
+  if (!chapter) report(`there is no chapter "${name}".${nameOneOf(name, book.chapters.keys())}`);
+  return chapter;
+}
+
+export function findNumber(book, page, name, report) {
+  const [owner, own] = name.includes('/') ? name.split('/') : [page.name, name];
+  const chapter = book.chapters.get(owner);
+  const number = chapter?.numbers.get(own);
+  const fault = number && numberFault(number);
+  if (fault) report(`${fault}; ${chapter.program} wrote it`);
+  if (number) return { ...number, chapter };
+  const known = [...(chapter?.numbers.keys() ?? [])].map(known => (owner === page.name && !name.includes('/') ? known : `${owner}/${known}`));
+  const elsewhere = [...book.chapters.values()].filter(c => c.numbers.has(own)).map(c => `${c.name}/${own}`);
+  if (!chapter && !name.includes('/')) report(`this page has no program; name the number's chapter, too: \\number{${elsewhere[0] ?? `2-euler/${name}`}}`);
+  else if (!chapter) report(`there is no chapter "${owner}" that could write the number "${name}".${nameOneOf(owner, book.chapters.keys())}`);
+  else report(`unknown number "${name}"; ${chapter.program} writes none of that name.${didYouMean(name, [...known, ...elsewhere]) || ` Let it do so: record.number("${own}", ...)`}`);
+  return null;
+}
