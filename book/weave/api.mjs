@@ -2,7 +2,7 @@
 import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fromSource } from './claims.mjs';
-import { NAMESPACES } from './namespaces.mjs';
+import { titleOf } from './namespaces.mjs';
 import { slug } from './text.mjs';
 import { loadXml, plainText } from './xml.mjs';
 
@@ -15,7 +15,8 @@ export function readApi(xml, source) {
     const $ = loadXml(join(xml, file));
     $('doxygen > compounddef').each((_, e) => { addCompound(api, $, e, source); });
   }
-  api.namespaces = NAMESPACES.map(n => ({ ...n, compound: api.compounds.get(n.name) })).filter(n => n.compound);
+  api.namespaces = [...api.compounds.values()].filter(c => c.kind === 'namespace' && !c.name.includes('::'))
+    .map(compound => ({ name: compound.name, title: titleOf(compound.name), compound })).sort((a, b) => a.title.localeCompare(b.title, 'en'));
   return api;
 }
 
@@ -26,9 +27,10 @@ const textOf = e => (e ? plainText(e).replace(/\s+/g, ' ').trim() : '');
 function addCompound(api, $, e, source) {
   const name = textOf(child(e, 'compoundname'));
   const { kind, id } = e.attribs;
-  if (/\bdetail\b/.test(name) || !NAMESPACES.some(n => name === n.name || name.startsWith(`${n.name}::`))) return;
+  if (/\bdetail\b|@|^std\b/.test(name) || (kind !== 'namespace' && !name.includes('::'))) return;
   const href = `${name.replace(/<.*/, '').split('::').map(part => slug(part.replace(/([a-z])([A-Z])/g, '$1-$2'))).join('-')}.html`;
-  const compound = { kind, name, href, ...description(e, source), templates: templates(e), members: [], inner: children(e, 'innerclass').map(textOf) };
+  const compound = { kind, name, href, ...description(e, source), templates: templates(e), members: [],
+    inner: children(e, 'innerclass').map(textOf), innerNamespaces: children(e, 'innernamespace').map(textOf) };
   compound.isType = TYPES.includes(kind);
   compound.initializer = textOf(child(e, 'initializer'));
   api.compounds.set(name, compound);

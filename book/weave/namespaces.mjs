@@ -1,6 +1,8 @@
-// The three rooms of the code, in the order in which the book's reference shows them.
+// What a namespace of code/ is for stands above it in one of its headers, or here, where each header has to stand alone.
 export const NAMESPACES = [
-  { name: 'integrate', title: 'Methods', about: 'The methods, one per header. Each header stands alone and can be copied into any project.' },
-  { name: 'scenes', title: 'Scenes', about: 'What is integrated: an acceleration and a start, with the exact solution or what the motion conserves.' },
-  { name: 'measure', title: 'Measurements', about: 'What the book asks of a method on a scene: error, order, energy, cost and stability.' },
+  { name: 'integrate', about: 'The methods, one per header, each of which stands alone and can be copied into any project.' },
 ];
+
+const TITLES = { integrate: 'Methods', measure: 'Measurements' };
+
+export const titleOf = name => TITLES[name] ?? name[0].toUpperCase() + name.slice(1);

@@ -63,5 +63,5 @@ function pager({ previous, next }) {
 
 function onThisPage({ sections = [] }) {
   if (sections.length < 2) return '';
-  return `<nav class="onpage" aria-label="On this page"><strong>On this page</strong><ol>${sections.map(s => `<li><a href="#${s.id}">${escapeHtml(smarten(s.title))}</a></li>`).join('')}</ol></nav>\n`;
+  return `<nav class="onpage" aria-label="On this page"><strong>On this page</strong><ol>${sections.map(s => `<li${s.within ? ' class="within"' : ''}><a href="#${s.id}">${escapeHtml(smarten(s.title))}</a></li>`).join('')}</ol></nav>\n`;
 }

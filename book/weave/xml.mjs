@@ -14,15 +14,16 @@ const CHARACTERS = { ndash: '–', mdash: '—', nonbreakablespace: '\u00a0', ls
 
 // `host` says how tokens, boxes, formulas and links come out, and is told what could not be turned:
 //   block(n), box(n, html), isBlock(n), opens(n), closes(n), link(refid, html), formula(tex), fault(message, n)
+// and, where text is more than prose, how it comes out: text(text, before)
 export function createXmlToHtml(host) {
   const inline = (nodes, state = { before: ' ' }) => nodes.map(node => inlineNode(node, state)).join('');
 
   function inlineNode(node, state) {
     if (node.type === 'text') {
       const text = node.data.replace(/\s+/g, ' ');
-      const html = escapeHtml(smarten(text, state.before));
+      const html = (host.text ?? proseHtml)(text, state.before);
       state.before = text.at(-1) ?? state.before;
-      return html.replace(/&quot;/g, '"');
+      return html;
     }
     if (node.type !== 'tag') return '';
     if (node.name === 'ulink') return `<a href="${escapeHtml(node.attribs.url)}">${inline(node.children, state)}</a>`;
@@ -119,5 +120,7 @@ export function createXmlToHtml(host) {
 
   return { flow, inline };
 }
+
+const proseHtml = (text, before) => escapeHtml(smarten(text, before)).replace(/&quot;/g, '"');
 
 export const plainText = node => (node.type === 'text' ? node.data : (node.children ?? []).map(plainText).join(''));
