@@ -10,7 +10,8 @@ export function blockHtml(context, piece) {
 }
 
 export function codeLines(lines, numbers, id = () => '') {
-  return lines.map((line, i) => `<span class="ln"${id(numbers[i])} data-n="${numbers[i]}"></span>${line}`).join('\n');
+  const leftOut = i => i > 0 && numbers[i] !== numbers[i - 1] + 1;
+  return lines.map((line, i) => `<span class="ln${leftOut(i) ? ' gap' : ''}"${id(numbers[i])} data-n="${numbers[i]}"></span>${line}`).join('\n');
 }
 
 function listing({ book, hold }, piece) {
@@ -19,8 +20,8 @@ function listing({ book, hold }, piece) {
   const html = highlightLines(lines.map(l => l.text).join('\n'), 'cpp', linker(book.api, path));
   const numbers = lines.map(l => l.number);
   const words = caption && `<span class="caption">${escapeHtml(smarten(caption))}</span>`;
-  return `<figure class="listing" id="${piece.id}"><figcaption><span class="num">Listing ${piece.number}</span>${words}`
-    + `<a class="file" href="${sourceHref(path)}#L${numbers[0]}">${escapeHtml(path)}</a></figcaption>`
+  return `<figure class="listing" id="${piece.id}"><figcaption><span class="head"><span class="num">Listing ${piece.number}</span> ${words}</span>`
+    + `<a class="file" href="${sourceHref(path)}#L${numbers[0]}">${escapeHtml(path).replace(/\//g, '/<wbr>')}</a></figcaption>`
     + `<pre><code>${hold(codeLines(html, numbers))}</code></pre></figure>`;
 }
 

@@ -26,7 +26,7 @@ const HTML = {
   },
   claim: ({ claim, id }) => {
     const name = escapeHtml(smarten(claim.test.name));
-    return `<a class="claim" id="${id}" href="claims.html#${claimId(claim.test.name)}" aria-label="Proved by the test: ${name}" data-tip="Proved by the test: ${name}"></a>`;
+    return `<a class="claim" id="${id}" href="claims.html#${claimId(claim.test.name)}" aria-label="Tested: ${name}" data-tip="Tested: ${name}"></a>`;
   },
   figref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
   tabref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,

@@ -1,5 +1,6 @@
 // A page's body: Doxygen's XML with the book's marks, boxes and formulas put in.
 import { join } from 'node:path';
+import { attach } from './attach.mjs';
 import { boxHtml } from './boxes.mjs';
 import { inlineHtml, inlineText } from './inline.mjs';
 import { blockHtml } from './blocks.mjs';
@@ -51,15 +52,6 @@ function headingHtml(heading) {
   const number = heading.number ? `<span class="secno">${heading.number}</span> ` : '';
   const text = heading.text.split(/(`[^`]+`)/).map(part => (/^`.+`$/.test(part) ? `<code>${escapeHtml(part.slice(1, -1))}</code>` : escapeHtml(smarten(part)))).join('');
   return `<${level} id="${heading.id}">${number}${text} <a class="anchor-link" href="#${heading.id}" aria-label="Link to this section">#</a></${level}>`;
-}
-
-// Punctuation stays on the line of the formula it follows, and a check mark on that of the word it follows.
-function attach(html, expand, piece) {
-  const glued = html.replace(/ (\ue000(\d+)\ue001)/g, (all, token, n) => (piece(n).name === 'claim' ? `\u2060${token}` : all));
-  return glued.replace(/([(“‘[]*)\ue000(\d+)\ue001([.,;:!?)\]”’…]*)/g, (_, before, n, after) => {
-    const body = expand(n);
-    return (before || after) && piece(n).name === 'math' ? `<span class="nowrap">${before}${body}${after}</span>` : before + body + after;
-  });
 }
 
 function sectionsOf(page, raw, expand) {

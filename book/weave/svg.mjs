@@ -16,7 +16,8 @@ export function adoptSvg(svg, { id, title, description }) {
   renameIds($, id);
   $('*').each((_, e) => { tidyAttributes(e); shortenNumbers(e); });
   const { viewBox, width, height } = root.attr();
-  root.get(0).attribs = { viewBox: viewBox ?? `0 0 ${width} ${height}`, role: 'img', 'aria-labelledby': `${id}-title ${id}-desc` };
+  const box = viewBox ?? `0 0 ${width} ${height}`;
+  root.get(0).attribs = { viewBox: box, style: `max-width:${box.split(/[\s,]+/)[2]}px`, role: 'img', 'aria-labelledby': `${id}-title ${id}-desc` };
   root.prepend(`<title id="${id}-title">${escapeHtml(title)}</title><desc id="${id}-desc">${escapeHtml(description)}</desc>`);
   return compact($.xml(root));
 }

@@ -9,10 +9,13 @@ export const textOfHtml = html => html.replace(/<[^>]*>/g, ' ')
   .replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&amp;/g, '&')
   .replace(/\s+/g, ' ').trim();
 
-// Typographic quotes, apostrophes and ellipses; `before` is the character that precedes the text.
+const UNITS = '[kcmµ]?m|[mµn]?s|[kMG]?Hz|[kMG]?B|[km]?[gNJW]|rad|AU|(?:[kcm]?m|rad|AU)/s(?:²|\\^2)?|km/h|°|%';
+const BEFORE_UNIT = new RegExp(`(?<=[\\d\\ue001]) (?=(?:${UNITS})(?![\\w/^²]))`, 'g');
+
+// Typographic quotes, apostrophes and ellipses, units that stay with their numbers; `before` is the character that precedes the text.
 export function smarten(text, before = ' ') {
   const opens = (all, at) => /[\s([{\u2013\u2014\u2018\u201c/]/.test(at > 0 ? all[at - 1] : before);
-  return text.replace(/\.\.\./g, '…').replace(/["']/g, (quote, at, all) => {
+  return text.replace(/\.\.\./g, '…').replace(BEFORE_UNIT, '\u202f').replace(/["']/g, (quote, at, all) => {
     if (quote === '"') return opens(all, at) ? '“' : '”';
     return opens(all, at) && !/^\d\ds?\b/.test(all.slice(at + 1)) ? '‘' : '’';
   });
