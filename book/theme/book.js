@@ -46,33 +46,35 @@
     area.remove();
   }
 
-  // What scrolls sideways can be reached by keyboard, and only that.
-  function markScrollers() {
-    for (const e of all('pre, .math-block, .tablescroll')) {
-      if (e.scrollWidth > e.clientWidth) e.tabIndex = 0; else e.removeAttribute('tabindex');
-    }
+  // A formula that is too wide is set smaller. What scrolls sideways all the same fades out where it is cut, and can be
+  // reached by keyboard.
+  const scrollers = 'pre, .math-block, .tablescroll';
+  const markCut = e => e.classList.toggle('cut', e.scrollWidth - e.clientWidth - e.scrollLeft > 1);
+  function markScroller(e) {
+    e.classList.remove('tight');
+    if (e.scrollWidth > e.clientWidth + 1) e.classList.add('tight');
+    if (e.scrollWidth > e.clientWidth + 1) e.tabIndex = 0; else e.removeAttribute('tabindex');
+    markCut(e);
   }
+  const markScrollers = () => { for (const e of all(scrollers)) markScroller(e); };
   markScrollers();
   addEventListener('resize', markScrollers);
   document.fonts.ready.then(markScrollers);
+  document.addEventListener('toggle', markScrollers, true);
+  document.addEventListener('scroll', event => { if (event.target.matches?.(scrollers)) markCut(event.target); }, { capture: true, passive: true });
 
   addEventListener('beforeprint', () => { for (const details of all('details')) details.open = true; });
 
-  // The section in view, at the right
+  // The section in view, at the right: the last one whose heading has passed the top, at the page's end the last of all
   const links = all('.onpage a');
-  if (links.length) {
-    const byId = new Map(links.map(a => [decodeURIComponent(a.hash.slice(1)), a]));
-    const observer = new IntersectionObserver(entries => {
-      for (const entry of entries) {
-        if (!entry.isIntersecting) continue;
-        for (const a of links) a.classList.toggle('here', a === byId.get(entry.target.id));
-      }
-    }, { rootMargin: '0px 0px -70% 0px' });
-    for (const id of byId.keys()) {
-      const heading = document.getElementById(id);
-      if (heading) observer.observe(heading);
-    }
+  const headings = links.map(a => document.getElementById(decodeURIComponent(a.hash.slice(1))));
+  function markSection() {
+    const atEnd = scrollY > 0 && scrollY + innerHeight > root.scrollHeight - 2;
+    const passed = atEnd ? links.length : headings.filter(heading => heading.getBoundingClientRect().top < 120).length;
+    links.forEach((a, i) => a.classList.toggle('here', i === passed - 1));
   }
+  if (links.length) addEventListener('scroll', markSection, { passive: true });
+  markSection();
 
   // Values of numbers, claims and points of a figure: under the mouse, or where a finger touches
   const tip = document.createElement('div');
@@ -81,7 +83,7 @@
   tip.setAttribute('role', 'status');
   document.body.append(tip);
   function showTip(event) {
-    const owner = event.target.closest?.('[data-tip]');
+    const owner = event.target.closest?.('[data-tip]') ?? (event.pointerType === 'touch' ? pointNear(event) : null);
     tip.hidden = !owner;
     if (!owner) return;
     tip.textContent = owner.dataset.tip;
@@ -90,10 +92,22 @@
     tip.style.left = `${Math.max(8, Math.min(innerWidth - tip.offsetWidth - 8, left))}px`;
     tip.style.top = at.top - tip.offsetHeight - 8 > 0 ? `${at.top - tip.offsetHeight - 8}px` : `${at.bottom + 8}px`;
   }
+  // A finger is wider than a point: the nearest one within its width counts.
+  function pointNear({ target, clientX, clientY }) {
+    const svg = target.closest?.('.plot svg');
+    const near = svg ? all('[data-tip]', svg).map(point => {
+      const at = point.getBoundingClientRect();
+      return { point, distance: Math.hypot(at.left + at.width / 2 - clientX, at.top + at.height / 2 - clientY) };
+    }).sort((a, b) => a.distance - b.distance)[0] : null;
+    return near && near.distance < 24 ? near.point : null;
+  }
+  const hideTip = () => { tip.hidden = true; };
   document.addEventListener('pointerover', showTip);
   document.addEventListener('pointerdown', showTip);
   document.addEventListener('focusin', showTip);
-  addEventListener('scroll', () => { tip.hidden = true; }, { passive: true });
+  document.addEventListener('focusout', hideTip);
+  addEventListener('scroll', hideTip, { passive: true });
+  addEventListener('keydown', event => { if (event.key === 'Escape') hideTip(); });
 
   // Search: the index is fetched with the first key, as a script, since a page on disk can fetch nothing else
   const box = document.querySelector('.search input');
@@ -164,7 +178,11 @@
         box.closest('.side').classList.add('open');
         box.focus();
       }
-      if (event.key === 'Escape' && document.activeElement === box) { box.value = ''; search(); }
+      if (event.key === 'Escape' && box.closest('.search').contains(document.activeElement)) {
+        box.value = '';
+        search();
+        box.focus();
+      }
     });
   }
 })();
