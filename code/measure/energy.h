@@ -2,7 +2,6 @@
 /// @file
 /// What a method does to a quantity that the scene conserves.
 #pragma once
-#include <algorithm>
 #include <cmath>
 
 #include "measure/run.h"
@@ -33,10 +32,9 @@ Drift drift(Step step, const Scene& scene, Real h, long steps, Invariant invaria
   run(step, scene, s, h, steps, [&](Real t, const auto& now) {
     const double value = invariant(now.x, now.v);
     found.last = (value - first) / std::abs(first);
-    found.largest = std::max(found.largest, std::abs(found.last));
-    if (t > 0) {
-      found.smallest_gain = std::min(found.smallest_gain, (value - before) / std::abs(before));
-    }
+    if (!(std::abs(found.last) <= found.largest)) found.largest = std::abs(found.last);
+    const double gain = (value - before) / std::abs(before);
+    if (t > 0 && !(gain >= found.smallest_gain)) found.smallest_gain = gain;
     before = value;
   });
   return found;

@@ -2,7 +2,6 @@
 /// @file
 /// How far a run strays from the exact solution of its scene.
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -29,7 +28,8 @@ struct Error {
 // [largest]
 /// The largest distance from the exact solution that a run shows at any of its steps.
 ///
-/// The largest and not the last: at one instant an error can pass through zero by luck.
+/// The largest and not the last: at one instant an error can pass through zero by luck. A run that
+/// ends as not a number has that as its error; `std::max` would pass over it.
 ///
 /// @param step  a method, called as `step(x, v, t, h, scene)`
 /// @param scene  has `start()` and `exact(t)`
@@ -43,8 +43,8 @@ Error largest_error(Step step, const Scene& scene, Real h, long steps) {
     const auto truth = scene.exact(t);
     const auto position = length(now.x - truth.x);
     const auto velocity = length(now.v - truth.v);
-    largest.position = std::max(largest.position, position);
-    largest.velocity = std::max(largest.velocity, velocity);
+    if (!(position <= largest.position)) largest.position = position;
+    if (!(velocity <= largest.velocity)) largest.velocity = velocity;
   });
   return largest;
 }

@@ -29,6 +29,9 @@ double spectral_radius(Step step, const Scene& scene, double h) {
 // [limit]
 /// The largest stable step between `stable` and `unstable`, by bisection down to rounding.
 ///
+/// A method that keeps a spring swinging for ever has a factor of one up to rounding, which counts
+/// as stable.
+///
 /// @param step  a method, called as `step(x, v, t, h, scene)`
 /// @param scene  linear in x and v, one-dimensional
 /// @param stable  a step that keeps the scene bounded [s]
@@ -37,7 +40,7 @@ template <class Step, class Scene>
 double stability_limit(Step step, const Scene& scene, double stable, double unstable) {
   for (int halving = 0; halving < 60; ++halving) {
     const double middle = (stable + unstable) / 2;
-    (spectral_radius(step, scene, middle) > 1 ? unstable : stable) = middle;
+    (spectral_radius(step, scene, middle) > 1 + 1e-12 ? unstable : stable) = middle;
   }
   return stable;
 }

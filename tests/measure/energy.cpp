@@ -56,3 +56,10 @@ TEST_CASE("A quantity that is kept to the last bit has no drift") {
   CHECK(found.last == 0);
   CHECK(found.smallest_gain == 0);
 }
+
+TEST_CASE("A run that is not a number has no small drift") {
+  const auto broken = made_up::scaling([](double) { return NAN; });
+  const auto found = measure::drift(broken, made_up::Drifter(), 1.0, 4, doubled);
+  CHECK(std::isnan(found.largest));
+  CHECK(std::isnan(found.smallest_gain));
+}

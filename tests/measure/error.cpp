@@ -38,3 +38,8 @@ TEST_CASE("The error of Euler under constant force is a h t / 2, and none in the
   CHECK_THAT(error.position, WithinRel(9.81 * 0.125 * 2 / 2, 1e-13));
   CHECK(error.velocity < 1e-13);
 }
+
+TEST_CASE("A run that is not a number has no small error") {
+  const auto broken = [](double& x, double&, double, double, const auto&) { x = NAN; };
+  CHECK(std::isnan(measure::largest_error(broken, made_up::Drifter(), 1.0, 4).position));
+}

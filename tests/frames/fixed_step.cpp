@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT-0
+#include "frames/fixed_step.h"
+
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <limits>
+#include <vector>
+
+#include "frames/uneven.h"
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+using frames::FixedStep;
+
+TEMPLATE_TEST_CASE("Every step starts where the one before ended", "", float, double) {
+  FixedStep<TestType> clock{.h = TestType(0.25)};
+  std::vector<TestType> starts;
+  for (const double frame : {0.125, 0.125, 0.0625, 0.1875, 0.25, 0.2}) {
+    clock.frame(TestType(frame), [&](TestType t) { starts.push_back(t); });
+  }
+  CHECK(starts == std::vector<TestType>{0, TestType(0.25), TestType(0.5)});
+  CHECK(clock.steps == 3);
+  CHECK_THAT(clock.saved, WithinAbs(TestType(0.2), TestType(1e-6)));
+  CHECK_THAT(clock.blend(), WithinRel(TestType(0.8), TestType(1e-6)));
+}
+
+TEST_CASE("Steps and saved time add up to the time of uneven frames") {
+  frames::Uneven frame{.seed = 3};
+  FixedStep<> clock;
+  double total = 0;
+  for (int n = 0; n < 10'000; ++n) {
+    const double length = frame.next();
+    total += length;
+    clock.frame(length, [](double) {});
+    REQUIRE(clock.saved >= 0);
+    REQUIRE(clock.saved < clock.h);
+  }
+  CHECK_THAT(double(clock.steps) * clock.h + clock.saved, WithinRel(total, 1e-12));
+}
+
+TEST_CASE("A clock that was set back takes no steps and loses none") {
+  FixedStep<> clock{.saved = 0.01};
+  int steps = 0;
+  clock.frame(-3600, [&](double) { ++steps; });
+  CHECK(steps == 0);
+  CHECK(clock.saved == 0.01);
+}
+
+TEST_CASE("A frame longer than the longest is cut, and the next frame is on time again") {
+  FixedStep<> clock{.h = 0.125, .longest_frame = 0.25};
+  int steps = 0;
+  const auto count = [&](double) { ++steps; };
+  clock.frame(std::numeric_limits<double>::infinity(), count);
+  CHECK(steps == 2);
+  clock.frame(0.125, count);
+  CHECK(steps == 3);
+  CHECK(clock.saved == 0);
+}
+
+TEST_CASE("Uneven frames are mostly near a sixtieth of a second, and one in sixteen is a hitch") {
+  frames::Uneven frame;
+  int hitches = 0;
+  for (int n = 0; n < 16'000; ++n) {
+    const double length = frame.next();
+    const bool even = length >= 0.75 / 60 && length <= 1.25 / 60;
+    const bool hitch = length >= 0.05 && length <= 0.1;
+    REQUIRE((even || hitch));
+    hitches += hitch;
+  }
+  CHECK(hitches > 900);
+  CHECK(hitches < 1100);
+}
+
+TEST_CASE("The same seed gives the same frames") {
+  frames::Uneven one{.seed = 5}, same{.seed = 5}, other{.seed = 6};
+  for (int n = 0; n < 100; ++n) {
+    const double length = one.next();
+    CHECK(length == same.next());
+    CHECK(length != other.next());
+  }
+}
