@@ -1,6 +1,6 @@
 // What the marks within a sentence become, for the page and for the search.
 import { NUMBERED } from './marks.mjs';
-import { quantityHtml, quantityText, unitText } from './numbers.mjs';
+import { fullText, quantityHtml, quantityText } from './numbers.mjs';
 import { escapeHtml, slug, smarten } from './text.mjs';
 
 export function inlineHtml({ book, page }, piece) {
@@ -20,8 +20,7 @@ const HTML = {
   },
   character: piece => escapeHtml(piece.character),
   number: ({ value }) => {
-    const full = `${value.written}${value.unit && ` ${unitText(value.unit)}`}`;
-    const tip = `${value.name} = ${full}, from ${value.chapter.program}`;
+    const tip = `${value.name} = ${fullText(value)}, from ${value.chapter.program}`;
     return `<data class="number" value="${escapeHtml(value.written)}" data-tip="${escapeHtml(tip)}">${quantityHtml(value)}</data>`;
   },
   claim: ({ claim, id }) => {

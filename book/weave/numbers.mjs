@@ -77,6 +77,13 @@ export function numberTex(value, digits) {
     power: (m, e) => `${m}\\times 10^{${e}}` });
 }
 
+// All the digits that the program wrote, grouped like any other number.
+export function fullText({ written, value, unit }) {
+  const [, sign, mantissa, exponent] = written.match(/^([-+]?)([\d.]+)(?:e([-+]?\d+))?$/i) ?? [];
+  const digits = mantissa ? (sign === '-' ? MINUS : '') + group(mantissa, NARROW) : numberText(value, 1);
+  return digits + (exponent ? `\u00a0×\u00a010${raise(String(Number(exponent)))}` : '') + (unit && NARROW + unitText(unit));
+}
+
 export const unitText = unit => unit.replace(/\^(-?\d+)/g, (_, power) => raise(power));
 export const unitHtml = unit => escapeHtml(unit)
   .replace(/\^(-?\d+)/g, (_, power) => `<sup>${power.replace('-', MINUS)}</sup>`);

@@ -1,6 +1,6 @@
 // gnuplot's SVG made fit to live inside a page: ids of its own, the book's colours, a name and a description.
 import * as cheerio from 'cheerio';
-import { escapeHtml } from './text.mjs';
+import { escapeHtml, smarten } from './text.mjs';
 
 const COLOURS = { stroke: true, fill: true, color: true };
 
@@ -26,13 +26,16 @@ export function adoptSvg(svg, { id, title, description }) {
 function adoptTips($) {
   $('[onmousemove]').each((_, e) => {
     const tip = e.attribs.onmousemove.match(/showHypertext\(evt,\s*'([\s\S]*)'\)/)?.[1];
-    e.attribs = tip ? { class: 'point', 'data-tip': tip.replace(/\\'/g, "'") } : {};
+    e.attribs = tip ? { class: 'point', 'data-tip': tidyTip(tip.replace(/\\'/g, "'")) } : {};
     $(e).children('title').remove();
   });
   $('*').each((_, e) => {
     for (const name of Object.keys(e.attribs)) if (name.startsWith('on')) delete e.attribs[name];
   });
 }
+
+// C's printf knows a minus zero, and no minus but the hyphen.
+const tidyTip = tip => smarten(tip).replace(/(?<![\w.])-(0(?:\.0+)?)(?![\d.])/g, '$1').replace(/(?<![\w.])-(?=\d)/g, '\u2212');
 
 // A plot's <title> would pop up over every line: the book has hover values instead.
 function removeNames($) {
