@@ -9,5 +9,5 @@ set label 3 "true" at 0.02,-0.12 left tc rgb "#000007"
 plot file("suspension-outside") using 1:2 with linespoints ls THIRD pt 7 lw 1.2 ps 0.35, \
      file("suspension-exact") using 1:2 with lines ls EXACT, \
      file("suspension-inside") using 1:2 with linespoints ls EULER lw 1.4 ps 0.35, \
-     file("suspension-outside") using 1:2:(sprintf("11 ms, at %.3f s: %.3f m", $1, $2)) with labels hypertext point ls THIRD pt 7 ps 0.35, \
-     file("suspension-inside") using 1:2:(sprintf("9 ms, at %.3f s: %.3f m", $1, $2)) with labels hypertext point ls EULER ps 0.35
+     file("suspension-outside") every 4 using 1:2:(sprintf("11 ms, at %.3f s: %.3f m", $1, $2)) with labels hypertext point ls THIRD pt 7 ps 0.35, \
+     file("suspension-inside") every 4 using 1:2:(sprintf("9 ms, at %.3f s: %.3f m", $1, $2)) with labels hypertext point ls EULER ps 0.35
