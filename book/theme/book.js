@@ -148,7 +148,9 @@
     const start = at ? text.indexOf(' ', at) + 1 : 0;
     const pattern = new RegExp(`(${words.map(w => w.replace(/[^\w\s]/g, '\\$&')).join('|')})`, 'i');
     small.append(at ? '… ' : '');
-    text.slice(start, start + 110).split(pattern).forEach((part, i) => small.append(i % 2 ? element('mark', part) : part));
+    const end = text.length <= start + 110 ? text.length : text.lastIndexOf(' ', start + 110);
+    text.slice(start, end).split(pattern).forEach((part, i) => small.append(i % 2 ? element('mark', part) : part));
+    small.append(end < text.length ? ' …' : '');
     return small;
   }
 

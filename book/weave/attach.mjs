@@ -1,5 +1,5 @@
 // Puts the HTML of the marks into the text, and keeps together what should not be torn at the end of a line: a short
-// formula in itself, a check mark and the word that it follows, punctuation and what it follows.
+// formula or piece of code in itself, a check mark and the word that it follows, punctuation and what it follows.
 import { inlineText } from './inline.mjs';
 import { TOKEN } from './prose.mjs';
 import { textOfHtml } from './text.mjs';
@@ -21,7 +21,7 @@ export function attach(html, expand, piece) {
     .replace(TOKENS, (_, before, n, rest) => {
       const whole = before + expand(n) + claims(rest);
       const length = inlineText(piece(n)).length + rest.replace(/\ue004\d+\ue005/g, '').length;
-      return piece(n).name === 'math' || rest.includes('\ue004') ? together(whole, length) : whole;
+      return ['math', 'code'].includes(piece(n).name) || rest.includes('\ue004') ? together(whole, length) : whole;
     })
     .replace(WORDS, (_, word, tag, ends, rest) => together(word + claims(rest), textOfHtml(word).length) + ends);
 }

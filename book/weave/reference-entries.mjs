@@ -99,7 +99,12 @@ export const summary = (book, entries) => `<dl class="summary">${entries.map(e =
 
 export function fields(book, variables) {
   const rows = variables.map(v => `<tr id="${v.anchor}"><td><code>${escapeHtml(v.name)}</code></td><td><code>${escapeHtml(tidyType(v.type))}</code></td>`
-    + `<td>${v.initializer && `<code>${escapeHtml(v.initializer.replace(/^=\s*/, ''))}</code>`}</td><td>${brief(book, v) || details(book, v).replace(/<\/?p>/g, '')}</td></tr>`);
+    + `<td>${initial(v)}</td><td>${brief(book, v) || details(book, v).replace(/<\/?p>/g, '')}</td></tr>`);
   return `<div class="tablescroll"><table><thead><tr><th scope="col">Name</th><th scope="col">Type</th><th scope="col">Default</th><th scope="col">Meaning</th></tr></thead>`
     + `<tbody>\n${rows.join('\n')}\n</tbody></table></div>`;
+}
+
+function initial({ initializer, file, line }) {
+  const value = initializer.replace(/^=\s*/, '');
+  return value.length > 32 ? `<a href="${sourceHref(file)}#L${line}">in the file</a>` : value && `<code>${escapeHtml(value)}</code>`;
 }

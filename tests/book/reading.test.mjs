@@ -120,6 +120,8 @@ test('a chapter prints on white, without menus, with its hints open', async () =
   await phone.emulateMedia({ media: 'print' });
   await phone.evaluate(() => dispatchEvent(new Event('beforeprint')));
   assert.match(await paper(phone), /^rgba?\((255, 255, 255|0, 0, 0, 0\))/);
+  const box = await phone.evaluate(() => getComputedStyle(document.querySelector('.listing pre')).backgroundColor);
+  assert.ok(box.match(/\d+/g).slice(0, 3).every(part => part > 200), `code is printed on ${box}`);
   for (const menu of ['nav.side', 'button.copy']) assert.ok(await phone.locator(menu).first().isHidden(), `${menu} is printed`);
   assert.ok(await phone.locator('details.hint > :not(summary)').first().isVisible());
   const pdf = await phone.pdf({ format: 'A4' });
