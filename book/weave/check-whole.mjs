@@ -26,7 +26,7 @@ function checkClaims(book) {
 
 // A pair of boxes holds what it numbers, and one of it.
 function checkContents(book, page) {
-  const boxes = name => page.pieces.filter(piece => piece.type === 'open' && piece.name === name && piece.closed);
+  const boxes = name => page.pieces.filter(piece => piece.type === 'open' && piece.name === name && piece.closed && !piece.incomplete);
   for (const box of boxes('eq')) {
     const n = page.pieces.filter(piece => piece.name === 'display' && piece.box === box).length;
     if (n !== 1) book.problems.add(page.file, box.line, `\\eq{${box.args[0]}} holds ${n} displayed formulas; it numbers one: \\f[ ... \\f]`);

@@ -13,7 +13,7 @@ export function checkBook(book) {
     for (const piece of page.pieces) {
       const report = (message, line = 0) => book.problems.add(page.file, piece.line + line, message);
       const check = CHECKS[piece.name];
-      if (check && piece.type !== 'close') check({ book, page, piece, report });
+      if (check && piece.type !== 'close' && !piece.incomplete) check({ book, page, piece, report });
       checkPlace(piece, report);
     }
   }

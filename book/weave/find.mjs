@@ -15,10 +15,10 @@ export function findNumber(book, page, name, report) {
   const fault = number && numberFault(number);
   if (fault) report(`${fault}; ${chapter.program} wrote it`);
   if (number) return { ...number, chapter };
-  const known = [...(chapter?.numbers.keys() ?? [])].map(known => (owner === page.name && !name.includes('/') ? known : `${owner}/${known}`));
   const elsewhere = [...book.chapters.values()].filter(c => c.numbers.has(own)).map(c => `${c.name}/${own}`);
+  const near = didYouMean(own, chapter?.numbers.keys() ?? []).replace(/"(?=\w)/g, name === own ? '"' : `"${owner}/`);
   if (!chapter && !name.includes('/')) report(`this page has no program; name the number's chapter, too: \\number{${elsewhere[0] ?? `2-euler/${name}`}}`);
   else if (!chapter) report(`there is no chapter "${owner}" that could write the number "${name}".${nameOneOf(owner, book.chapters.keys())}`);
-  else report(`unknown number "${name}"; ${chapter.program} writes none of that name.${didYouMean(name, [...known, ...elsewhere]) || ` Let it do so: record.number("${own}", ...)`}`);
+  else report(`unknown number "${name}"; ${chapter.program} writes none of that name.${elsewhere.length ? didYouMean(elsewhere[0], elsewhere) : near || ` Let it do so: record.number("${own}", ...)`}`);
   return null;
 }

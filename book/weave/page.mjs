@@ -76,7 +76,7 @@ function numberBoxes(page) {
   const count = {};
   for (const piece of page.pieces) {
     if (piece.name === 'claim') piece.id = `cited-${count.claim = (count.claim ?? 0) + 1}`;
-    if (piece.type === 'close' || !NUMBERED[piece.name]) continue;
+    if (piece.type === 'close' || piece.incomplete || !NUMBERED[piece.name]) continue;
     count[piece.name] = (count[piece.name] ?? 0) + 1;
     piece.number = page.number ? `${page.number}.${count[piece.name]}` : String(count[piece.name]);
     piece.id = piece.name === 'listing' ? `listing-${count.listing}` : `${piece.name}-${slug(piece.args[0])}`;

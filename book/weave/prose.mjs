@@ -54,6 +54,7 @@ function emphasise(text) {
 }
 
 const SEPARATOR = /^\s*\|?\s*:?-{2,}:?\s*(\|\s*:?-{2,}:?\s*)*\|?\s*$/;
+const QUOTED = /^\s*(?:>|[-*+]\s|\d+\.\s)[>\s]*\|/;
 const cells = row => row.trim().replace(/^\||(?<!\\)\|$/g, '').split(/(?<!\\)\|/).length;
 
 // Checks the rows of every Markdown table, and puts a token into its first cell, so that one that Doxygen
@@ -61,7 +62,7 @@ const cells = row => row.trim().replace(/^\||(?<!\\)\|$/g, '').split(/(?<!\\)\|/
 function markTables(out, page, problems) {
   const lines = out.text.split('\n');
   for (let i = 0; i < lines.length; ++i) {
-    if (/^\s*(?:>|[-*+]\s|\d+\.\s)[>\s]*\|/.test(lines[i])) problems.add(page.file, out.map[i] ?? 1, 'a table cannot start behind a > or in the line of a list mark: Doxygen makes a paragraph of it; put it on lines of its own');
+    if (QUOTED.test(lines[i]) && !QUOTED.test(lines[i - 1])) problems.add(page.file, out.map[i] ?? 1, 'a table cannot start behind a > or in the line of a list mark: Doxygen makes a paragraph of it; put it on lines of its own');
     const starts = /^\s*\|/.test(lines[i]) || (lines[i].includes('|') && SEPARATOR.test(lines[i + 1] ?? '') && lines[i + 1].includes('|'));
     if (!starts) continue;
     let end = i;

@@ -73,8 +73,10 @@ function findLeftovers(page, raw, report) {
   }
 }
 
+// The excerpt went through Doxygen, which joins lines, and has quotes and dashes of the page's kind.
 function lineOf(page, excerpt) {
   const words = excerpt.match(/[\w*`\\]{3,}[^\ue000-\ue003\n]*/)?.[0].trim() ?? excerpt;
-  const at = page.source.indexOf(words.split('\n')[0]);
+  const pattern = words.split('\n')[0].replace(/[^\w\s]/g, '[^\\w\\s]{1,3}').replace(/\s+/g, '\\s+');
+  const at = page.source.search(new RegExp(pattern));
   return at < 0 ? 1 : page.source.slice(0, at).split('\n').length;
 }

@@ -66,6 +66,11 @@ function command(context, at) {
   return mark(context, at, word);
 }
 
+function skipTo(source, closing, at) {
+  const end = source.indexOf(closing, at);
+  return end < 0 ? at + 3 : end + closing.length;
+}
+
 // Carried past Doxygen like a mark, so that what is left standing behind Doxygen was not meant.
 function escaped(character, at) {
   return /[!-/:-@[-`{-~]/.test(character ?? '') ? { end: at + 2, piece: { type: 'inline', name: 'character', character } } : { end: at + 2 };
@@ -78,6 +83,10 @@ function formula({ source, report }, at) {
     return { end: at + 3, piece: null };
   }
   const environment = kind === '{' ? sticky(/\\f\{([\w*]+)\}\s*\{/, source, at) : null;
+  if (kind === '{' && !environment) {
+    report('this formula lacks its second brace; write \\f{align*}{ ... \\f}');
+    return { end: skipTo(source, '\\f}', at), piece: null };
+  }
   const from = at + (environment?.[0].length ?? 3);
   const end = source.indexOf(FORMULA_END[kind], from);
   const tex = source.slice(from, end);
@@ -100,12 +109,12 @@ function mark({ source, report }, at, word) {
     return { end: at + word.length + 1, piece: null };
   }
   const [least] = known.takes;
-  const braces = known.takes[1] > 0 && sticky(/\\[A-Za-z]+\{([^{}]*)\}/, source, at);
+  const braces = known.takes[1] > 0 && sticky(/\\[A-Za-z]+\{((?:[^{}]|\{[^{}]*\})*)\}/, source, at);
   const args = braces ? splitArguments(braces[1].replace(/\s+/g, ' ').trim(), known).filter(Boolean) : [];
   const end = at + (braces ? braces[0].length : word.length + 1);
   if (args.length < least) {
     report(`\\${word} is incomplete; write ${known.usage}`);
-    return { end, piece: null };
+    return { end, piece: known.kind === 'box' ? { type: 'open', name: word, args, incomplete: true } : null };
   }
   return { end, piece: { type: known.kind === 'box' ? 'open' : known.kind, name: word, args } };
 }

@@ -15,14 +15,13 @@ export function createSnippets(source, sources) {
     if (!file) return { fault: `there is no file ${path}; paths start at the top of the repository.${didYouMean(path, sources)}` };
     const at = file.tags.get(tag);
     if (!at) return { fault: `${path} has no tag "${tag}".${didYouMean(tag, file.tags.keys()) || noTag(tag)}` };
-    if (at.length !== 2) {
-      return { fault: `tag "${tag}" stands ${at.length} times in ${path} (line ${at.join(', ')}); `
-        + `it must stand twice, before and after the lines to show` };
-    }
-    return cut(file.lines, at);
+    if (at.length !== 2) return { fault: `tag "${tag}" stands ${times(at, path)}; it must stand twice, before and after the lines to show` };
+    const found = cut(file.lines, at);
+    return found.length ? { lines: found } : { fault: `nothing but documentation stands between the two tags of "${tag}" in ${path} (lines ${at.join(' and ')})` };
   };
 }
 
+const times = (at, path) => (at.length === 1 ? `once in ${path} (line ${at[0]})` : `${at.length} times in ${path} (lines ${at.join(', ')})`);
 const noTag = tag => ` Put a line "// [${tag}]" before and after the lines to show.`;
 
 function readTagged(path) {
@@ -42,7 +41,6 @@ function cut(lines, [first, last]) {
     .map(({ text, number }) => ({ text: text.replace('///<', '//'), number }));
   while (kept.length && !kept[0].text) kept.shift();
   while (kept.length && !kept.at(-1).text) kept.pop();
-  if (!kept.length) return { fault: `nothing but documentation stands between the two tags (line ${first} and ${last})` };
   const indent = Math.min(...kept.filter(l => l.text).map(l => l.text.match(/^ */)[0].length));
-  return { lines: kept.map(l => ({ ...l, text: l.text.slice(indent) })) };
+  return kept.map(l => ({ ...l, text: l.text.slice(indent) }));
 }

@@ -10,15 +10,17 @@ const GROUPS = [
   ['link', /\.(a|so|wasm)$|(^|\/)[\w.-]+$/],
 ];
 
-// One row per edge: when it started and ended in its build [ms], when its output was written, what it made.
+// One row per line of the log: when an edge started and ended in its build [ms], what it made, the hash of its command.
 export function readLog(text) {
-  const edges = new Map();
-  for (const line of text.split('\n')) {
-    const [start, end, , output, command] = line.split('\t');
-    if (!command) continue;
-    edges.set(`${command} ${start} ${end}`, { start: Number(start), end: Number(end), output });
-  }
-  return [...edges.values()];
+  return text.split('\n').map(line => line.split('\t')).filter(fields => fields.length === 5)
+    .map(([start, end, , output, command]) => ({ start: Number(start), end: Number(end), output, command }));
+}
+
+// The log has a line for each output of an edge, and still has those of older builds: the last one of an output counts,
+// and outputs of one command are one edge.
+export function edgesOf(entries) {
+  const outputs = new Map(entries.filter(({ output }) => !/(^|\/)times\.txt$/.test(output)).map(entry => [entry.output, entry]));
+  return [...new Map([...outputs.values()].map(entry => [entry.command, entry])).values()];
 }
 
 export function summarise(edges) {
@@ -34,18 +36,19 @@ export function summarise(edges) {
 
 // Ninja appends each build to the log, and its clock starts at 0 again: the last build is what follows the last time
 // that an edge ended before the one above it.
-export function lastBuildSeconds(edges) {
+export function lastBuildSeconds(entries) {
   let last = 0;
-  edges.forEach((edge, i) => { if (i && edge.end < edges[i - 1].end) last = i; });
-  return Math.max(0, ...edges.slice(last).map(edge => edge.end)) / 1000;
+  entries.forEach((entry, i) => { if (i && entry.end < entries[i - 1].end) last = i; });
+  return Math.max(0, ...entries.slice(last).map(entry => entry.end)) / 1000;
 }
 
-export function table(edges) {
+export function table(entries) {
+  const edges = edgesOf(entries);
   const rows = summarise(edges).map(({ name, edges: n, seconds }) => `${name.padEnd(14)}${String(n).padStart(6)}${seconds.toFixed(1).padStart(10)}`);
   const total = summarise(edges).reduce((sum, { seconds }) => sum + seconds, 0);
   return [`${'part'.padEnd(14)}${'edges'.padStart(6)}${'seconds'.padStart(10)}`, ...rows,
     `${'all of them'.padEnd(14)}${String(edges.length).padStart(6)}${total.toFixed(1).padStart(10)}`,
-    `last build: ${lastBuildSeconds(edges).toFixed(1)} s from its first edge to its last`, ''].join('\n');
+    `last build: ${lastBuildSeconds(entries).toFixed(1)} s from its first edge to its last`, ''].join('\n');
 }
 
 if (process.argv[1]?.endsWith('times.mjs')) {

@@ -1,0 +1,55 @@
+// The old book outlives a bad one, and nothing half-written is left behind.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { CHAPTER, sampleBook, WEAVER } from './weaver.mjs';
+
+const contents = folder => readdirSync(folder, { recursive: true }).sort().map(name => join(folder, name))
+  .filter(path => statSync(path).isFile()).map(path => [path, readFileSync(path, 'latin1')]);
+
+test('a book that fails leaves the old one as it was', () => {
+  const book = sampleBook();
+  assert.equal(book.weave().status, 0);
+  const before = contents(book.path('out'));
+  assert.ok(before.length > 20);
+  const early = 'Marks in code stay', late = 'Marks in code stay [here](nowhere.html)';
+  for (const [from, to] of [[early, `\\number{x} ${early}`], [`\\number{x} ${early}`, `<foo> ${early}`], [`<foo> ${early}`, late]]) {
+    book.edit(CHAPTER, from, to);
+    const { status, stderr } = book.weave();
+    assert.equal(status, 1);
+    assert.match(stderr, /The book of the last build stays as it was\.$/m);
+    assert.deepEqual(contents(book.path('out')), before);
+    assert.ok(!book.has('out.new') && !book.has('out.old'));
+  }
+});
+
+test('a weaver that breaks off while it writes leaves nothing half-written', () => {
+  const book = sampleBook(['built/2-euler/data/broken.csv/file', '']);
+  const { status } = book.weave();
+  assert.notEqual(status, 0);
+  assert.ok(!book.has('out') && !book.has('out.new'));
+});
+
+test('what is left of the book before is gone', () => {
+  const book = sampleBook(['out/old.html', 'old'], ['out.new/x', 'x'], ['out.old/x', 'x']);
+  assert.equal(book.weave().status, 0);
+  assert.ok(book.has('out/index.html') && !book.has('out/old.html') && !book.has('out.new') && !book.has('out.old'));
+});
+
+test('bad use', () => {
+  for (const args of [[], ['nowhere.json'], ['a', 'b']]) {
+    const { status, stderr } = spawnSync(process.execPath, [WEAVER, ...args], { encoding: 'utf8' });
+    assert.equal(status, 2);
+    assert.match(stderr, /^usage: node weave\.mjs CONFIG\.json/);
+  }
+});
+
+test('chapters without text, and Doxygen that is not there', () => {
+  const book = sampleBook();
+  const { status, stderr } = book.weave(['2-euler', '3-heun']);
+  assert.equal(status, 1);
+  assert.match(stderr, /^chapters\/3-heun\/chapter\.md:1: there is no such file; every chapter, the start page and the references have one$/m);
+  assert.match(book.weave(['2-euler'], '/no/doxygen').stderr, /^book\/Doxyfile\.in: cannot run \/no\/doxygen: /);
+});

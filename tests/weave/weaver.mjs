@@ -1,0 +1,93 @@
+// The sample, a book in miniature, in a folder of its own: edited, woven as CMake does it, and judged.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, realpathSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+export const WEAVER = fileURLToPath(new URL('../../book/weave/weave.mjs', import.meta.url));
+const SAMPLE = fileURLToPath(new URL('sample', import.meta.url));
+
+export const CHAPTER = 'chapters/2-euler/chapter.md';
+export const CLAIMS = 'chapters/2-euler/claims.cpp';
+export const REPORT = 'built/2-euler/claims.xml';
+export const NUMBERS = 'built/2-euler/data/numbers.csv';
+
+// A paragraph of its own in the chapter, outside of every box.
+export const paragraph = text => [CHAPTER, '\\remark\nA remark.\n', `${text}\n\n\\remark\nA remark.\n`];
+
+export const line = (source, needle) => source.slice(0, source.indexOf(needle)).split('\n').length;
+
+const folders = [];
+process.on('exit', () => { for (const folder of folders) rmSync(folder, { recursive: true, force: true }); });
+
+// Each edit is [file, what stands there once, what shall stand there]; [file, text] writes a file, [file] removes it.
+export function sampleBook(...edits) {
+  const folder = realpathSync(mkdtempSync(join(tmpdir(), 'weave-')));
+  folders.push(folder);
+  cpSync(SAMPLE, folder, { recursive: true });
+  const book = {
+    folder,
+    path: name => join(folder, name),
+    has: name => existsSync(join(folder, name)),
+    read: name => readFileSync(join(folder, name), 'utf8'),
+    edit: (name, ...change) => edit(book, name, change),
+    weave: (chapters = ['2-euler'], doxygen = process.env.DOXYGEN || 'doxygen') => weave(folder, chapters, doxygen),
+  };
+  for (const change of edits) book.edit(...change);
+  return book;
+}
+
+function edit(book, name, change) {
+  const path = book.path(name);
+  if (!change.length) { rmSync(path, { recursive: true }); return; }
+  mkdirSync(dirname(path), { recursive: true });
+  if (change.length === 1) { writeFileSync(path, change[0]); return; }
+  const parts = book.read(name).split(change[0]);
+  assert.equal(parts.length, 2, `${name} has ${parts.length - 1} times: ${change[0]}`);
+  writeFileSync(path, parts.join(change[1]));
+}
+
+function weave(folder, chapters, doxygen) {
+  const config = join(folder, 'weave.json');
+  writeFileSync(config, JSON.stringify({
+    source: folder, output: join(folder, 'out'), work: join(folder, 'work'), doxygen,
+    chapters: chapters.map(name => ({ name, folder: `chapters/${name}`, build: join(folder, 'built', name) })),
+  }));
+  return spawnSync(process.execPath, [WEAVER, config], { encoding: 'utf8' });
+}
+
+// The weaver stops with these faults and no others, each [file, what stands in its line, message].
+export function refuses(edits, ...faults) {
+  const book = sampleBook(...edits);
+  const { status, stdout, stderr } = book.weave();
+  const told = stderr.split(/\n(?! )/).filter(Boolean);
+  assert.match(told.pop() ?? '', new RegExp(`^The book is not woven: ${faults.length} mistakes? to mend\\. $`), stderr);
+  faults.forEach(([file, needle, message], i) => {
+    const place = `${file}:${line(book.read(file), needle)}: `;
+    if (message instanceof RegExp) {
+      assert.ok(told[i].startsWith(place), `${place} expected: ${told[i]}`);
+      assert.match(told[i].slice(place.length), message);
+    } else assert.equal(told[i], place + message);
+  });
+  assert.equal(told.length, faults.length, stderr);
+  assert.equal(stdout, '');
+  assert.equal(status, 1);
+  assert.ok(!book.has('out') && !book.has('out.new'), 'something was written');
+}
+
+// The pages of a woven book with these edits.
+export function weaves(...edits) {
+  const book = sampleBook(...edits);
+  const { status, stdout, stderr } = book.weave();
+  assert.equal(stderr, '');
+  assert.equal(status, 0, stdout);
+  return name => book.read(join('out', name));
+}
+
+// What becomes of a piece of Markdown, in HTML.
+export function woven(text) {
+  const page = weaves(paragraph(`From here.\n\n${text}\n\nTo here.`))('2-euler.html');
+  return page.match(/<p>From here\.<\/p>\s*([\s\S]*?)\s*<p>To here\.<\/p>/)[1];
+}
