@@ -15,7 +15,7 @@ const FONTS = [
 ];
 
 export function copyAssets(book, out) {
-  for (const file of ['book.css', 'book.js']) copyFileSync(join(theme, file), join(out, file));
+  for (const file of ['book.css', 'book.js', 'search.js']) copyFileSync(join(theme, file), join(out, file));
   copyFileSync(join(dirname(require.resolve('minisearch')), '../umd/index.js'), join(out, 'minisearch.js'));
   copyFonts(join(out, 'fonts'));
   copyKatex(join(out, 'katex'));

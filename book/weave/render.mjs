@@ -55,7 +55,7 @@ function headingHtml(heading) {
 }
 
 function sectionsOf(page, raw, expand) {
-  const words = html => textOfHtml(html.replace(/\ue002\d+\ue003/g, ' ')).replace(TOKEN, (_, n) => expand(n)).replace(/\s+/g, ' ');
+  const words = html => textOfHtml(html.replace(/\ue002\d+\ue003/g, ' ')).replace(TOKEN, (_, n) => expand(n)).replace(/\s+/g, ' ').replace(/ (?=[.,;:!?])/g, '');
   const [intro, ...rest] = raw.split(/(?=<h2 )/);
   return [{ id: '', title: '', text: words(intro) }, ...rest.map(part => {
     const section = page.sections.find(s => part.startsWith(`<h2 id="${s.id}"`));

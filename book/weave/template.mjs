@@ -16,6 +16,7 @@ export function pageHtml(book, page) {
 <script>try{var t=localStorage.getItem("theme");if(t)document.documentElement.dataset.theme=t}catch(e){}</script>
 ${page.body.includes('class="katex') ? '<link rel="stylesheet" href="katex/katex.css">\n' : ''}<link rel="stylesheet" href="book.css">
 <script defer src="book.js"></script>
+<script defer src="search.js"></script>
 </head>
 <body class="${page.kind}">
 <a class="skip" href="#content">Skip to the text</a>
