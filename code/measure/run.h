@@ -10,18 +10,18 @@
 /// What is asked of a method on a scene: errors, orders, energies, limits and costs.
 namespace measure {
 
-/// integrate::euler as an object that can be handed to run() and to every measurement.
+/// integrate::euler as an object that can be handed to run() and to the other measurements.
 inline constexpr auto euler = [](auto& x, auto& v, auto t, auto h, auto&& acceleration) {
   integrate::euler(x, v, t, h, acceleration);
 };
 
-/// integrate::constant_acceleration as such an object.
+/// integrate::constant_acceleration as an object that can be handed on.
 inline constexpr auto constant_acceleration = [](auto& x, auto& v, auto t, auto h,
                                                  auto&& acceleration) {
   integrate::constant_acceleration(x, v, t, h, acceleration);
 };
 
-/// integrate::symplectic_euler as such an object.
+/// integrate::symplectic_euler as an object that can be handed on.
 inline constexpr auto symplectic_euler = [](auto& x, auto& v, auto t, auto h, auto&& acceleration) {
   integrate::symplectic_euler(x, v, t, h, acceleration);
 };
