@@ -5,7 +5,7 @@ import { adoptSvg } from './svg.mjs';
 
 const [figure, styleSheet, title, out] = process.argv.slice(2);
 const css = readFileSync(styleSheet, 'utf8');
-const dark = css.indexOf('@media (prefers-color-scheme: dark)');
+const dark = css.search(/@media [^{]*prefers-color-scheme: dark/);
 
 const colours = theme => {
   const value = name => theme.match(new RegExp(`--${name}: (#[0-9a-f]+);`))[1];
