@@ -27,7 +27,7 @@ export function renderPage(book, page, xml) {
     verbatim: code => report(lineOf(page, code), 'code by indentation; put it between ``` lines, or indent it less if it is no code') ?? '',
     formula: () => '',
     link: (refid, html) => link(book, refid, html),
-    fault: (message, n) => report(n === undefined ? 1 : piece(n).line, message),
+    fault: (message, n, excerpt) => report(n === undefined ? lineOf(page, excerpt) : piece(n).line, message),
     stray: n => strayToken(report, piece(n)),
   });
   const $ = loadXml(join(xml, `${doxygenLabel(page)}.xml`));

@@ -13,7 +13,7 @@ const CHARACTERS = { ndash: '–', mdash: '—', nonbreakablespace: '\u00a0', ls
   hellip: '…', minus: '−', times: '×', deg: '°', middot: '·', copy: '©', zwj: '', anchor: '', linebreak: '<br>' };
 
 // `host` says how tokens, boxes, formulas and links come out, and is told what could not be turned:
-//   block(n), box(n, html), isBlock(n), opens(n), closes(n), link(refid, html), formula(tex), fault(message, n)
+//   block(n), box(n, html), isBlock(n), opens(n), closes(n), link(refid, html), formula(tex), fault(message, n, excerpt)
 // and, where text is more than prose, how it comes out: text(text, before)
 export function createXmlToHtml(host) {
   const inline = (nodes, state = { before: ' ' }) => nodes.map(node => inlineNode(node, state)).join('');
@@ -32,7 +32,7 @@ export function createXmlToHtml(host) {
     if (node.name === 'formula') return host.formula(plainText(node));
     if (node.name in CHARACTERS) return CHARACTERS[node.name];
     const tag = INLINE[node.name];
-    if (!tag) return host.fault(`Doxygen's <${node.name}> is not used in this book`) ?? inline(node.children, state);
+    if (!tag) return host.fault(`what Doxygen calls <${node.name}> has no looks in this book; write it in another way`, undefined, plainText(node)) ?? inline(node.children, state);
     return `<${tag}>${inline(node.children, state)}</${tag}>`;
   }
 

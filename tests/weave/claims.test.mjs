@@ -32,6 +32,11 @@ test('a failing test that no claim cites', () => refuses(
   [CLAIMS, 'Nobody cites', `this test fails: "Nobody cites this claim"\n    chapters/2-euler/claims.cpp:9: 1 < 2, where 1 < 2${RUN}"Nobody cites this claim"`],
 ));
 
+test('a check that threw', () => refuses(
+  [[REPORT, CITED, failure(CITED, 5, 'at(7) == 0', 'at(7) == 0').replace('</Expression>', '<Exception filename="chapters/2-euler/claims.cpp" line="5">out of range</Exception></Expression>')]],
+  [CHAPTER, mark, `the claim is false: "Euler gains energy on every step"\n    chapters/2-euler/claims.cpp:5: at(7) == 0 threw: out of range${RUN}"Euler gains energy on every step"`],
+));
+
 test('a test that threw, failed by hand, or was skipped', () => {
   const at = 'filename="chapters/2-euler/claims.cpp"';
   refuses(

@@ -46,7 +46,8 @@ test('a page without a title', () => refuses(
 ));
 
 test('what is never closed', () => refuses(
-  [paragraph('A `span.\n\n```sh\nls'), [CHAPTER, '```sh\ncmake --build build --target 2-euler   # \\number{radius} stays as it is\n```\n', '']],
+  [paragraph('A `span.\n\n```sh\nls'), ['book/index.md', '\\contents', '\\contents\n<!-- x'], [CHAPTER, '```sh\ncmake --build build --target 2-euler   # \\number{radius} stays as it is\n```\n', '']],
+  ['book/index.md', '<!--', 'this comment is never closed; put --> after it'],
   [CHAPTER, 'A `span', 'this code span is never closed; put ` after it, or write \\` for a backtick'],
   [CHAPTER, '```sh', 'this fence is never closed; put a line ``` after the code'],
 ));
@@ -57,6 +58,11 @@ test('pictures and footnotes', () => {
   refuses([paragraph('One ![alt](x.png)\ntwo <img src="x.png">')], [CHAPTER, 'One', PICTURE], [CHAPTER, 'two', PICTURE]);
   refuses([paragraph('Text[^1].\n\n[^1]: lost')], [CHAPTER, 'Text[^1]', /^"\[\^" was left standing/]);
 });
+
+test('what the book has no looks for', () => refuses(
+  [paragraph('Some words\nand then\n<u>underlined</u> ones..')],
+  [CHAPTER, '<u>', 'what Doxygen calls <underline> has no looks in this book; write it in another way'],
+));
 
 test('a character behind a backslash is meant', () => {
   assert.equal(woven('Meant: a \\* b, 2\\*3, \\*\\*, \\\\code, \\@ref, \\`, \\$5\\$, \\<T>, \\|, \\_x\\_.'),

@@ -35,7 +35,7 @@ test('a weaver that breaks off while it writes leaves nothing half-written', () 
 test('what is left of the book before is gone', () => {
   const book = sampleBook(['out/old.html', 'old'], ['out.new/x', 'x'], ['out.old/x', 'x']);
   assert.equal(book.weave().status, 0);
-  assert.ok(book.has('out/index.html') && !book.has('out/old.html') && !book.has('out.new') && !book.has('out.old'));
+  assert.ok(book.has('out/index.html') && !book.has('out/old.html') && !book.has('out/x') && !book.has('out.new') && !book.has('out.old'));
 });
 
 test('bad use', () => {
@@ -47,9 +47,10 @@ test('bad use', () => {
 });
 
 test('chapters without text, and Doxygen that is not there', () => {
+  const half = sampleBook(['chapters/3-heun/notes.txt', '']).weave();
+  assert.equal(half.status, 1);
+  assert.match(half.stderr, /^chapters\/3-heun\/chapter\.md:1: there is no such file; every chapter, the start page and the references have one$/m);
   const book = sampleBook();
-  const { status, stderr } = book.weave(['2-euler', '3-heun']);
-  assert.equal(status, 1);
-  assert.match(stderr, /^chapters\/3-heun\/chapter\.md:1: there is no such file; every chapter, the start page and the references have one$/m);
-  assert.match(book.weave(['2-euler'], '/no/doxygen').stderr, /^book\/Doxyfile\.in: cannot run \/no\/doxygen: /);
+  assert.match(book.weave('/no/doxygen').stderr, /^book\/Doxyfile\.in: cannot run \/no\/doxygen: /);
+  assert.match(book.weave('/bin/false').stderr, /^book\/Doxyfile\.in: Doxygen failed: /);
 });

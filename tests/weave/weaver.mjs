@@ -1,7 +1,7 @@
 // The sample, a book in miniature, in a folder of its own: edited, woven as CMake does it, and judged.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, realpathSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, realpathSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -33,7 +33,7 @@ export function sampleBook(...edits) {
     has: name => existsSync(join(folder, name)),
     read: name => readFileSync(join(folder, name), 'utf8'),
     edit: (name, ...change) => edit(book, name, change),
-    weave: (chapters = ['2-euler'], doxygen = process.env.DOXYGEN || 'doxygen') => weave(folder, chapters, doxygen),
+    weave: (doxygen = process.env.DOXYGEN || 'doxygen') => weave(folder, readdirSync(join(folder, 'chapters')), doxygen),
   };
   for (const change of edits) book.edit(...change);
   return book;
