@@ -9,10 +9,10 @@
 
 #include "frames/fixed_step.h"
 #include "frames/uneven.h"
+#include "jump.h"
 #include "measure/order.h"
 #include "scenes/constant_velocity.h"
 #include "scenes/linear_drag.h"
-#include "scenes/projectile.h"
 #include "scenes/rocket.h"
 
 using Catch::Matchers::WithinAbs;
@@ -21,17 +21,6 @@ using measure::constant_acceleration;
 using measure::euler;
 
 namespace {
-
-const scenes::Projectile<> jump{.start_velocity = {0, 5}};
-
-template <class Step>
-double apex(Step step, int frames_per_second) {
-  double highest = 0;
-  auto s = jump.start();
-  measure::run(step, jump, s, 1.0 / frames_per_second, frames_per_second,
-               [&](double, const auto& now) { highest = std::max(highest, now.x.y()); });
-  return highest;
-}
 
 /// The heights of a jump of a second, frame after frame; `advance` is given the length of a frame.
 template <class Advance>

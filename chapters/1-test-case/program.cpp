@@ -5,10 +5,10 @@
 
 #include "frames/fixed_step.h"
 #include "frames/uneven.h"
+#include "jump.h"
 #include "measure/order.h"
 #include "measure/record.h"
 #include "scenes/linear_drag.h"
-#include "scenes/projectile.h"
 #include "scenes/quadratic_drag.h"
 #include "scenes/rocket.h"
 
@@ -18,26 +18,13 @@ using measure::whole;
 
 namespace {
 
-// [jump]
-const scenes::Projectile<> jump{.start_velocity = {0, 5}};
-
-/// How high the jump goes when every frame is one step.
-double apex(int frames_per_second) {
-  double highest = 0;
-  auto s = jump.start();
-  measure::run(euler, jump, s, 1.0 / frames_per_second, frames_per_second,
-               [&](double, const auto& now) { highest = std::max(highest, now.x.y()); });
-  return highest;
-}
-// [jump]
-
 void jumps(Record& record) {
   auto& table = record.table("jump", {{"rate", "Hz", whole}, {"t", "s"}, {"height", "m"}});
   for (const int rate : {20, 30, 60, 144}) {
     auto s = jump.start();
     measure::run(euler, jump, s, 1.0 / rate, rate,
                  [&](double t, const auto& now) { table.add({double(rate), t, now.x.y()}); });
-    record.number("apex-" + std::to_string(rate), apex(rate), 4, "m");
+    record.number("apex-" + std::to_string(rate), apex(euler, rate), 4, "m");
   }
   record.number("apex-exact", jump.exact(5 / 9.81).x.y(), 4, "m");
 }
@@ -118,16 +105,16 @@ void uneven_frames(Record& record) {
     // [uneven]
     frames::Uneven frame{.seed = game};
     auto s = jump.start();
-    double apex = 0;
+    double top = 0;
     for (double t = 0, length; t < 1; t += length) {
       table.add({double(game), t, s.x.y()});
-      apex = std::max(apex, s.x.y());
+      top = std::max(top, s.x.y());
       length = frame.next();
       integrate::euler(s.x, s.v, t, length, jump);
     }
     // [uneven]
-    lowest = std::min(lowest, apex);
-    highest = std::max(highest, apex);
+    lowest = std::min(lowest, top);
+    highest = std::max(highest, top);
   }
   record.number("uneven-lowest", lowest, 3, "m");
   record.number("uneven-highest", highest, 3, "m");

@@ -3,14 +3,13 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
-#include <numbers>
 
+#include "drone.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
 #include "measure/order.h"
 #include "measure/stability.h"
 #include "planets.h"
-#include "scenes/circle.h"
 #include "scenes/friction.h"
 #include "scenes/linear_drag.h"
 #include "scenes/projectile.h"
@@ -25,9 +24,6 @@ using scenes::Spring;
 using scenes::State;
 
 namespace {
-
-const scenes::Circle<> drone{.omega = 2 * std::numbers::pi / 8, .radius = 10};
-constexpr double h = 1.0 / 60;
 
 const auto energy = [](const auto& x, const auto& v) { return drone.energy(x, v); };
 const auto spin = [](const auto& x, const auto& v) { return drone.angular_momentum(x, v); };
@@ -242,8 +238,8 @@ TEST_CASE("A camera spring of 12 per second needs 20 steps a second at zeta 0.3 
 }
 
 TEST_CASE("A turn forward and a turn back leave the drone on its line, 10.86 m out") {
-  auto s = measure::after(euler, drone, drone.start(), h, 480);
-  s = measure::after(euler, drone, s, -h, 480);
+  auto s = measure::after(euler, drone, drone.start(), h, turn);
+  s = measure::after(euler, drone, s, -h, turn);
   CHECK_THAT(s.x.x(), WithinAbs(10.86, 0.005));
   CHECK_THAT(s.x.y(), WithinAbs(0, 1e-9));
 }

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "drone.h"
 #include "measure/card.h"
 #include "measure/energy.h"
 #include "measure/order.h"
 #include "measure/path.h"
 #include "measure/stability.h"
 #include "planets.h"
-#include "scenes/circle.h"
 #include "scenes/linear_drag.h"
 #include "scenes/projectile.h"
 #include "scenes/quadratic_drag.h"
@@ -22,12 +22,6 @@ using measure::whole;
 using scenes::State;
 
 namespace {
-
-// [drone]
-constexpr scenes::Circle<> drone{.omega = 2 * std::numbers::pi / 8, .radius = 10};
-constexpr double h = 1.0 / 60;
-constexpr long turn = 480;
-// [drone]
 
 void spiral(Record& record) {
   auto& path = record.table("spiral", {{"t", "s"}, {"x", "m"}, {"y", "m"}, {"distance", "m", 4}});

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The jump of chapter 1.
+#pragma once
+#include <algorithm>
+
+#include "measure/run.h"
+#include "scenes/projectile.h"
+
+inline const scenes::Projectile<> jump{.start_velocity = {0, 5}};
+
+/// How high the jump goes when every frame is one step [m].
+template <class Step>
+double apex(Step step, int frames_per_second) {
+  double highest = 0;
+  auto s = jump.start();
+  measure::run(step, jump, s, 1.0 / frames_per_second, frames_per_second,
+               [&](double, const auto& now) { highest = std::max(highest, now.x.y()); });
+  return highest;
+}
