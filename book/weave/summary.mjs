@@ -13,8 +13,10 @@ export function stopwatch() {
 
 export function printSummary(book, pages, watch) {
   const rows = [...book.chapters.values()].map(({ page, name, numbers, tests }) => {
-    const count = mark => page.pieces.filter(p => p.name === mark && p.type !== 'close').length;
-    return [name, page.words, count('figure'), count('listing'), `${count('claim')} of ${tests.length}`, `${count('number')} of ${numbers.size}`, count('exercise')];
+    const all = mark => page.pieces.filter(p => p.name === mark && p.type !== 'close');
+    const count = mark => all(mark).length;
+    const different = mark => new Set(all(mark).map(p => p.args[0])).size;
+    return [name, page.words, count('figure'), count('listing'), `${different('claim')} of ${tests.length}`, `${different('number')} of ${numbers.size}`, count('exercise')];
   });
   printTable([['chapter', 'words', 'figures', 'listings', 'claims', 'numbers', 'exercises'], ...rows]);
   const times = watch.parts.map(([name, seconds]) => `${name} ${seconds.toFixed(2)} s`).join(', ');

@@ -95,9 +95,7 @@ void order(Record& record) {
                row.velocity_order});
   }
   // [order]
-  record.number("order-last", table.rows.back()[2].value, 3);
   record.number("error-60", table.rows[2][1].value, 3, "m");
-  record.number("error-120", table.rows[3][1].value, 3, "m");
   record.number("rate-for-one-turn", rate_for_a_centimetre(1), whole);
   record.number("rate-for-ten-turns", rate_for_a_centimetre(10), whole);
 }
