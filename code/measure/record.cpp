@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <cassert>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -63,6 +62,13 @@ void write_part(const path& file, const std::string& lines) {
   if (!out) throw failure(file, errno);
 }
 
+void refuse_twice(const auto& kept, const std::string& kind, const std::string& name) {
+  for (const auto& one : kept) {
+    if (one.name == name)
+      throw std::logic_error("the " + kind + " \"" + name + "\" is recorded twice");
+  }
+}
+
 void put_in_place(const path& file) {
   std::error_code problem;
   std::filesystem::rename(part(file), file, problem);
@@ -72,15 +78,20 @@ void put_in_place(const path& file) {
 }  // namespace
 
 void Table::add(std::vector<Cell> row) {
-  assert(row.size() == columns.size());
+  if (row.size() != columns.size()) {
+    throw std::logic_error("table \"" + name + "\": a row of " + std::to_string(row.size()) +
+                           " cells for " + std::to_string(columns.size()) + " columns");
+  }
   rows.push_back(std::move(row));
 }
 
 void Record::number(std::string name, double value, int digits, std::string unit) {
+  refuse_twice(numbers_, "number", name);
   numbers_.push_back({std::move(name), value, digits, std::move(unit)});
 }
 
 Table& Record::table(std::string name, std::vector<Column> columns) {
+  refuse_twice(tables_, "table", name);
   return tables_.emplace_back(Table{std::move(name), std::move(columns), {}});
 }
 
@@ -131,14 +142,14 @@ int record(int argc, char** argv, const std::function<void(Record&)>& fill) {
                  program.c_str(), argv[1], std::strerror(errno));
     return 2;
   }
-  Record found;
-  fill(found);
-  if (argc == 1) {
-    found.print();
-    return 0;
-  }
   try {
-    found.write(argv[1]);
+    Record found;
+    fill(found);
+    if (argc == 1) {
+      found.print();
+    } else {
+      found.write(argv[1]);
+    }
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "%s: %s\n", program.c_str(), problem.what());
     return 2;

@@ -36,7 +36,8 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
 
-  /// Adds a row; it must have as many cells as the table has columns.
+  /// Adds a row.
+  /// @throws std::logic_error  it has not as many cells as the table has columns
   void add(std::vector<Cell> row);
 };
 
@@ -51,10 +52,12 @@ struct Number {
 /// What one program found: numbers for its sentences, tables for its figures.
 class Record {
  public:
-  /// Keeps a number. Names are unique in a program.
+  /// Keeps a number.
+  /// @throws std::logic_error  there is a number of this name
   void number(std::string name, double value, int digits, std::string unit = "");
 
   /// Starts a table, written as NAME.csv. The reference stays good.
+  /// @throws std::logic_error  there is a table of this name
   Table& table(std::string name, std::vector<Column> columns);
 
   /// Writes numbers.csv, tables.csv and one file for each table.
@@ -79,8 +82,8 @@ class Record {
 /// @param argc  from main
 /// @param argv  from main
 /// @param fill  does the work and keeps what it found
-/// @returns 0, or 2 for arguments that it doesn't know and for a folder that it can't write to,
-///          after one line on stderr
+/// @returns 0, or 2 after one line on stderr: for arguments that it doesn't know, a folder that it
+///          can't write to, a name recorded twice, a row of the wrong length
 int record(int argc, char** argv, const std::function<void(Record&)>& fill);
 
 }  // namespace measure

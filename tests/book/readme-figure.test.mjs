@@ -15,8 +15,8 @@ const styleSheet = fileURLToPath(new URL('../../book/theme/book.css', import.met
 
 test('the figure of the README is that of the build', () => {
   const old = readFileSync(committed, 'utf8');
-  const [, title] = old.match(/<title[^>]*>(.*?)<\/title>/);
-  const fresh = asStandalone(title.replace(/&apos;/g, "'").replace(/&amp;/g, '&'));
+  const title = old.match(/<title[^>]*>(.*?)<\/title>/)[1].replace(/&apos;/g, "'").replace(/&amp;/g, '&');
+  const fresh = asStandalone(title);
   const [before, after] = [parts(old), parts(fresh)];
   const advice = `renew it: node ${standalone} ${drawn} ${styleSheet} "${title}" ${committed}`;
   const gone = before.filter(part => !after.includes(part));

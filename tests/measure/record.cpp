@@ -62,7 +62,8 @@ TEST_CASE("A number that is read back is the same number, to the last bit") {
                            0.1 + 0.2,
                            std::numeric_limits<double>::max(),
                            std::numeric_limits<double>::infinity()};
-  for (const double value : values) record.number("value", value, 3);
+  int n = 0;
+  for (const double value : values) record.number("value-" + std::to_string(n++), value, 3);
   record.write(folder.path);
   std::istringstream lines(folder.read("numbers.csv"));
   std::string line;
@@ -145,4 +146,21 @@ TEST_CASE("A chapter's program refuses what it does not know before it does any 
   CHECK(run_main({"program", given + "/missing"}, filled) == 2);
   CHECK_FALSE(filled);
   CHECK(folder.files().empty());
+}
+
+TEST_CASE("A name that is recorded twice and a row of the wrong length are told by name") {
+  Record record = two_tables();
+  CHECK_THROWS_WITH(record.number("speed", 1, 3), "the number \"speed\" is recorded twice");
+  CHECK_THROWS_WITH(record.table("path", {{"t"}}), "the table \"path\" is recorded twice");
+  CHECK_THROWS_WITH(record.table("pair", {{"a"}, {"b"}}).add({1.0}),
+                    "table \"pair\": a row of 1 cells for 2 columns");
+}
+
+TEST_CASE("A chapter's program that records a name twice says so and exits with 2") {
+  char program[] = "program";
+  char* argv[] = {program};
+  CHECK(measure::record(1, argv, [](Record& record) {
+          record.number("speed", 1, 3);
+          record.number("speed", 2, 3);
+        }) == 2);
 }
