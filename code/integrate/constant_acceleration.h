@@ -2,6 +2,7 @@
 /// @file
 /// The exact step while the acceleration does not change.
 #pragma once
+#include <functional>
 #include <type_traits>
 
 namespace integrate {
@@ -10,7 +11,7 @@ namespace integrate {
 /// One step as if the acceleration stayed what it is at the start of the step.
 ///
 /// Exact for any h under a constant force. Order 1 otherwise, one evaluation of the acceleration,
-/// stable on drag while c*h < 2.
+/// stable on drag while c*h < 2, never on an undamped spring.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -20,11 +21,16 @@ namespace integrate {
 /// @see Galileo, Discorsi (1638), third day, proposition II
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void constant_acceleration(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
-  static_assert(std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>,
-                "acceleration must be callable as Vec(x, v, t)");
-  const Vec a = acceleration(x, v, t);
-  x = x + h * v + (h * h / Real(2)) * a;
-  v = v + h * a;
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [move]
+    const Vec a = acceleration(x, v, t);
+    x = x + h * v + (h * h / Real(2)) * a;
+    v = v + h * a;
+    // [move]
+  }
 }
 // [step]
 

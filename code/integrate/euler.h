@@ -2,6 +2,7 @@
 /// @file
 /// Euler's method: along the tangent.
 #pragma once
+#include <functional>
 #include <type_traits>
 
 namespace integrate {
@@ -11,7 +12,7 @@ namespace integrate {
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag while c*h < 2, on a damped spring
 /// while h*omega < 2*zeta (zeta <= 1) or 2*(zeta - sqrt(zeta^2 - 1)) (zeta >= 1), never on an
-/// undamped one.
+/// undamped spring.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -21,13 +22,16 @@ namespace integrate {
 /// @see L. Euler, Institutionum calculi integralis, volume 1 (1768), chapter 7
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
-  static_assert(std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>,
-                "acceleration must be callable as Vec(x, v, t)");
-  // [move]
-  const Vec a = acceleration(x, v, t);
-  x = x + h * v;
-  v = v + h * a;
-  // [move]
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [move]
+    const Vec a = acceleration(x, v, t);
+    x = x + h * v;
+    v = v + h * a;
+    // [move]
+  }
 }
 // [step]
 

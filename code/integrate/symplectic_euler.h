@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Symplectic Euler: velocity first, then position.
+/// Symplectic Euler: velocity first, then position; and its twin, position first.
 #pragma once
+#include <functional>
 #include <type_traits>
 
 namespace integrate {
@@ -9,7 +10,8 @@ namespace integrate {
 // [step]
 /// One step of symplectic Euler: velocity first, then position with the new velocity.
 ///
-/// Order 1, one evaluation of the acceleration, stable on an undamped spring while h*omega < 2.
+/// Order 1, one evaluation of the acceleration, stable on drag while c*h < 2, on an undamped spring
+/// while h*omega < 2.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -19,13 +21,46 @@ namespace integrate {
 /// @see Hairer, Lubich and Wanner, Geometric Numerical Integration (2006), section I.1.2
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void symplectic_euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
-  static_assert(std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>,
-                "acceleration must be callable as Vec(x, v, t)");
-  // [move]
-  v = v + h * acceleration(x, v, t);
-  x = x + h * v;
-  // [move]
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [move]
+    const Vec a = acceleration(x, v, t);
+    v = v + h * a;
+    x = x + h * v;
+    // [move]
+  }
 }
 // [step]
+
+// [position-first]
+/// One step of symplectic Euler the other way round: position first, then velocity with the
+/// acceleration at the new position.
+///
+/// Order 1, one evaluation of the acceleration, stable on drag while c*h < 2, on an undamped spring
+/// while h*omega < 2.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @see Hairer, Lubich and Wanner, Geometric Numerical Integration (2006), section I.1.2
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void symplectic_euler_position_first(Vec& x, Vec& v, Time t, Real h,
+                                               Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [position-first-move]
+    x = x + h * v;
+    const Vec a = acceleration(x, v, t + h);
+    v = v + h * a;
+    // [position-first-move]
+  }
+}
+// [position-first]
 
 }  // namespace integrate

@@ -3,21 +3,11 @@
 /// How far a run strays from the exact solution of its scene.
 #pragma once
 #include <cmath>
-#include <type_traits>
 
+#include "measure/length.h"
 #include "measure/run.h"
 
 namespace measure {
-
-/// The length of a vector, or the size of a number.
-template <class Vec>
-double length(const Vec& x) {
-  if constexpr (std::is_arithmetic_v<Vec>) {
-    return std::abs(x);
-  } else {
-    return x.norm();
-  }
-}
 
 /// The two errors of a run.
 struct Error {

@@ -2,29 +2,57 @@
 /// @file
 /// Takes a number of equal steps and lets somebody watch.
 #pragma once
-#include "integrate/constant_acceleration.h"
-#include "integrate/euler.h"
-#include "integrate/symplectic_euler.h"
+#include <array>
+
+#include "measure/methods.h"
 #include "scenes/state.h"
 
-/// What is asked of a method on a scene: errors, orders, energies, limits and costs.
 namespace measure {
 
-/// integrate::euler as an object that can be handed to run() and to the other measurements.
-inline constexpr auto euler = [](auto& x, auto& v, auto t, auto h, auto&& acceleration) {
-  integrate::euler(x, v, t, h, acceleration);
-};
+/// What a method keeps from one step to the next: position and velocity, if it has no memory.
+/// @param step  a method, called as `step(x, v, t, h, scene)`, or one with a memory
+/// @param s  the start, at time zero
+/// @param h  step size [s]
+/// @param scene  the acceleration, called as `scene(x, v, t)`
+template <class Step, class Vec, class Real, class Scene>
+auto start(const Step& step, const scenes::State<Vec>& s, Real h, const Scene& scene) {
+  if constexpr (requires { step.start(s, h, scene); }) {
+    return step.start(s, h, scene);
+  } else {
+    return std::array<Vec, 2>{s.x, s.v};
+  }
+}
 
-/// integrate::constant_acceleration as an object that can be handed on.
-inline constexpr auto constant_acceleration = [](auto& x, auto& v, auto t, auto h,
-                                                 auto&& acceleration) {
-  integrate::constant_acceleration(x, v, t, h, acceleration);
-};
+/// One step of a method on what it keeps.
+/// @param step  a method, called as `step(x, v, t, h, scene)`, or one with a memory
+/// @param kept  from start(), advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]
+/// @param scene  the acceleration, called as `scene(x, v, t)`
+template <class Step, class Kept, class Real, class Scene>
+void advance(const Step& step, Kept& kept, Real t, Real h, const Scene& scene) {
+  if constexpr (requires { step.step(kept, t, h, scene); }) {
+    step.step(kept, t, h, scene);
+  } else {
+    step(kept[0], kept[1], t, h, scene);
+  }
+}
 
-/// integrate::symplectic_euler as an object that can be handed on.
-inline constexpr auto symplectic_euler = [](auto& x, auto& v, auto t, auto h, auto&& acceleration) {
-  integrate::symplectic_euler(x, v, t, h, acceleration);
-};
+/// The state that a method stands for, worked out of what it keeps.
+/// @param step  a method, called as `step(x, v, t, h, scene)`, or one with a memory
+/// @param kept  from start()
+/// @param t  time [s]
+/// @param h  step size [s]
+/// @param scene  the acceleration, called as `scene(x, v, t)`
+template <class Step, class Vec, std::size_t Size, class Real, class Scene>
+scenes::State<Vec> seen(const Step& step, const std::array<Vec, Size>& kept, Real t, Real h,
+                        const Scene& scene) {
+  if constexpr (requires { step.seen(kept, t, h, scene); }) {
+    return step.seen(kept, t, h, scene);
+  } else {
+    return {kept[0], kept[1]};
+  }
+}
 
 // [run]
 /// Takes `steps` equal steps; `observe` sees the start and the state after each step.
@@ -32,7 +60,7 @@ inline constexpr auto symplectic_euler = [](auto& x, auto& v, auto t, auto h, au
 /// The time is `n * h` and never a sum of steps, so that it is right to rounding however long the
 /// run is.
 ///
-/// @param step  a method, called as `step(x, v, t, h, scene)`
+/// @param step  a method, called as `step(x, v, t, h, scene)`, or one with a memory
 /// @param scene  the acceleration, called as `scene(x, v, t)`
 /// @param s  the start; holds the end afterwards
 /// @param h  step size [s]
@@ -41,9 +69,11 @@ inline constexpr auto symplectic_euler = [](auto& x, auto& v, auto t, auto h, au
 template <class Step, class Scene, class Vec, class Real, class Observe>
 void run(Step step, const Scene& scene, scenes::State<Vec>& s, Real h, long steps,
          Observe&& observe) {
+  auto kept = start(step, s, h, scene);
   observe(Real(0), s);
   for (long n = 0; n < steps; ++n) {
-    step(s.x, s.v, Real(n) * h, h, scene);
+    advance(step, kept, Real(n) * h, h, scene);
+    s = seen(step, kept, Real(n + 1) * h, h, scene);
     observe(Real(n + 1) * h, s);
   }
 }
@@ -51,15 +81,17 @@ void run(Step step, const Scene& scene, scenes::State<Vec>& s, Real h, long step
 
 /// The state after `steps` equal steps.
 ///
-/// @param step  a method, called as `step(x, v, t, h, scene)`
+/// @param step  a method, called as `step(x, v, t, h, scene)`, or one with a memory
 /// @param scene  the acceleration, called as `scene(x, v, t)`
 /// @param s  the start
 /// @param h  step size [s]
 /// @param steps  how many steps
 template <class Step, class Scene, class Vec, class Real>
-scenes::State<Vec> after(Step step, const Scene& scene, scenes::State<Vec> s, Real h, long steps) {
-  run(step, scene, s, h, steps, [](Real, const scenes::State<Vec>&) {});
-  return s;
+scenes::State<Vec> after(Step step, const Scene& scene, const scenes::State<Vec>& s, Real h,
+                         long steps) {
+  auto kept = start(step, s, h, scene);
+  for (long n = 0; n < steps; ++n) advance(step, kept, Real(n) * h, h, scene);
+  return seen(step, kept, Real(steps) * h, h, scene);
 }
 
 }  // namespace measure

@@ -9,20 +9,37 @@
 namespace measure {
 
 // [radius]
-/// The factor by which the worst start grows in one step, in the long run.
+/// The matrix of one step on a linear scene without a constant force.
 ///
-/// A step on a linear scene without a constant force is a matrix. Its columns are what the method
-/// makes of the starts (1, 0) and (0, 1); the factor is the size of its largest eigenvalue.
+/// Its columns are what the method makes of the unit vectors of all that it keeps: position and
+/// velocity, and its memory if it has one.
 ///
-/// @param step  a method, called as `step(x, v, t, h, scene)`
+/// @param step  a method, called as `step(x, v, t, h, scene)`, or one with a memory
+/// @param scene  linear in x and v, one-dimensional
+/// @param h  step size [s]
+template <class Step, class Scene>
+auto step_matrix(Step step, const Scene& scene, double h) {
+  auto kept = start(step, scenes::State<double>{1, 0}, h, scene);
+  constexpr int size = int(std::tuple_size_v<decltype(kept)>);
+  Eigen::Matrix<double, size, size> matrix;
+  for (int column = 0; column < size; ++column) {
+    kept.fill(0);
+    kept[std::size_t(column)] = 1;
+    advance(step, kept, 0.0, h, scene);
+    for (int row = 0; row < size; ++row) matrix(row, column) = kept[std::size_t(row)];
+  }
+  return matrix;
+}
+
+/// The factor by which the worst start grows in one step, in the long run: the size of the largest
+/// eigenvalue of the step's matrix.
+///
+/// @param step  a method, called as `step(x, v, t, h, scene)`, or one with a memory
 /// @param scene  linear in x and v, one-dimensional
 /// @param h  step size [s]
 template <class Step, class Scene>
 double spectral_radius(Step step, const Scene& scene, double h) {
-  const scenes::State<double> column1 = after(step, scene, scenes::State<double>{1, 0}, h, 1);
-  const scenes::State<double> column2 = after(step, scene, scenes::State<double>{0, 1}, h, 1);
-  const Eigen::Matrix2d matrix{{column1.x, column2.x}, {column1.v, column2.v}};
-  return matrix.eigenvalues().cwiseAbs().maxCoeff();
+  return step_matrix(step, scene, h).eigenvalues().cwiseAbs().maxCoeff();
 }
 // [radius]
 

@@ -29,6 +29,15 @@ struct Circle {
     return (-omega * omega) * x;
   }
 
+  /// Hands the derivatives of the acceleration on, for the implicit methods.
+  /// @param add  called as `add(i, j, dadx, dadv)`: row, column, by position [1/s^2], by velocity
+  /// [1/s]
+  template <class V, class Time, class Add>
+  constexpr void jacobian(const V&, const V&, Time, Add&& add) const {
+    add(0, 0, -omega * omega, Real(0));
+    add(1, 1, -omega * omega, Real(0));
+  }
+
   /// On the first axis, on its way to the second.
   State<Vec> start() const { return {Vec{radius, Real(0)}, Vec{Real(0), radius * omega}}; }
 

@@ -26,6 +26,17 @@ struct LinearDrag {
     return -g - c * v;
   }
 
+  /// Hands the derivatives of the acceleration on, for the implicit methods.
+  /// @param add  called as `add(i, j, dadx, dadv)`: row, column, by position [1/s^2], by velocity
+  /// [1/s]
+  template <class V, class Time, class Add>
+  constexpr void jacobian(const V&, const V&, Time, Add&& add) const {
+    add(0, 0, Real(0), -c);
+  }
+
+  /// Damping per mass [1/s].
+  constexpr Real damping() const { return c; }
+
   /// At height zero, with the start velocity.
   constexpr State<Vec> start() const { return {Real(0), v0}; }
 

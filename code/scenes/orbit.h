@@ -33,6 +33,22 @@ struct Orbit {
     return (-mu / (r * r * r)) * x;
   }
 
+  /// Hands the derivatives of the acceleration on, for the implicit methods.
+  /// @param x  position [m]
+  /// @param add  called as `add(i, j, dadx, dadv)`: row, column, by position [1/s^2], by velocity
+  /// [1/s]
+  template <class Time, class Add>
+  void jacobian(const Vec& x, const Vec&, Time, Add&& add) const {
+    const Real r = x.norm();
+    const Vec toward = x / r;
+    const Eigen::Matrix<Real, 2, 2> tide =
+        (mu / (r * r * r)) *
+        (Real(3) * toward * toward.transpose() - Eigen::Matrix<Real, 2, 2>::Identity());
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j) add(i, j, tide(i, j), Real(0));
+    }
+  }
+
   /// At the pericentre: on the first axis, on its way to the second.
   State<Vec> start() const { return at(Real(0)); }
 

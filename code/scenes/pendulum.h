@@ -30,6 +30,15 @@ struct Pendulum {
     return (-g / length) * sine(x);
   }
 
+  /// Hands the derivatives of the acceleration on, for the implicit methods.
+  /// @param x  angle [rad]
+  /// @param add  called as `add(i, j, dadx, dadv)`: row, column, by position [1/s^2], by velocity
+  /// [1/s]
+  template <class Time, class Add>
+  constexpr void jacobian(const Vec& x, const Vec&, Time, Add&& add) const {
+    add(0, 0, (-g / length) * cosine(x), Real(0));
+  }
+
   /// At rest, at the start angle.
   constexpr State<Vec> start() const { return {angle, Real(0)}; }
 

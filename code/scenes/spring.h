@@ -31,6 +31,17 @@ struct Spring {
   }
   // [acceleration]
 
+  /// Hands the derivatives of the acceleration on, for the implicit methods.
+  /// @param add  called as `add(i, j, dadx, dadv)`: row, column, by position [1/s^2], by velocity
+  /// [1/s]
+  template <class V, class Time, class Add>
+  constexpr void jacobian(const V&, const V&, Time, Add&& add) const {
+    add(0, 0, -omega * omega, -damping());
+  }
+
+  /// Damping per mass, 2 zeta omega [1/s].
+  constexpr Real damping() const { return Real(2) * zeta * omega; }
+
   /// The start.
   constexpr State<Vec> start() const { return {x0, v0}; }
 

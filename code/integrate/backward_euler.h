@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Implicit Euler by a linear system: one solve, or Newton's method.
+#pragma once
+#include <functional>
+#include <type_traits>
+
+namespace integrate {
+
+// [step]
+/// One step of implicit Euler with a single solve: linearly implicit Euler.
+///
+/// Order 1, one evaluation of the acceleration and one solve, stable on drag for every h, on an
+/// undamped spring for every h. On a linear force it is implicit Euler itself.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; not negative
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @param solve  callable `(x, v, t, p, q, change) -> bool`: solves (1 + p da/dx + q da/dv) y =
+/// change and puts y into `change`; false if it could not. For a single unknown that is
+/// `change = change / (1 + p * dadx + q * dadv)`; for more there are DenseSystem, BandSystem and
+/// SparseSystem
+/// @returns  false if the system could not be solved; x and v are then as they were
+/// @see D. Baraff and A. Witkin, Large steps in cloth simulation, SIGGRAPH (1998)
+template <class Vec, class Time, class Real, class Acceleration, class Solve>
+[[nodiscard]] constexpr bool backward_euler(Vec& x, Vec& v, Time t, Real h,
+                                            Acceleration&& acceleration, Solve&& solve) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [move]
+    const Vec x_end = x + h * v;
+    Vec change = h * acceleration(x_end, v, t + h);
+    if (!solve(x_end, v, t + h, -h * h, -h, change)) return false;
+    v = v + change;
+    x = x + h * v;
+    return true;
+    // [move]
+  }
+}
+// [step]
+
+// [newton]
+/// One step of implicit Euler, solved by Newton's method to a tolerance.
+///
+/// Order 1, one evaluation of the acceleration and one solve for each iteration, stable on drag for
+/// every h, on an undamped spring for every h.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; not negative
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @param solve  as for backward_euler
+/// @param norm  callable `(Vec) -> Real`, the size of a change of velocity
+/// @param tolerance  the iteration ends when the velocity changes by no more [units of x per s]
+/// @returns  how many iterations it took; 0 if it found no end within 50 or a system could not be
+/// solved, and x and v are then as they were
+/// @see Hairer and Wanner, Solving Ordinary Differential Equations II (1996), section IV.8
+template <class Vec, class Time, class Real, class Acceleration, class Solve, class Norm>
+[[nodiscard]] constexpr int backward_euler_newton(Vec& x, Vec& v, Time t, Real h,
+                                                  Acceleration&& acceleration, Solve&& solve,
+                                                  Norm&& norm, Real tolerance) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [newton-move]
+    Vec v_end = v;
+    for (int iteration = 1; iteration <= 50; ++iteration) {
+      const Vec x_end = x + h * v_end;
+      Vec change = v + Real(-1) * v_end + h * acceleration(x_end, v_end, t + h);
+      if (!solve(x_end, v_end, t + h, -h * h, -h, change)) return 0;
+      v_end = v_end + change;
+      if (norm(change) <= tolerance) {
+        v = v_end;
+        x = x + h * v;
+        return iteration;
+      }
+    }
+    return 0;
+    // [newton-move]
+  }
+}
+// [newton]
+
+}  // namespace integrate

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Implicit Euler on a damped spring, solved by hand.
+#pragma once
+#include <functional>
+#include <type_traits>
+
+namespace integrate {
+
+// [step]
+/// One step of implicit Euler on a damped spring, x'' = -omega^2 x - 2 zeta omega x'.
+///
+/// Order 1, no evaluation of the acceleration, stable on drag for every h, on an undamped spring
+/// for every h.
+///
+/// @param x  position from where the spring is at rest, advanced in place
+/// @param v  velocity, advanced in place
+/// @param h  step size [s]; a negative step goes back in time
+/// @param omega  natural frequency [rad/s]; not negative
+/// @param zeta  damping ratio; 0 swings for ever, 1 returns without overshoot; not negative
+/// @see Hairer and Wanner, Solving Ordinary Differential Equations II (1996), section IV.3
+template <class Vec, class Real>
+constexpr void backward_euler_spring(Vec& x, Vec& v, Real h, Real omega, Real zeta) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "h * x must be a Vec; h, omega and zeta no integers");
+  if constexpr (fits) {
+    // [move]
+    const Real angle = h * omega;
+    const Real left = Real(1) / (Real(1) + Real(2) * zeta * angle + angle * angle);
+    v = left * Vec(v + (-angle * omega) * x);
+    x = x + h * v;
+    // [move]
+  }
+}
+// [step]
+
+}  // namespace integrate

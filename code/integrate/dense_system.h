@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The linear system of an implicit step, dense: for a few unknowns.
+#pragma once
+#include <Eigen/Dense>
+#include <utility>
+
+namespace integrate {
+
+// [system]
+/// A system whose matrix is stored whole: for a few unknowns, up to a hundred or so.
+///
+/// The matrix need not be symmetric.
+/// @tparam Jacobian  callable `(x, v, t, add)` that calls `add(i, j, dadx, dadv)` for every entry
+/// that is not zero: the derivative of acceleration i by position j [1/s^2] and by velocity j [1/s]
+/// @tparam Real  `double` or `float`
+/// @tparam Size  the number of unknowns, where it is known when compiling
+template <class Jacobian, class Real = double, int Size = Eigen::Dynamic>
+class DenseSystem {
+ public:
+  using Vec = Eigen::Matrix<Real, Size, 1>;  ///< all unknowns
+
+  /// Takes the Jacobian of the acceleration.
+  explicit DenseSystem(Jacobian jacobian) : jacobian_(std::move(jacobian)) {}
+
+  /// Solves (1 + p da/dx + q da/dv) y = change, and puts y into `change`.
+  /// @returns  false if the matrix is singular or not finite
+  template <class Time>
+  bool operator()(const Vec& x, const Vec& v, Time t, Real p, Real q, Vec& change) {
+    matrix_.setIdentity(x.size(), x.size());
+    jacobian_(x, v, t, [&](Eigen::Index i, Eigen::Index j, Real dadx, Real dadv) {
+      matrix_(i, j) += p * dadx + q * dadv;
+    });
+    solver_.compute(matrix_);
+    change = solver_.solve(change).eval();
+    return change.allFinite();
+  }
+
+ private:
+  Jacobian jacobian_;
+  Eigen::Matrix<Real, Size, Size> matrix_;
+  Eigen::PartialPivLU<Eigen::Matrix<Real, Size, Size>> solver_;
+};
+// [system]
+
+}  // namespace integrate

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Heun's method: predict with Euler, correct with the mean of two slopes.
+#pragma once
+#include <functional>
+#include <type_traits>
+
+namespace integrate {
+
+// [step]
+/// One step of Heun's method: Euler predicts the end, the mean of both ends' slopes is taken.
+///
+/// Order 2, two evaluations of the acceleration, stable on drag while c*h < 2, never on an undamped
+/// spring.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @see K. Heun, Neue Methoden zur approximativen Integration (1900)
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void heun(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [move]
+    const Vec a = acceleration(x, v, t);
+    const Vec x_end = x + h * v;
+    const Vec v_end = v + h * a;
+    const Vec a_end = acceleration(x_end, v_end, t + h);
+    x = x + (h / Real(2)) * (v + v_end);
+    v = v + (h / Real(2)) * (a + a_end);
+    // [move]
+  }
+}
+// [step]
+
+}  // namespace integrate

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Leapfrog: velocities at half steps.
+#pragma once
+#include <functional>
+#include <type_traits>
+
+namespace integrate {
+
+// [start]
+/// The velocity half a step before the start, for leapfrog to begin with.
+///
+/// @param x  position
+/// @param v  velocity
+/// @param t  time of `x` and `v` [s]
+/// @param h  step size [s]
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr Vec leapfrog_start(const Vec& x, const Vec& v, Time t, Real h,
+                             Acceleration&& acceleration) {
+  return v + (h / Real(-2)) * acceleration(x, v, t);
+}
+// [start]
+
+// [velocity]
+/// The velocity at the time of the position; costs an evaluation of the acceleration.
+///
+/// @param x  position
+/// @param v_half  velocity half a step ago
+/// @param t  time of `x` [s]
+/// @param h  step size [s]
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr Vec leapfrog_velocity(const Vec& x, const Vec& v_half, Time t, Real h,
+                                Acceleration&& acceleration) {
+  return v_half + (h / Real(2)) * acceleration(x, v_half, t);
+}
+// [velocity]
+
+// [step]
+/// One step of leapfrog: the velocities live half a step before and after the positions.
+///
+/// Order 2, 1 under drag, one evaluation of the acceleration, stable on drag while c*h < 2, on an
+/// undamped spring while h*omega < 2. The arithmetic is that of symplectic Euler; the start, half a
+/// step back, is what makes it order 2.
+///
+/// @param x  position, advanced in place
+/// @param v_half  velocity half a step before `x`, advanced in place; see leapfrog_start
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @see Hairer, Lubich and Wanner, Geometric numerical integration illustrated by the
+/// Stormer-Verlet method, Acta Numerica 12 (2003)
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void leapfrog(Vec& x, Vec& v_half, Time t, Real h, Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [move]
+    const Vec a = acceleration(x, v_half, t);
+    v_half = v_half + h * a;
+    x = x + h * v_half;
+    // [move]
+  }
+}
+// [step]
+
+}  // namespace integrate

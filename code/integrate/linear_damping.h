@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Damping within a step of symplectic Euler: six ways of the engines, and the exact one.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <type_traits>
+
+namespace integrate {
+
+// [explicit-last]
+/// Symplectic Euler with damping: the force, then the speed times 1 - c*h (PhysX, Jolt).
+///
+/// Order 1, one evaluation of the acceleration, stable on drag for every h.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param c  damping per mass [1/s]; not negative
+/// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void linear_damping_explicit_last(Vec& x, Vec& v, Time t, Real h, Real c,
+                                            Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [explicit-last-move]
+    const Vec a = acceleration(x, v, t);
+    v = std::max(Real(0), Real(1) - c * h) * Vec(v + h * a);
+    x = x + h * v;
+    // [explicit-last-move]
+  }
+}
+// [explicit-last]
+
+// [explicit-first]
+/// Symplectic Euler with damping: the speed times 1 - c*h, then the force (Godot).
+///
+/// Order 1, one evaluation of the acceleration, stable on drag for every h.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param c  damping per mass [1/s]; not negative
+/// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void linear_damping_explicit_first(Vec& x, Vec& v, Time t, Real h, Real c,
+                                             Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [explicit-first-move]
+    const Vec a = acceleration(x, v, t);
+    v = std::max(Real(0), Real(1) - c * h) * v + h * a;
+    x = x + h * v;
+    // [explicit-first-move]
+  }
+}
+// [explicit-first]
+
+// [implicit-last]
+/// Symplectic Euler with damping: the force, then the speed over 1 + c*h (solver2d, Box2D 2).
+///
+/// Order 1, one evaluation of the acceleration, stable on drag for every h.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param c  damping per mass [1/s]; not negative
+/// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void linear_damping_implicit_last(Vec& x, Vec& v, Time t, Real h, Real c,
+                                            Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [implicit-last-move]
+    const Vec a = acceleration(x, v, t);
+    v = (Real(1) / (Real(1) + c * h)) * Vec(v + h * a);
+    x = x + h * v;
+    // [implicit-last-move]
+  }
+}
+// [implicit-last]
+
+// [implicit-first]
+/// Symplectic Euler with damping: the speed over 1 + c*h, then the force (Box2D 3, Avian).
+///
+/// Order 1, one evaluation of the acceleration, stable on drag for every h.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param c  damping per mass [1/s]; not negative
+/// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void linear_damping_implicit_first(Vec& x, Vec& v, Time t, Real h, Real c,
+                                             Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [implicit-first-move]
+    const Vec a = acceleration(x, v, t);
+    v = (Real(1) / (Real(1) + c * h)) * v + h * a;
+    x = x + h * v;
+    // [implicit-first-move]
+  }
+}
+// [implicit-first]
+
+// [exponential-last]
+/// Symplectic Euler with damping: the force, then the speed times exp(-c*h).
+///
+/// Order 1, one evaluation of the acceleration, stable on drag for every h.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param c  damping per mass [1/s]; not negative
+/// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
+template <class Vec, class Time, class Real, class Acceleration>
+void linear_damping_exponential_last(Vec& x, Vec& v, Time t, Real h, Real c,
+                                     Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [exponential-last-move]
+    const Vec a = acceleration(x, v, t);
+    v = std::exp(-c * h) * Vec(v + h * a);
+    x = x + h * v;
+    // [exponential-last-move]
+  }
+}
+// [exponential-last]
+
+// [exponential-first]
+/// Symplectic Euler with damping: the speed times exp(-c*h), then the force (Bullet, Chipmunk).
+///
+/// Order 1, one evaluation of the acceleration, stable on drag for every h.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param c  damping per mass [1/s]; not negative
+/// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
+template <class Vec, class Time, class Real, class Acceleration>
+void linear_damping_exponential_first(Vec& x, Vec& v, Time t, Real h, Real c,
+                                      Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [exponential-first-move]
+    const Vec a = acceleration(x, v, t);
+    v = std::exp(-c * h) * v + h * a;
+    x = x + h * v;
+    // [exponential-first-move]
+  }
+}
+// [exponential-first]
+
+// [exact]
+/// Symplectic Euler with damping: the exact velocity of damping and a constant force together.
+///
+/// Order 1, one evaluation of the acceleration, stable on drag for every h. The velocity under
+/// gravity and drag is exact, the terminal speed with it.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param c  damping per mass [1/s]; not negative
+/// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
+template <class Vec, class Time, class Real, class Acceleration>
+void linear_damping_exact(Vec& x, Vec& v, Time t, Real h, Real c, Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [exact-move]
+    const Vec a = acceleration(x, v, t);
+    const Real push = c * h == Real(0) ? h : -std::expm1(-c * h) / c;
+    v = std::exp(-c * h) * v + push * a;
+    x = x + h * v;
+    // [exact-move]
+  }
+}
+// [exact]
+
+}  // namespace integrate

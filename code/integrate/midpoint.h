@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The midpoint method: Runge-Kutta of order 2.
+#pragma once
+#include <functional>
+#include <type_traits>
+
+namespace integrate {
+
+// [step]
+/// One step of the midpoint method: half a step of Euler's shows the slope for the whole step.
+///
+/// Order 2, two evaluations of the acceleration, stable on drag while c*h < 2, never on an undamped
+/// spring.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @see C. Runge, Ueber die numerische Aufloesung von Differentialgleichungen (1895)
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void midpoint(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [move]
+    const Vec x_middle = x + (h / Real(2)) * v;
+    const Vec v_middle = v + (h / Real(2)) * acceleration(x, v, t);
+    x = x + h * v_middle;
+    v = v + h * acceleration(x_middle, v_middle, t + h / Real(2));
+    // [move]
+  }
+}
+// [step]
+
+}  // namespace integrate

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Implicit Euler by predictor and corrector, which is explicit after all.
+#pragma once
+#include <functional>
+#include <type_traits>
+
+namespace integrate {
+
+// [step]
+/// One step of implicit Euler, its end found by Euler's method and then corrected.
+///
+/// Order 1, two evaluations of the acceleration with one correction (one more for each further
+/// one), stable on drag while c*h < 1, on an undamped spring while h*omega < 1. More corrections do
+/// not make it stable for larger steps: with many the limit is near 1, too. Implicit Euler proper
+/// is in backward_euler.h.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @param corrections  how often the end is put into its own formula; at least 1
+/// @see Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I (1993), section III.1
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void predicted_euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration,
+                               int corrections = 1) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [move]
+    Vec x_end = x + h * v;
+    Vec v_end = v + h * acceleration(x, v, t);
+    for (int n = 0; n < corrections; ++n) {
+      const Vec a_end = acceleration(x_end, v_end, t + h);
+      x_end = x + h * v_end;
+      v_end = v + h * a_end;
+    }
+    x = x_end;
+    v = v_end;
+    // [move]
+  }
+}
+// [step]
+
+}  // namespace integrate

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Position Verlet: the next position from the last two.
+#pragma once
+#include <functional>
+#include <type_traits>
+
+namespace integrate {
+
+// [velocity]
+/// The velocity of position Verlet: the last step's distance over its time.
+///
+/// Order 1: it is the velocity of half a step ago.
+///
+/// @param x  position
+/// @param x_previous  position one step ago
+/// @param h  step size [s]
+template <class Vec, class Real>
+constexpr Vec stormer_verlet_velocity(const Vec& x, const Vec& x_previous, Real h) {
+  return (Real(1) / h) * (x + Real(-1) * x_previous);
+}
+// [velocity]
+
+// [better-velocity]
+/// The velocity of position Verlet, brought from half a step ago to now by the last acceleration.
+///
+/// Order 2.
+///
+/// @param x  position
+/// @param x_previous  position one step ago
+/// @param a  acceleration one step ago [units of x per s^2]
+/// @param h  step size [s]
+template <class Vec, class Real>
+constexpr Vec stormer_verlet_velocity(const Vec& x, const Vec& x_previous, const Vec& a, Real h) {
+  return (Real(1) / h) * (x + Real(-1) * x_previous) + (h / Real(2)) * a;
+}
+// [better-velocity]
+
+// [start]
+/// The position one step before the start, for stormer_verlet and its variants to begin with.
+///
+/// Right to h^3, as order 2 needs. With `x_previous = x` the order would be 1 from rest, else 0.
+///
+/// @param x  position
+/// @param v  velocity
+/// @param t  time of `x` and `v` [s]
+/// @param h  step size [s]
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr Vec stormer_verlet_start(const Vec& x, const Vec& v, Time t, Real h,
+                                   Acceleration&& acceleration) {
+  return x + Real(-1) * h * v + (h * h / Real(2)) * acceleration(x, v, t);
+}
+// [start]
+
+// [step]
+/// One step of position Verlet, whose drag sees the last step's distance over its time.
+///
+/// Order 2 in position, 1 in velocity and under drag, one evaluation of the acceleration, stable on
+/// drag while c*h < 2, on an undamped spring while h*omega < 2. The step must stay the same from
+/// start to end; for one that changes there is stormer_verlet_uneven.
+///
+/// @param x  position, advanced in place
+/// @param x_previous  position one step ago, advanced in place; see stormer_verlet_start
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @see L. Verlet, Computer "experiments" on classical fluids, Physical Review 159 (1967)
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void stormer_verlet(Vec& x, Vec& x_previous, Time t, Real h,
+                              Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [move]
+    const Vec v = stormer_verlet_velocity(x, x_previous, h);
+    const Vec x_next = Real(2) * x + Real(-1) * x_previous + (h * h) * acceleration(x, v, t);
+    x_previous = x;
+    x = x_next;
+    // [move]
+  }
+}
+// [step]
+
+// [carried]
+/// One step of position Verlet that carries the acceleration, so that drag sees a velocity of now.
+///
+/// Order 2, one evaluation of the acceleration, stable on drag while c*h < 1, on an undamped spring
+/// while h*omega < 2. The step must stay the same from start to end.
+///
+/// @param x  position, advanced in place
+/// @param x_previous  position one step ago, advanced in place; see stormer_verlet_start
+/// @param a  acceleration one step ago, for the first step that of the start; replaced by the one
+/// at `x` [units of x per s^2]
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void stormer_verlet_carried(Vec& x, Vec& x_previous, Vec& a, Time t, Real h,
+                                      Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [carried-move]
+    const Vec v = stormer_verlet_velocity(x, x_previous, a, h);
+    a = acceleration(x, v, t);
+    const Vec x_next = Real(2) * x + Real(-1) * x_previous + (h * h) * a;
+    x_previous = x;
+    x = x_next;
+    // [carried-move]
+  }
+}
+// [carried]
+
+// [uneven]
+/// One step of position Verlet where the step may change from one to the next.
+///
+/// Order 2 in position, 1 in velocity and under drag, one evaluation of the acceleration, stable on
+/// drag while c*h < 2, on an undamped spring while h*omega < 2. Without `h_previous` a change of
+/// the step would change the speed.
+///
+/// @param x  position, advanced in place
+/// @param x_previous  position one step ago, advanced in place; see stormer_verlet_start
+/// @param t  time of `x` [s]
+/// @param h  step size from `x` on [s]
+/// @param h_previous  step size that led from `x_previous` to `x` [s]
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void stormer_verlet_uneven(Vec& x, Vec& x_previous, Time t, Real h, Real h_previous,
+                                     Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [uneven-move]
+    const Vec v = stormer_verlet_velocity(x, x_previous, h_previous);
+    const Vec a = acceleration(x, v, t);
+    const Vec x_next = x + h * v + (h * (h + h_previous) / Real(2)) * a;
+    x_previous = x;
+    x = x_next;
+    // [uneven-move]
+  }
+}
+// [uneven]
+
+}  // namespace integrate

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The trapezoid rule: the implicit method of second order.
+#pragma once
+#include <functional>
+#include <type_traits>
+
+namespace integrate {
+
+// [step]
+/// One step of the trapezoid rule with a single solve.
+///
+/// Order 2, two evaluations of the acceleration and one solve, stable on drag for every h, on an
+/// undamped spring for every h. On a linear force it is the trapezoid rule itself.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @param solve  callable `(x, v, t, p, q, change) -> bool`: solves (1 + p da/dx + q da/dv) y =
+/// change and puts y into `change`; false if it could not. For a single unknown that is
+/// `change = change / (1 + p * dadx + q * dadv)`; for more there are DenseSystem, BandSystem and
+/// SparseSystem
+/// @returns  false if the system could not be solved; x and v are then as they were
+/// @see G. Dahlquist, A special stability problem for linear multistep methods, BIT 3 (1963)
+template <class Vec, class Time, class Real, class Acceleration, class Solve>
+[[nodiscard]] constexpr bool trapezoid(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration,
+                                       Solve&& solve) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [move]
+    const Real half = h / Real(2);
+    const Vec x_end = x + h * v;
+    const Vec a = acceleration(x, v, t);
+    Vec change = half * Vec(a + acceleration(x_end, v, t + h));
+    if (!solve(x_end, v, t + h, -half * half, -half, change)) return false;
+    x = x + h * v + half * change;
+    v = v + change;
+    return true;
+    // [move]
+  }
+}
+// [step]
+
+// [newton]
+/// One step of the trapezoid rule, solved by Newton's method to a tolerance.
+///
+/// Order 2, one evaluation of the acceleration, and one more with a solve for each iteration,
+/// stable on drag for every h, on an undamped spring for every h.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @param solve  as for trapezoid
+/// @param norm  callable `(Vec) -> Real`, the size of a change of velocity
+/// @param tolerance  the iteration ends when the velocity changes by no more [units of x per s]
+/// @returns  how many iterations it took; 0 if it found no end within 50 or a system could not be
+/// solved, and x and v are then as they were
+/// @see Hairer and Wanner, Solving Ordinary Differential Equations II (1996), section IV.8
+template <class Vec, class Time, class Real, class Acceleration, class Solve, class Norm>
+[[nodiscard]] constexpr int trapezoid_newton(Vec& x, Vec& v, Time t, Real h,
+                                             Acceleration&& acceleration, Solve&& solve,
+                                             Norm&& norm, Real tolerance) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [newton-move]
+    const Real half = h / Real(2);
+    const Vec a = acceleration(x, v, t);
+    Vec v_end = v;
+    for (int iteration = 1; iteration <= 50; ++iteration) {
+      const Vec x_end = x + half * Vec(v + v_end);
+      const Vec a_end = acceleration(x_end, v_end, t + h);
+      Vec change = v + Real(-1) * v_end + half * Vec(a + a_end);
+      if (!solve(x_end, v_end, t + h, -half * half, -half, change)) return 0;
+      v_end = v_end + change;
+      if (norm(change) <= tolerance) {
+        x = x + half * Vec(v + v_end);
+        v = v_end;
+        return iteration;
+      }
+    }
+    return 0;
+    // [newton-move]
+  }
+}
+// [newton]
+
+}  // namespace integrate

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Velocity Verlet: kick, drift, kick.
+#pragma once
+#include <functional>
+#include <type_traits>
+
+namespace integrate {
+
+// [start]
+/// The acceleration at the start, for velocity_verlet to begin with.
+///
+/// @param x  position
+/// @param v  velocity
+/// @param t  time of `x` and `v` [s]
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+template <class Vec, class Time, class Acceleration>
+constexpr Vec velocity_verlet_start(const Vec& x, const Vec& v, Time t,
+                                    Acceleration&& acceleration) {
+  return acceleration(x, v, t);
+}
+// [start]
+
+// [step]
+/// One step of velocity Verlet: half a kick, a drift, half a kick with the new acceleration.
+///
+/// Order 2, one evaluation of the acceleration, stable on drag while c*h < 1, on an undamped spring
+/// while h*omega < 2. Drag sees a predicted velocity at the end of the step: that keeps order 2,
+/// and halves the limit on drag.
+///
+/// @param x  position, advanced in place
+/// @param v  velocity, advanced in place
+/// @param a  acceleration at the start, replaced by the one at the end; see velocity_verlet_start
+/// @param t  time at the start of the step [s]
+/// @param h  step size [s]; a negative step goes back in time
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @see Swope, Andersen, Berens and Wilson, Journal of Chemical Physics 76 (1982)
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr void velocity_verlet(Vec& x, Vec& v, Vec& a, Time t, Real h,
+                               Acceleration&& acceleration) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) {
+    // [move]
+    const Vec v_half = v + (h / Real(2)) * a;
+    const Vec v_predicted = v + h * a;
+    x = x + h * v_half;
+    a = acceleration(x, v_predicted, t + h);
+    v = v_half + (h / Real(2)) * a;
+    // [move]
+  }
+}
+// [step]
+
+}  // namespace integrate

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT-0
+// Every method of the book, with what its tests hold it to. A test that goes over one of the lists
+// at the end goes over all of its methods.
+//
+// order and velocity_order hold where the force does not depend on the velocity, the drag_ ones
+// where it does. Limits: c h on drag and h omega on an undamped spring have to stay below; 0 is
+// never stable there, `always` has no limit. Those of Yoshida 4 and Dormand-Prince are their own
+// polynomials' and have no closed form: the tests that use them derive them.
+#pragma once
+#include <limits>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+#include "measure/implicit_methods.h"
+#include "measure/linear_methods.h"
+#include "measure/methods.h"
+#include "measure/methods_with_memory.h"
+
+namespace list {
+
+inline constexpr double always = std::numeric_limits<double>::infinity();
+inline constexpr long as_needed = -1;  // evaluations of a method that iterates
+
+struct Euler {
+  static constexpr auto step = measure::euler;
+  static constexpr std::string_view header = "euler.h";
+  static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 0;
+};
+
+struct ConstantAcceleration {
+  static constexpr auto step = measure::constant_acceleration;
+  static constexpr std::string_view header = "constant_acceleration.h";
+  static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 0;
+};
+
+struct SymplecticEuler {
+  static constexpr auto step = measure::symplectic_euler;
+  static constexpr std::string_view header = "symplectic_euler.h";
+  static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 2;
+};
+
+struct SymplecticEulerPositionFirst {
+  static constexpr auto step = measure::symplectic_euler_position_first;
+  static constexpr std::string_view header = "symplectic_euler.h";
+  static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 2;
+};
+
+struct Midpoint {
+  static constexpr auto step = measure::midpoint;
+  static constexpr std::string_view header = "midpoint.h";
+  static constexpr int order = 2, velocity_order = 2, drag_order = 2, drag_velocity_order = 2;
+  static constexpr long evaluations = 2;
+  static constexpr double drag_limit = 2, spring_limit = 0;
+};
+
+struct Heun {
+  static constexpr auto step = measure::heun;
+  static constexpr std::string_view header = "heun.h";
+  static constexpr int order = 2, velocity_order = 2, drag_order = 2, drag_velocity_order = 2;
+  static constexpr long evaluations = 2;
+  static constexpr double drag_limit = 2, spring_limit = 0;
+};
+
+struct Rk4 {
+  static constexpr auto step = measure::rk4;
+  static constexpr std::string_view header = "rk4.h";
+  static constexpr int order = 4, velocity_order = 4, drag_order = 4, drag_velocity_order = 4;
+  static constexpr long evaluations = 4;
+  static constexpr double drag_limit = 2.785293563405282, spring_limit = 2.8284271247461903;
+};
+
+struct PredictedEuler {
+  static constexpr auto step = measure::predicted_euler<1>;
+  static constexpr std::string_view header = "predicted_euler.h";
+  static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
+  static constexpr long evaluations = 2;
+  static constexpr double drag_limit = 1, spring_limit = 1;
+};
+
+struct StormerVerlet {
+  static constexpr auto step = measure::stormer_verlet;
+  static constexpr std::string_view header = "stormer_verlet.h";
+  static constexpr int order = 2, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 2;
+};
+
+struct StormerVerletCarried {
+  static constexpr auto step = measure::stormer_verlet_carried;
+  static constexpr std::string_view header = "stormer_verlet.h";
+  static constexpr int order = 2, velocity_order = 2, drag_order = 2, drag_velocity_order = 2;
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 1, spring_limit = 2;
+};
+
+struct StormerVerletUneven {
+  static constexpr auto step = measure::stormer_verlet_uneven;
+  static constexpr std::string_view header = "stormer_verlet.h";
+  static constexpr int order = 2, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 2;
+};
+
+struct Leapfrog {
+  static constexpr auto step = measure::leapfrog;
+  static constexpr std::string_view header = "leapfrog.h";
+  static constexpr int order = 2, velocity_order = 2, drag_order = 1, drag_velocity_order = 1;
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 2;
+};
+
+struct VelocityVerlet {
+  static constexpr auto step = measure::velocity_verlet;
+  static constexpr std::string_view header = "velocity_verlet.h";
+  static constexpr int order = 2, velocity_order = 2, drag_order = 2, drag_velocity_order = 2;
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 1, spring_limit = 2;
+};
+
+struct Yoshida4 {
+  static constexpr auto step = measure::yoshida4;
+  static constexpr std::string_view header = "yoshida4.h";
+  static constexpr int order = 4, velocity_order = 4, drag_order = 2, drag_velocity_order = 2;
+  static constexpr long evaluations = 3;
+  static constexpr double drag_limit = 0.912983, spring_limit = 1.573401;
+};
+
+struct Dopri5 {
+  static constexpr auto step = measure::dopri5;
+  static constexpr std::string_view header = "dopri5.h";
+  static constexpr int order = 5, velocity_order = 5, drag_order = 5, drag_velocity_order = 5;
+  static constexpr long evaluations = 6;
+  static constexpr double drag_limit = 3.306567, spring_limit = 0.997189;
+};
+
+struct BackwardEuler {
+  static constexpr auto step = measure::backward_euler;
+  static constexpr std::string_view header = "backward_euler.h";
+  static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = always, spring_limit = always;
+};
+
+struct BackwardEulerNewton {
+  static constexpr auto step = measure::backward_euler_newton;
+  static constexpr std::string_view header = "backward_euler.h";
+  static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
+  static constexpr long evaluations = as_needed;
+  static constexpr double drag_limit = always, spring_limit = always;
+};
+
+struct Trapezoid {
+  static constexpr auto step = measure::trapezoid;
+  static constexpr std::string_view header = "trapezoid.h";
+  static constexpr int order = 2, velocity_order = 2, drag_order = 2, drag_velocity_order = 2;
+  static constexpr long evaluations = 2;
+  static constexpr double drag_limit = always, spring_limit = always;
+};
+
+struct TrapezoidNewton {
+  static constexpr auto step = measure::trapezoid_newton;
+  static constexpr std::string_view header = "trapezoid.h";
+  static constexpr int order = 2, velocity_order = 2, drag_order = 2, drag_velocity_order = 2;
+  static constexpr long evaluations = as_needed;
+  static constexpr double drag_limit = always, spring_limit = always;
+};
+
+// On a spring or a drag alone.
+struct BackwardEulerSpring {
+  static constexpr auto step = measure::backward_euler_spring;
+  static constexpr std::string_view header = "backward_euler_spring.h";
+};
+
+struct Rk4Linear {
+  static constexpr auto step = measure::rk4_linear;
+  static constexpr std::string_view header = "rk4_linear.h";
+};
+
+struct SpringExact {
+  static constexpr auto step = measure::spring_exact;
+  static constexpr std::string_view header = "spring_exact.h";
+};
+
+struct LinearDampingExplicitLast {
+  static constexpr auto step = measure::linear_damping_explicit_last;
+  static constexpr std::string_view header = "linear_damping.h";
+};
+
+struct LinearDampingExplicitFirst {
+  static constexpr auto step = measure::linear_damping_explicit_first;
+  static constexpr std::string_view header = "linear_damping.h";
+};
+
+struct LinearDampingImplicitLast {
+  static constexpr auto step = measure::linear_damping_implicit_last;
+  static constexpr std::string_view header = "linear_damping.h";
+};
+
+struct LinearDampingImplicitFirst {
+  static constexpr auto step = measure::linear_damping_implicit_first;
+  static constexpr std::string_view header = "linear_damping.h";
+};
+
+struct LinearDampingExponentialLast {
+  static constexpr auto step = measure::linear_damping_exponential_last;
+  static constexpr std::string_view header = "linear_damping.h";
+};
+
+struct LinearDampingExponentialFirst {
+  static constexpr auto step = measure::linear_damping_exponential_first;
+  static constexpr std::string_view header = "linear_damping.h";
+};
+
+struct LinearDampingExact {
+  static constexpr auto step = measure::linear_damping_exact;
+  static constexpr std::string_view header = "linear_damping.h";
+};
+
+using EveryExplicit =
+    std::tuple<Euler, ConstantAcceleration, SymplecticEuler, SymplecticEulerPositionFirst, Midpoint,
+               Heun, Rk4, PredictedEuler, StormerVerlet, StormerVerletCarried, StormerVerletUneven,
+               Leapfrog, VelocityVerlet, Yoshida4, Dopri5>;
+
+using EveryImplicit = std::tuple<BackwardEuler, BackwardEulerNewton, Trapezoid, TrapezoidNewton>;
+
+using EveryOnSprings = std::tuple<BackwardEulerSpring, Rk4Linear, SpringExact>;
+
+using EveryDamping =
+    std::tuple<LinearDampingExplicitLast, LinearDampingExplicitFirst, LinearDampingImplicitLast,
+               LinearDampingImplicitFirst, LinearDampingExponentialLast,
+               LinearDampingExponentialFirst, LinearDampingExact>;
+
+// Compiled with -DONLY=Rk4, the lists hold that method alone. A list without it stays whole, since
+// Catch2 takes no empty ones.
+#ifdef ONLY
+template <class List>
+struct Chosen;
+
+template <class... Methods>
+struct Chosen<std::tuple<Methods...>> {
+  using Those = decltype(std::tuple_cat(
+      std::conditional_t<std::is_same_v<Methods, ONLY>, std::tuple<Methods>, std::tuple<>>()...));
+  using List =
+      std::conditional_t<std::is_same_v<Those, std::tuple<>>, std::tuple<Methods...>, Those>;
+};
+template <class List>
+using chosen = typename Chosen<List>::List;
+#else
+template <class List>
+using chosen = List;
+#endif
+
+using Explicit = chosen<EveryExplicit>;
+using Implicit = chosen<EveryImplicit>;
+using OnSprings = chosen<EveryOnSprings>;
+using Damping = chosen<EveryDamping>;
+
+// All that take any acceleration; the implicit ones want its Jacobian as well.
+using General = chosen<decltype(std::tuple_cat(EveryExplicit(), EveryImplicit()))>;
+
+}  // namespace list
