@@ -1,6 +1,22 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// Dormand-Prince 5(4): fifth order, with an estimate of its own error.
+///
+/// @code
+/// const auto spring = [](double x, double v, double) { return -9 * x - v; };
+/// const double h = 1 / 60.0;
+/// double x = 1, v = 0;
+/// double a = integrate::dopri5_start(x, v, 0.0, spring);
+/// for (int n = 0; n < 60; ++n) integrate::dopri5(x, v, a, n * h, h, spring);
+/// @endcode
+///
+/// To a tolerance, from the same start:
+/// @code
+/// x = 1, v = 0;
+/// double next = 0.1;
+/// const auto size = [](double error) { return std::abs(error); };
+/// const bool arrived = integrate::dopri5_adaptive(x, v, 0.0, 1.0, next, spring, size, 1e-9);
+/// @endcode
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// Leapfrog: velocities at half steps.
+///
+/// @code
+/// const auto spring = [](double x, double v, double) { return -9 * x - v; };
+/// const double h = 1 / 60.0;
+/// double x = 1, v = 0;
+/// double v_half = integrate::leapfrog_start(x, v, 0.0, h, spring);
+/// for (int n = 0; n < 60; ++n) integrate::leapfrog(x, v_half, n * h, h, spring);
+/// v = integrate::leapfrog_velocity(x, v_half, 60 * h, h, spring);
+/// @endcode
 #pragma once
 #include <functional>
 #include <type_traits>

@@ -1,6 +1,21 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// The damped spring in closed form, for any step.
+///
+/// @code
+/// double x = 1, v = 0;
+/// const double omega = 3, zeta = 1 / 6.0;
+/// for (int n = 0; n < 60; ++n) integrate::spring_exact(x, v, 1 / 60.0, omega, zeta);
+/// @endcode
+///
+/// A camera that follows its target without overshoot:
+/// @code
+/// double camera = 0, speed = 0;
+/// const double target = 10;
+/// double way = camera - target;
+/// integrate::spring_exact(way, speed, 1 / 60.0, 8.0, 1.0);
+/// camera = target + way;
+/// @endcode
 #pragma once
 #include <cmath>
 #include <functional>

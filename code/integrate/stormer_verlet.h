@@ -1,6 +1,40 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// Position Verlet: the next position from the last two.
+///
+/// @code
+/// const auto spring = [](double x, double v, double) { return -9 * x - v; };
+/// const double h = 1 / 60.0;
+/// double x = 1, v = 0;
+/// double x_previous = integrate::stormer_verlet_start(x, v, 0.0, h, spring);
+/// for (int n = 0; n < 60; ++n) integrate::stormer_verlet(x, x_previous, n * h, h, spring);
+/// v = integrate::stormer_verlet_velocity(x, x_previous, h);
+/// @endcode
+///
+/// Carrying the acceleration, from the same start:
+/// @code
+/// x = 1, v = 0;
+/// double a = spring(x, v, 0.0);
+/// x_previous = integrate::stormer_verlet_start(x, v, 0.0, h, spring);
+/// for (int n = 0; n < 60; ++n) {
+///   integrate::stormer_verlet_carried(x, x_previous, a, n * h, h, spring);
+/// }
+/// v = integrate::stormer_verlet_velocity(x, x_previous, a, h);
+/// @endcode
+///
+/// With steps as long as the frames are:
+/// @code
+/// x = 1, v = 0;
+/// double t = 0, h_previous = h;
+/// x_previous = integrate::stormer_verlet_start(x, v, t, h_previous, spring);
+/// for (int n = 0; n < 40; ++n) {
+///   const double frame = n % 2 == 0 ? 0.01 : 0.04;
+///   integrate::stormer_verlet_uneven(x, x_previous, t, frame, h_previous, spring);
+///   t = t + frame;
+///   h_previous = frame;
+/// }
+/// v = integrate::stormer_verlet_velocity(x, x_previous, h_previous);
+/// @endcode
 #pragma once
 #include <functional>
 #include <type_traits>

@@ -1,6 +1,32 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// The trapezoid rule: the implicit method of second order.
+///
+/// @code
+/// const auto spring = [](double x, double v, double) { return -9 * x - v; };
+/// const auto solve = [](double, double, double, double p, double q, double& change) {
+///   change = change / (1 + p * -9 + q * -1);  // da/dx is -9, da/dv is -1
+///   return true;
+/// };
+/// const double h = 1 / 60.0;
+/// double x = 1, v = 0;
+/// bool solved = true;
+/// for (int n = 0; n < 60 && solved; ++n) {
+///   solved = integrate::trapezoid(x, v, n * h, h, spring, solve);
+/// }
+/// @endcode
+///
+/// To a tolerance, from the same start:
+/// @code
+/// #include <cmath>
+///
+/// x = 1, v = 0;
+/// const auto size = [](double change) { return std::abs(change); };
+/// int iterations = 1;
+/// for (int n = 0; n < 60 && iterations > 0; ++n) {
+///   iterations = integrate::trapezoid_newton(x, v, n * h, h, spring, solve, size, 1e-9);
+/// }
+/// @endcode
 #pragma once
 #include <functional>
 #include <type_traits>
