@@ -51,12 +51,13 @@ void spring_exact(Vec& x, Vec& v, Real h, Real omega, Real zeta) {
     const Real push = apart * h == Real(0) ? h
                       : swings             ? std::sin(apart * h) / apart
                                            : -std::expm1(Real(-2) * apart * h) / (Real(2) * apart);
-    const Real hold = swings ? std::cos(apart * h) + decay * push : Real(1) + decay * push;
+    // What is left of x alone and of v alone, again but for the decay.
+    const Real swing = swings ? std::cos(apart * h) : Real(1);
+    const Real last = swings ? swing : std::exp(Real(-2) * apart * h);
     const Real left = std::exp(-decay * h);
     const Vec x_start = x;
-    x = (left * hold) * x_start + (left * push) * v;
-    v = (left * (hold - Real(2) * zeta * omega * push)) * v +
-        (-left * omega * omega * push) * x_start;
+    x = (left * (swing + decay * push)) * x_start + (left * push) * v;
+    v = (left * (last - decay * push)) * v + (-left * omega * omega * push) * x_start;
     // [move]
   }
 }

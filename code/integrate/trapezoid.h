@@ -56,7 +56,10 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve>
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
                         std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool solves =
+      std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
+  static_assert(solves, "solve must be callable as bool(x, v, t, p, q, change), change a Vec&");
+  if constexpr (fits && solves) {
     // [move]
     const Real half = h / Real(2);
     const Vec x_end = x + h * v;
@@ -95,7 +98,12 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve, cl
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
                         std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool solves =
+      std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
+  static_assert(solves, "solve must be callable as bool(x, v, t, p, q, change), change a Vec&");
+  constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
+  static_assert(measures, "norm must be callable as Real(Vec)");
+  if constexpr (fits && solves && measures) {
     // [newton-move]
     const Real half = h / Real(2);
     const Vec a = acceleration(x, v, t);

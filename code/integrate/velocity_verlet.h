@@ -25,7 +25,9 @@ namespace integrate {
 template <class Vec, class Time, class Acceleration>
 constexpr Vec velocity_verlet_start(const Vec& x, const Vec& v, Time t,
                                     Acceleration&& acceleration) {
-  return acceleration(x, v, t);
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t)");
+  if constexpr (fits) return acceleration(x, v, t);
 }
 // [start]
 

@@ -24,7 +24,9 @@ namespace integrate {
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 template <class Vec, class Time, class Acceleration>
 constexpr Vec yoshida4_start(const Vec& x, const Vec& v, Time t, Acceleration&& acceleration) {
-  return acceleration(x, v, t);
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t)");
+  if constexpr (fits) return acceleration(x, v, t);
 }
 // [start]
 

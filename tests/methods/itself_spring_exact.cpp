@@ -70,9 +70,10 @@ Matrix rounding(const Spring& s, Real h, Real epsilon) {
   const Real root = std::sqrt(std::abs((s.zeta - 1) * (s.zeta + 1)));
   const Real decay = s.omega * (swings ? s.zeta : 1 / (s.zeta + root));
   const Real push = std::abs(s.motion(h)(0, 1));
-  const Real hold = std::exp(-decay * h) + decay * push;
+  const Real left = std::exp(-decay * h);
+  const Real last = swings ? left : std::exp(-(decay + 2 * s.omega * root) * h);
   Matrix terms;
-  terms << hold, push, s.omega * s.omega * push, hold + 2 * s.zeta * s.omega * push;
+  terms << left + decay * push, push, s.omega * s.omega * push, last + decay * push;
   const Real turned = 1 + std::abs(h) * (decay + s.omega * root);
   return 10 * epsilon * turned * terms;
 }

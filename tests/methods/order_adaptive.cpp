@@ -127,6 +127,16 @@ TEST_CASE("Where there is no way on, Dormand and Prince say so and move nothing"
   SECTION("it is not a number from the start") {
     CHECK_FALSE(moves(x, v, 2, h, [](double, double, double) { return double(NAN); }));
   }
+  SECTION("the last stage of the last step is not a number") {
+    int asked = 0;
+    const auto seventh = [&asked](double at, double, double) {
+      return ++asked >= 7 ? double(NAN) : -at;
+    };
+    CHECK_FALSE(moves(x, v, 0.01, h, seventh));
+  }
+  SECTION("a duration that is not a number") {
+    CHECK_FALSE(moves(x, v, NAN, h, [](double at, double, double) { return -at; }));
+  }
   SECTION("a fall into a centre that pulls without bounds") {
     CHECK_FALSE(moves(x, v, 2, h, [](double at, double, double) { return -1 / (at * at); }));
   }
