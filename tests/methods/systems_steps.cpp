@@ -77,3 +77,15 @@ TEMPLATE_TEST_CASE("An acceleration that is not a number is no step", "", Once, 
   CHECK(x == Eigen::Vector2d(1, 2));
   CHECK(v == Eigen::Vector2d(3, 4));
 }
+
+TEMPLATE_TEST_CASE("Newton's method finds no end where the acceleration is not a number", "",
+                   Newton, TrapezoidNewton) {
+  // With a system that takes no notice of it.
+  const auto broken = [](double, double, double) {
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  double x = 1.5, v = -0.25;
+  CHECK(TestType::step(x, v, 0.1, broken, solve_cubic, 1e-9) == 0);
+  CHECK(x == 1.5);
+  CHECK(v == -0.25);
+}
