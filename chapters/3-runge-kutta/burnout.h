@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// An engine that stops in the middle of a step, in chapter 3.
+#pragma once
+#include <array>
+#include <cmath>
+
+#include "integrate/rk4.h"
+#include "measure/record.h"
+#include "measure/run.h"
+#include "toys.h"
+
+/// How far a step is from the height after `rocket_time`, and the same with one step cut at
+/// burnout.
+inline std::array<double, 2> burnout_errors(double rate) {
+  const double truth = rocket.exact(rocket_time).x;
+  const long all = std::lround(rocket_time * rate);
+  const auto across = measure::after(measure::rk4, rocket, rocket.start(), 1 / rate, all);
+  // [cut]
+  const scenes::Rocket<> engine_on{.burn_time = INFINITY};
+  const auto engine_off = [](double, double, double) { return -rocket.g; };
+  const auto whole_steps = std::floor(rocket.burn_time * rate);
+  auto s = measure::after(measure::rk4, engine_on, engine_on.start(), 1 / rate, long(whole_steps));
+  const double done = whole_steps / rate;
+  integrate::rk4(s.x, s.v, done, rocket.burn_time - done, engine_on);
+  integrate::rk4(s.x, s.v, rocket.burn_time, rocket_time - rocket.burn_time, engine_off);
+  // [cut]
+  return {std::abs(across.x - truth), std::abs(s.x - truth)};
+}
+
+/// Height of the rocket against the number of steps, with and without the cut.
+inline void burnout(measure::Record& record) {
+  auto& table = record.table(
+      "burnout", {{"steps per second", "", measure::whole}, {"across", "m"}, {"cut", "m"}});
+  for (double rate = 4; rate <= 1024; rate = std::ceil(rate * 1.12)) {
+    const auto [across, cut] = burnout_errors(rate);
+    table.add({rate, across, cut});
+  }
+  const auto [across, cut] = burnout_errors(60);
+  record.number("burnout-across", 100 * across, 2, "cm");
+  record.number("burnout-cut", 1e9 * cut, 2, "nm");
+}
