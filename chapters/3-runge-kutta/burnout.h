@@ -16,14 +16,15 @@ inline std::array<double, 2> burnout_errors(double rate) {
   const double truth = rocket.exact(rocket_time).x;
   const long all = std::lround(rocket_time * rate);
   const auto across = measure::after(measure::rk4, rocket, rocket.start(), 1 / rate, all);
+  const double step = 1 / rate, stop = rocket.burn_time;
   // [cut]
   const scenes::Rocket<> engine_on{.burn_time = INFINITY};
   const auto engine_off = [](double, double, double) { return -rocket.g; };
-  const auto whole_steps = std::floor(rocket.burn_time * rate);
-  auto s = measure::after(measure::rk4, engine_on, engine_on.start(), 1 / rate, long(whole_steps));
-  const double done = whole_steps / rate;
-  integrate::rk4(s.x, s.v, done, rocket.burn_time - done, engine_on);
-  integrate::rk4(s.x, s.v, rocket.burn_time, rocket_time - rocket.burn_time, engine_off);
+  const auto steps = long(std::floor(stop * rate));
+  auto s = measure::after(measure::rk4, engine_on, engine_on.start(), step, steps);
+  const double done = double(steps) * step;
+  integrate::rk4(s.x, s.v, done, stop - done, engine_on);
+  integrate::rk4(s.x, s.v, stop, rocket_time - stop, engine_off);
   // [cut]
   return {std::abs(across.x - truth), std::abs(s.x - truth)};
 }

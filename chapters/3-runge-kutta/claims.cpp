@@ -204,10 +204,10 @@ TEST_CASE("A step asks for the acceleration twice with midpoint and four times w
   CHECK(measure::evaluations_per_step(rk4, drone, h) == 4);
 }
 
-TEST_CASE("In steps of a second RK4 keeps the drone within 12 cm of its circle for a turn") {
+TEST_CASE("In steps of a second RK4 keeps the drone within 13 cm of its circle for a turn") {
   auto s = drone.start();
   measure::run(rk4, drone, s, 1.0, 8,
-               [](double, const auto& now) { CHECK_THAT(now.x.norm(), WithinAbs(10, 0.125)); });
+               [](double, const auto& now) { CHECK_THAT(now.x.norm(), WithinAbs(10, 0.13)); });
   CHECK(s.x.norm() < 9.9);
 }
 
@@ -310,10 +310,13 @@ TEST_CASE(
   CHECK(error(euler, 80) > 40 * error(rk4, 20));
 }
 
-TEST_CASE("At 20 steps a second Euler has lost the suspension, and midpoint hardly damps it") {
+TEST_CASE(
+    "At 20 steps a second Euler has lost the suspension, and midpoint keeps a seventh of its "
+    "damping") {
   CHECK(measure::spectral_radius(euler, suspension, 1.0 / 20) > 1.2);
-  CHECK_THAT(measure::spectral_radius(midpoint, suspension, 1.0 / 20), WithinAbs(0.98, 0.01));
-  CHECK_THAT(std::exp(-suspension.zeta * suspension.omega / 20), WithinAbs(0.905, 0.001));
+  const double damping = suspension.zeta * suspension.omega / 20;
+  const double kept = -std::log(measure::spectral_radius(midpoint, suspension, 1.0 / 20)) / damping;
+  CHECK_THAT(kept, WithinAbs(1.0 / 7, 0.015));
 }
 
 TEST_CASE(
@@ -429,14 +432,14 @@ TEST_CASE("With its third stage a repeat of the second RK4 has order two") {
   CHECK(error_in_one_turn(bug, 60) < 1e-3);
 }
 
-TEST_CASE("Stages that move with the old velocity are found by the drone and by nothing else") {
+TEST_CASE("Of the three scenes only the drone finds stages that move with the old velocity") {
   const auto bug = wrong::method_of(wrong::stale_velocities.stages);
   CHECK_THAT(order_in_position(bug, drone, 1.0 / 8, 8), WithinAbs(2, 0.1));
   CHECK_THAT(order_in_position(bug, parachute, 1.0 / 32, 2), WithinAbs(4, 0.1));
   CHECK_THAT(order_in_position(bug, engine_on, 0.25, 4), WithinAbs(4, 0.1));
 }
 
-TEST_CASE("A clock that stands still is found by the rocket and by nothing else") {
+TEST_CASE("Of the three scenes only the rocket finds a clock that stands still") {
   const auto bug = wrong::method_of(wrong::stopped_clock.stages);
   CHECK_THAT(order_in_position(bug, drone, 0.25, 8), WithinAbs(4, 0.1));
   CHECK_THAT(order_in_position(bug, parachute, 1.0 / 32, 2), WithinAbs(4, 0.1));

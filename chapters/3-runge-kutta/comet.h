@@ -52,12 +52,13 @@ inline Passage pass(long frames) {
   auto s = comet.exact(-year / 2);
   Passage passage;
   double next = frame;
+  const auto size = [](const auto& error) { return error.norm(); };
   for (long n = 0; n < frames; ++n) {
+    const double t = double(n) * frame;
     const long before = counted.evaluations;
     // [frame]
-    const auto size = [](const auto& error) { return error.norm(); };
-    const bool there = integrate::dopri5_adaptive(s.x, s.v, double(n) * frame, frame, next, counted,
-                                                  size, tolerance);
+    const bool there =
+        integrate::dopri5_adaptive(s.x, s.v, t, frame, next, counted, size, tolerance);
     // [frame]
     passage.evaluations.push_back(there ? counted.evaluations - before : -1);
   }
@@ -74,6 +75,20 @@ inline double error_of_equal_steps(long rate) {
   return (end.x - comet.exact(year / 2).x).norm();
 }
 
+/// The longest step at the comet's far end that stays within the tolerance [s].
+inline double longest_step() {
+  const auto far = comet.exact(-year / 2);
+  double good = 1e-3, too_long = year / 2;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double step = (good + too_long) / 2;
+    auto s = far;
+    auto a = integrate::dopri5_start(s.x, s.v, 0.0, comet);
+    const auto error = integrate::dopri5(s.x, s.v, a, 0.0, step, comet);
+    (std::max(error.x.norm(), error.v.norm()) <= tolerance ? good : too_long) = step;
+  }
+  return good;
+}
+
 /// What the passage costs, in one go and in frames, and what equal steps would have cost.
 inline void comet_passes(measure::Record& record) {
   const Passage smooth = pass(1), framed = pass(1200);
@@ -81,13 +96,14 @@ inline void comet_passes(measure::Record& record) {
   record.number("comet-framed", double(framed.total()), measure::whole);
   record.number("comet-dearest", double(framed.dearest()), measure::whole);
   record.number("comet-cheapest", double(framed.cheapest()), measure::whole);
-  record.number("comet-error", 1000 * smooth.error, 2, "mm");
+  record.number("comet-error", 1e6 * smooth.error, 2, "µm");
+  record.number("comet-longest", longest_step(), 2, "s");
   long rate = 60;
   while (error_of_equal_steps(rate) > smooth.error) rate += 60;
   record.number("comet-rk4", double(4 * rate) * year, 2);
   record.number("comet-rk4-rate", double(rate), measure::whole);
-  record.number("comet-rk4-60", error_of_equal_steps(60) / 1000, 2, "km");
-  record.number("comet-apart", 1000 * (framed.end.x - pass(2880).end.x).norm(), 2, "mm");
+  record.number("comet-rk4-60", error_of_equal_steps(60), 2, "m");
+  record.number("comet-apart", 1e6 * (framed.end.x - pass(2880).end.x).norm(), 2, "µm");
 
   auto& table = record.table("comet", {{"t", "s"}, {"evaluations", "", measure::whole}});
   for (std::size_t n = 0; n < framed.evaluations.size(); ++n) {

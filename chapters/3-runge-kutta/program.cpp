@@ -106,11 +106,12 @@ void work(Record& record) {
                 four[i].position_order});
   }
 
-  // [work]
   auto& table = record.table(
       "work", {{"evaluations", "1/s", whole}, {"Euler", "m"}, {"midpoint", "m"}, {"RK4", "m"}});
+  // [work]
   const auto error = [](auto step, double rate) {
-    return measure::largest_error(step, drone, 1 / rate, std::lround(8 * rate)).position;
+    const long steps = std::lround(8 * rate);
+    return measure::largest_error(step, drone, 1 / rate, steps).position;
   };
   for (double questions = 4; questions <= 4096; questions *= 2) {
     table.add({questions, error(euler, questions), error(midpoint, questions / 2),
@@ -149,8 +150,8 @@ void large_steps(Record& record) {
 
 void matrix(Record& record) {
   // [matrix]
-  const auto folded =
-      integrate::rk4_linear_start(suspension.omega * suspension.omega, suspension.damping(), h);
+  const double k = suspension.omega * suspension.omega, c = suspension.damping();
+  const auto folded = integrate::rk4_linear_start(k, c, h);
   double x = suspension.x0, v = suspension.v0;
   for (int n = 0; n < 60; ++n) integrate::rk4_linear(x, v, folded);
   // [matrix]
@@ -173,7 +174,7 @@ void matrix(Record& record) {
 
 void bugs(Record& record) {
   auto& table = record.table("bugs", {{"fault", "", measure::whole},
-                                      {"off after a turn", "m", 2},
+                                      {"off in a turn", "µm", 2},
                                       {"order on the drone", "", 2},
                                       {"on a parachute", "", 2},
                                       {"on a rocket", "", 2}});
@@ -185,10 +186,11 @@ void bugs(Record& record) {
        {wrong::Bug{"none", {}}, wrong::fourth_looks_too_soon, wrong::third_is_second,
         wrong::stale_velocities, wrong::equal_weights, wrong::stopped_clock}) {
     const auto method = wrong::method_of(bug.stages);
-    table.add({bug.what, measure::largest_error(method, drone, h, turn).position,
+    table.add({bug.what, 1e6 * measure::largest_error(method, drone, h, turn).position,
                order(method, drone, 0.25, 8), order(method, parachute, 1.0 / 32, 2),
                order(method, engine_on, 0.25, 4)});
   }
+  record.number("bug-off", table.rows[1][1].value, 2, "µm");
   auto& orders =
       record.table("stages", {{"steps per second", "", whole}, {"RK4", "m"}, {"bug", "m"}});
   const auto right = measure::halvings(rk4, drone, 1.0, 8.0, 8);
