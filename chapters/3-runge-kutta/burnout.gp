@@ -9,7 +9,7 @@ unset mxtics
 unset mytics
 set label 1 "a step across the burnout" at NARROW ? 1200 : 1000,NARROW ? 14 : 1.3 right tc rgb "#00000b"
 set label 2 NARROW ? "cut there" : "the step cut there" at NARROW ? 5 : 10,3e-11 left tc rgb "#000004"
-set label 3 "slope −1" at 5,0.09 left tc rgb "#000007"
+set label 3 "slope −1" at 5,NARROW ? 0.007 : 0.05 left tc rgb "#000007"
 plot 2/x with lines ls CONTEXT, \
      file("burnout") using 1:2 with points ls SECOND, \
      file("burnout") using 1:3 with points ls RK4, \

@@ -73,13 +73,12 @@ struct Bug {
 // [bugs]
 /// Five ways to get RK4 wrong in one place.
 inline const Bug fourth_looks_too_soon{
-    "fourth stage goes along the second slope",
+    "fourth stage along the second slope",
     {.position_from = {0, 0, 1, 1}, .velocity_from = {0, 0, 1, 1}}};
 inline const Bug third_is_second{"third stage repeats the second",
                                  {.position_from = {0, 0, 0, 2}, .velocity_from = {0, 0, 0, 2}}};
-inline const Bug stale_velocities{"stages move with the old velocity",
-                                  {.position_from = {0, 0, 0, 0}}};
-inline const Bug stopped_clock{"clock stands at the start of the step", {.clock = {0, 0, 0, 0}}};
+inline const Bug stale_velocities{"stages with the old velocity", {.position_from = {0, 0, 0, 0}}};
+inline const Bug stopped_clock{"clock stands still", {.clock = {0, 0, 0, 0}}};
 inline const Bug equal_weights{"all slopes count the same", {.weight = {0.25, 0.25, 0.25, 0.25}}};
 // [bugs]
 
