@@ -9,7 +9,7 @@
 #include "comet.h"
 #include "energy.h"
 #include "limits.h"
-#include "measure/card.h"
+#include "measure/cost.h"
 #include "measure/linear_methods.h"
 #include "measure/order.h"
 #include "measure/path.h"
@@ -158,18 +158,15 @@ void matrix(Record& record) {
   const auto plain = measure::after(rk4, suspension, suspension.start(), h, 60);
   record.number("matrix-apart", std::abs(x - plain.x), 1, "m");
 
-  auto& card = measure::card(record, "card", rk4);
-  const auto nanoseconds = [&](auto step) {
-    char words[40];
-    std::snprintf(words, sizeof words, "%.1f ns",
-                  1e9 * measure::seconds_per_step(step, suspension, h));
-    return std::string(words);
+  auto& speed =
+      record.table("speed", {{"measured"}, {"of a step"}, {"on " + measure::machine(), "ns", 2}});
+  const auto add = [&](const char* what, auto step) {
+    speed.add({"time", what, 1e9 * measure::seconds_per_step(step, suspension, h)});
   };
-  card.add({"the same on a damped spring", nanoseconds(rk4)});
-  card.add({"the same, folded into one matrix",
-            nanoseconds([folded](auto& place, auto& speed, auto, auto, const auto&) {
-              integrate::rk4_linear(place, speed, folded);
-            })});
+  add("RK4, four evaluations", rk4);
+  add("RK4, folded into one matrix", [folded](auto& place, auto& speed_of, auto, auto, auto&&) {
+    integrate::rk4_linear(place, speed_of, folded);
+  });
 }
 
 void bugs(Record& record) {
