@@ -1,0 +1,514 @@
+// SPDX-License-Identifier: MIT-0
+// The claims of chapter 3. Each name is a sentence that the chapter says.
+#include <Eigen/LU>
+#include <array>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <vector>
+
+#include "blend.h"
+#include "burnout.h"
+#include "comet.h"
+#include "energy.h"
+#include "limits.h"
+#include "measure/cost.h"
+#include "measure/energy.h"
+#include "measure/linear_methods.h"
+#include "measure/methods_with_memory.h"
+#include "measure/order.h"
+#include "measure/stability.h"
+#include "scenes/linear_drag.h"
+#include "scenes/pendulum.h"
+#include "scenes/projectile.h"
+#include "toys.h"
+#include "wrong.h"
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+using measure::euler;
+using measure::midpoint;
+using measure::rk4;
+using scenes::Spring;
+using scenes::State;
+using wrong::old_velocity;
+
+namespace {
+
+const auto drone_energy = [](const auto& x, const auto& v) { return drone.energy(x, v); };
+const scenes::Rocket<> engine_on{.burn_time = INFINITY};
+
+double distance_after_ten_turns(auto step, double step_size) {
+  return measure::after(step, drone, drone.start(), step_size, std::lround(80 / step_size))
+      .x.norm();
+}
+
+double error_in_one_turn(auto step, double rate) {
+  return measure::largest_error(step, drone, 1 / rate, std::lround(8 * rate)).position;
+}
+
+double energy_factor(auto step, double homega) {
+  return std::pow(measure::spectral_radius(step, Spring<>{}, homega), 2);
+}
+
+/// The size of an undamped spring's state after many steps.
+double size_after(auto step, long steps, double homega) {
+  const auto end = measure::after(step, Spring<>{}, State<double>{1, 1}, homega, steps);
+  return std::hypot(end.x, end.v);
+}
+
+double order_in_position(auto step, const auto& scene, double coarse, double duration) {
+  return measure::halvings(step, scene, coarse, duration, 4).back().position_order;
+}
+
+void check_order(auto step, const auto& scene, double coarse, double duration, double order) {
+  const auto study = measure::halvings(step, scene, coarse, duration, 5);
+  for (std::size_t i = study.size() - 2; i < study.size(); ++i) {
+    CHECK_THAT(study[i].position_order, WithinAbs(order, 0.1));
+    CHECK_THAT(study[i].velocity_order, WithinAbs(order, 0.1));
+  }
+}
+
+/// The four slopes of one long RK4 step of braking, x'' = -x', from the velocity 1, with their sign
+/// turned.
+std::vector<double> braking_slopes(double ch) {
+  std::vector<double> slopes;
+  double x = 0, v = 1;
+  integrate::rk4(x, v, 0.0, ch, [&](double, double velocity, double) {
+    slopes.push_back(velocity);
+    return -velocity;
+  });
+  return slopes;
+}
+
+}  // namespace
+
+TEST_CASE("A midpoint step that moves with the old velocity has order one") {
+  check_order(old_velocity, drone, 1.0 / 30, 8, 1);
+  CHECK_THAT(order_in_position(old_velocity, parachute, 1.0 / 64, 2), WithinAbs(1, 0.1));
+}
+
+TEST_CASE("Moving with the old velocity gains half as much energy in a step as Euler does") {
+  for (const double homega : {0.01, 0.1, 0.5, 1.0}) {
+    const double gain = energy_factor(old_velocity, homega) - 1;
+    CHECK_THAT(gain, WithinRel(homega * homega / 2, 1e-9));
+    CHECK_THAT(energy_factor(euler, homega) - 1, WithinRel(2 * gain, 1e-9));
+  }
+}
+
+TEST_CASE("Moving with the old velocity, 60 steps a second go where 120 of Euler go") {
+  const double wrong = distance_after_ten_turns(old_velocity, h);
+  CHECK_THAT(distance_after_ten_turns(euler, h / 2), WithinAbs(wrong, 0.001));
+  CHECK(wrong > 12);
+}
+
+TEST_CASE("The midpoint method keeps the drone within a millimetre of its circle for ten turns") {
+  auto s = drone.start();
+  measure::run(midpoint, drone, s, h, 10 * turn,
+               [](double, const auto& now) { CHECK_THAT(now.x.norm(), WithinAbs(10, 0.001)); });
+}
+
+TEST_CASE("The midpoint method has order two on a circle, an ellipse, a parachute and a rocket") {
+  check_order(midpoint, drone, 1.0 / 16, 8, 2);
+  check_order(midpoint, ellipse, 1.0 / 256, 4, 2);
+  check_order(midpoint, parachute, 1.0 / 64, 2, 2);
+  check_order(midpoint, engine_on, 1.0 / 8, 3.5, 2);
+}
+
+TEST_CASE(
+    "One turn in steps of 10 ms ends 2.5 per cent out with the old velocity, not with the new") {
+  const scenes::Circle<> demo{.omega = 2 * std::numbers::pi / 4};
+  const auto radius = [&](auto step) {
+    return measure::after(step, demo, demo.start(), 0.01, 400).x.norm();
+  };
+  CHECK_THAT(radius(old_velocity), WithinAbs(1.025, 5e-4));
+  CHECK_THAT(radius(midpoint), WithinAbs(1.000003, 5e-7));
+}
+
+TEST_CASE("For a push that depends on time alone, RK4's velocity is right up to the third power") {
+  for (int power = 0; power <= 4; ++power) {
+    double x = 0, v = 0;
+    integrate::rk4(x, v, 0.0, 2.0, [&](double, double, double t) { return std::pow(t, power); });
+    const double truth = std::pow(2.0, power + 1) / (power + 1);
+    if (power <= 3) {
+      CHECK_THAT(v, WithinRel(truth, 1e-14));
+    } else {
+      CHECK(std::abs(v / truth - 1) > 0.01);
+    }
+  }
+}
+
+TEST_CASE(
+    "In a braking step the second slope is too small, the third too large by nearly as much") {
+  for (const double ch : {1.0, 0.1, 0.01}) {
+    const auto slopes = braking_slopes(ch);
+    const double second = slopes[1] - std::exp(-ch / 2), third = slopes[2] - std::exp(-ch / 2);
+    CHECK(second < 0);
+    CHECK(third > 0);
+    CHECK(std::abs(second + third) / 2 < 0.18 * ch * -second);
+  }
+}
+
+TEST_CASE("Only the weights 1, 2, 2, 1 match braking up to the fourth power of the step") {
+  // Row p holds what the four slopes contribute to (ch)^p; on the right are the sums of e^z.
+  Eigen::Matrix4d powers;
+  powers << 1, 1, 1, 1, 0, 0.5, 0.5, 1, 0, 0, 0.25, 0.5, 0, 0, 0, 0.25;
+  for (const double z : {-0.5, 1.0}) {
+    const auto slopes = braking_slopes(-z);
+    const Eigen::RowVector4d steps = Eigen::RowVector4d(1, z, z * z, z * z * z) * powers;
+    for (int i = 0; i < 4; ++i) {
+      CHECK_THAT(slopes[std::size_t(i)], WithinRel(steps[i], 1e-14));
+    }
+  }
+  CHECK(std::abs(powers.determinant()) > 0.01);
+  const Eigen::Vector4d weights = powers.lu().solve(Eigen::Vector4d(1, 1. / 2, 1. / 6, 1. / 24));
+  CHECK((weights - Eigen::Vector4d(1, 2, 2, 1) / 6).norm() < 1e-14);
+}
+
+TEST_CASE("RK4 meets all eight conditions of order four") {
+  const wrong::Stages rk;
+  double sums[8] = {};
+  for (int i = 0; i < 4; ++i) {
+    const double b = rk.weight[i], c = rk.reach[i];
+    const int j = rk.velocity_from[i], k = rk.velocity_from[j];
+    const double through = i == 0 ? 0 : c, deep = j == 0 ? 0 : rk.reach[j];
+    const double terms[8] = {1,
+                             c,
+                             c * c,
+                             through * rk.reach[j],
+                             c * c * c,
+                             c * through * rk.reach[j],
+                             through * rk.reach[j] * rk.reach[j],
+                             through * deep * rk.reach[k]};
+    for (int n = 0; n < 8; ++n) sums[n] += b * terms[n];
+  }
+  const double wanted[8] = {1, 1. / 2, 1. / 3, 1. / 6, 1. / 4, 1. / 8, 1. / 12, 1. / 24};
+  for (int n = 0; n < 8; ++n) CHECK_THAT(sums[n], WithinAbs(wanted[n], 1e-14));
+  auto s = ellipse.start(), same = s;
+  for (int n = 0; n < 50; ++n) {
+    integrate::rk4(s.x, s.v, n * h, h, ellipse);
+    wrong::step_by(rk, same.x, same.v, n * h, h, ellipse);
+  }
+  CHECK((s.x - same.x).norm() < 1e-11);
+}
+
+TEST_CASE("RK4 has order four on a circle, an ellipse, a parachute and a rocket") {
+  check_order(rk4, drone, 1.0 / 2, 8, 4);
+  check_order(rk4, ellipse, 1.0 / 64, 4, 4);
+  check_order(rk4, parachute, 1.0 / 64, 2, 4);
+  check_order(rk4, engine_on, 1.0 / 2, 3.5, 4);
+}
+
+TEST_CASE("A step asks for the acceleration twice with midpoint and four times with RK4") {
+  CHECK(measure::evaluations_per_step(midpoint, drone, h) == 2);
+  CHECK(measure::evaluations_per_step(rk4, drone, h) == 4);
+}
+
+TEST_CASE("In steps of a second RK4 keeps the drone within 13 cm of its circle for a turn") {
+  auto s = drone.start();
+  measure::run(rk4, drone, s, 1.0, 8,
+               [](double, const auto& now) { CHECK_THAT(now.x.norm(), WithinAbs(10, 0.13)); });
+  CHECK(s.x.norm() < 9.9);
+}
+
+TEST_CASE("On 240 evaluations a second midpoint is 200 times nearer than Euler, RK4 20 000 again") {
+  const double one = error_in_one_turn(euler, 240);
+  const double two = error_in_one_turn(midpoint, 120);
+  const double four = error_in_one_turn(rk4, 60);
+  CHECK(one / two > 200);
+  CHECK(one / two < 300);
+  CHECK(two / four > 20'000);
+  CHECK(two / four < 40'000);
+}
+
+TEST_CASE("Across the end of a burn RK4 has order one") {
+  // The error depends on where in its step the engine stops; the worst of many rates does not.
+  const auto worst = [](double rate) {
+    double largest = 0;
+    for (double r = rate; r < 2 * rate; ++r) largest = std::max(largest, burnout_errors(r)[0]);
+    return largest;
+  };
+  for (const double rate : {80.0, 160.0, 320.0}) {
+    CHECK_THAT(std::log2(worst(rate) / worst(2 * rate)), WithinAbs(1, 0.2));
+  }
+}
+
+TEST_CASE("A step cut where the engine stops gives RK4 its fourth order back") {
+  for (const double rate : {8.0, 16.0, 32.0}) {
+    CHECK_THAT(std::log2(burnout_errors(rate)[1] / burnout_errors(2 * rate)[1]), WithinAbs(4, 0.1));
+  }
+}
+
+TEST_CASE("Every step of an undamped spring multiplies the energy by what the formulas say") {
+  for (const double z : {0.1, 0.5, 1.0, 2.0, 2.8, 3.0}) {
+    const Spring<> spring{.omega = 5, .x0 = 0.3, .v0 = 2};
+    const auto energy = [&](double x, double v) { return spring.energy(x, v); };
+    const auto factor = [&](auto step) {
+      return 1 + measure::drift(step, spring, z / 5, 1, energy).last;
+    };
+    CHECK_THAT(factor(midpoint), WithinRel(1 + std::pow(z, 4) / 4, 1e-12));
+    CHECK_THAT(factor(rk4), WithinRel(1 - std::pow(z, 6) / 72 + std::pow(z, 8) / 576, 1e-12));
+  }
+}
+
+TEST_CASE("In a day RK4 takes less than a millionth of the drone's energy") {
+  const double lost = -measure::drift(rk4, drone, h, 24L * 3600 * 60, drone_energy).last;
+  CHECK_THAT(lost, WithinRel(24 * 3600 * 60 * std::pow(h * drone.omega, 6) / 72, 0.01));
+  CHECK(lost < 1e-6);
+}
+
+TEST_CASE("In one minute at 60 Hz RK4 takes a quarter of the energy at four swings a second") {
+  CHECK_THAT(left_after(3600, h * swinging(4).omega), WithinAbs(0.77, 0.005));
+  CHECK(left_after(3600, h * swinging(8).omega) < 1e-4);
+}
+
+TEST_CASE("The line of one per cent a minute at 60 Hz lies at 26 steps a swing") {
+  CHECK(left_after(3600, 2 * std::numbers::pi / 26.5) > 0.99);
+  CHECK(left_after(3600, 2 * std::numbers::pi / 25.5) < 0.99);
+}
+
+TEST_CASE("Twice the steps per swing make RK4's loss in a swing 32 times smaller") {
+  const auto lost = [](long steps) {
+    return 1 - left_after(steps, 2 * std::numbers::pi / double(steps));
+  };
+  CHECK_THAT(lost(20) / lost(40), WithinRel(32, 0.02));
+  CHECK_THAT(lost(40) / lost(80), WithinRel(32, 0.02));
+}
+
+TEST_CASE("RK4 takes energy from a pendulum and from an ellipse, too") {
+  const scenes::Pendulum<> pendulum{.angle = 2};
+  const auto swing = [&](double x, double v) { return pendulum.energy(x, v); };
+  const auto orbit = [](const auto& x, const auto& v) { return ellipse.energy(x, v); };
+  for (const long rate : {20, 60}) {
+    const double of_pendulum =
+        measure::drift(rk4, pendulum, 1.0 / double(rate), 60 * rate, swing).last;
+    CHECK(of_pendulum < 0);
+    CHECK(of_pendulum > -0.01);
+    const double of_ellipse =
+        measure::drift(rk4, ellipse, 1.0 / double(rate), 60 * rate, orbit).last;
+    CHECK(of_ellipse < 0);
+    CHECK(of_ellipse > -0.01);
+  }
+}
+
+TEST_CASE("With 30 steps a turn RK4 throws the drone off its ellipse for good") {
+  const auto energy_after_30_turns = [](long steps) {
+    const auto end = measure::after(rk4, ellipse, ellipse.start(), 8.0 / double(steps), 30 * steps);
+    return ellipse.energy(end.x, end.v);
+  };
+  CHECK(energy_after_30_turns(60) < 0);
+  CHECK(energy_after_30_turns(30) > 0);
+}
+
+TEST_CASE(
+    "At 20 steps a second RK4 follows a suspension closer than midpoint at 40 or Euler at 80") {
+  const auto error = [](auto step, int rate) {
+    return measure::largest_error(step, suspension, 1.0 / rate, rate).position;
+  };
+  CHECK(error(rk4, 20) < 0.0031);
+  CHECK(error(midpoint, 40) > 4 * error(rk4, 20));
+  CHECK(error(euler, 80) > 40 * error(rk4, 20));
+}
+
+TEST_CASE(
+    "At 20 steps a second Euler has lost the suspension, and midpoint keeps a seventh of its "
+    "damping") {
+  CHECK(measure::spectral_radius(euler, suspension, 1.0 / 20) > 1.2);
+  const double damping = suspension.zeta * suspension.omega / 20;
+  const double kept = -std::log(measure::spectral_radius(midpoint, suspension, 1.0 / 20)) / damping;
+  CHECK_THAT(kept, WithinAbs(1.0 / 7, 0.015));
+}
+
+TEST_CASE(
+    "At 20 steps a second straight lines between them are three times further off than they") {
+  const double off = measure::largest_error(rk4, suspension, 1.0 / 20, 20).position;
+  CHECK_THAT(blend_errors(20).line / off, WithinAbs(3.2, 0.2));
+}
+
+TEST_CASE("A cubic between two steps is off by hardly more than the steps") {
+  const double off = measure::largest_error(rk4, suspension, 1.0 / 20, 20).position;
+  CHECK_THAT(blend_errors(20).curve / off, WithinAbs(1.1, 0.1));
+}
+
+TEST_CASE("RK4 holds an undamped spring while h omega is less than the root of eight") {
+  CHECK(size_after(rk4, 20'000, 0.99 * std::sqrt(8)) < 1e-10);
+}
+
+TEST_CASE("RK4 loses an undamped spring when h omega is more than the root of eight") {
+  CHECK(size_after(rk4, 200, 1.01 * std::sqrt(8)) > 1e5);
+}
+
+TEST_CASE("A step of h omega = root of six leaves a quarter of the energy") {
+  CHECK_THAT(energy_factor(rk4, std::sqrt(6)), WithinRel(0.25, 1e-12));
+  CHECK(energy_factor(rk4, std::sqrt(6) - 0.05) > 0.2505);
+  CHECK(energy_factor(rk4, std::sqrt(6) + 0.05) > 0.2505);
+}
+
+TEST_CASE("RK4 brakes while c h is less than 2.785 and speeds up beyond") {
+  const scenes::LinearDrag<> braking{.c = 1, .g = 0, .v0 = 1};
+  CHECK(std::abs(measure::after(rk4, braking, braking.start(), 2.78, 2000).v) < 1e-5);
+  CHECK(std::abs(measure::after(rk4, braking, braking.start(), 2.79, 2000).v) > 1e5);
+}
+
+TEST_CASE("Per evaluation symplectic Euler may take a step nearly three times as long as RK4's") {
+  const double one = measure::stability_limit(measure::symplectic_euler, Spring<>{}, 0.1, 10);
+  const double four = measure::stability_limit(rk4, Spring<>{}, 0.1, 10) / 4;
+  CHECK_THAT(one / four, WithinAbs(2.83, 0.01));
+}
+
+TEST_CASE("The midpoint method gains energy from every undamped spring") {
+  for (const double homega : {0.01, 0.1, 1.0}) CHECK(energy_factor(midpoint, homega) > 1);
+  CHECK(size_after(midpoint, 20'000, 0.2) > 10);
+}
+
+TEST_CASE("A stiff door takes nearly three times as many evaluations with RK4 as with Euler") {
+  const double one = 1 / measure::stability_limit(euler, door, 1e-3, 0.1);
+  const double four = 4 / measure::stability_limit(rk4, door, 1e-3, 0.1);
+  CHECK_THAT(four / one, WithinAbs(2.87, 0.01));
+}
+
+TEST_CASE("The limits found by running are those of the polynomials") {
+  for (const double zeta : {0.1, 0.5, 1.0, 2.0}) {
+    const Spring<> spring{.zeta = zeta};
+    CHECK_THAT(measure::stability_limit(rk4, spring, 1e-6, 10),
+               WithinRel(limit_by_polynomial({1, 1, 0.5, 1. / 6, 1. / 24}, zeta), 1e-6));
+    CHECK_THAT(measure::stability_limit(midpoint, spring, 1e-6, 10),
+               WithinRel(limit_by_polynomial({1, 1, 0.5}, zeta), 1e-6));
+  }
+}
+
+TEST_CASE("Under a constant force midpoint and RK4 are exact, whatever the step") {
+  const scenes::Projectile<> jump{.start_velocity = {3, 5}};
+  for (const double step : {h, 0.1, 1.0}) {
+    const auto truth = jump.exact(100 * step);
+    for (const auto& end : {measure::after(midpoint, jump, jump.start(), step, 100),
+                            measure::after(rk4, jump, jump.start(), step, 100)}) {
+      CHECK((end.x - truth.x).norm() < 1e-12 * truth.x.norm());
+      CHECK((end.v - truth.v).norm() < 1e-12 * truth.v.norm());
+    }
+  }
+}
+
+TEST_CASE("RK4's terminal speed in linear drag is right to rounding") {
+  const scenes::LinearDrag<> leaf{.c = 2};
+  for (const double step : {h, 0.1, 0.5, 1.3}) {
+    CHECK_THAT(-measure::after(rk4, leaf, leaf.start(), step, 2000).v,
+               WithinRel(leaf.terminal_speed(), 1e-12));
+  }
+}
+
+TEST_CASE("One matrix takes the steps of RK4 to rounding and never asks for the acceleration") {
+  for (const double step : {h, 0.05}) {
+    const auto folded =
+        measure::after(measure::rk4_linear, suspension, suspension.start(), step, 60);
+    const auto plain = measure::after(rk4, suspension, suspension.start(), step, 60);
+    CHECK_THAT(folded.x, WithinAbs(plain.x, 1e-15));
+    CHECK_THAT(folded.v, WithinAbs(plain.v, 1e-13));
+  }
+  CHECK(measure::evaluations_per_step(measure::rk4_linear, suspension, h) == 0);
+}
+
+TEST_CASE("The exact step of a spring folds into four numbers as well") {
+  double xx = 1, vx = 0, xv = 0, vv = 1;
+  integrate::spring_exact(xx, vx, 0.05, suspension.omega, suspension.zeta);
+  integrate::spring_exact(xv, vv, 0.05, suspension.omega, suspension.zeta);
+  const integrate::Rk4Linear<double> exact{xx, xv, vx, vv};
+  double x = suspension.x0, v = suspension.v0;
+  for (int n = 0; n < 20; ++n) integrate::rk4_linear(x, v, exact);
+  CHECK_THAT(x, WithinAbs(suspension.exact(1).x, 1e-14));
+  CHECK_THAT(v, WithinAbs(suspension.exact(1).v, 1e-13));
+}
+
+TEST_CASE("With its fourth stage along the second slope RK4 has order three and hides it") {
+  const auto bug = wrong::method_of(wrong::fourth_looks_too_soon.stages);
+  check_order(bug, drone, 1.0 / 2, 8, 3);
+  check_order(bug, ellipse, 1.0 / 64, 4, 3);
+  CHECK(error_in_one_turn(bug, 60) < 1e-5);
+}
+
+TEST_CASE("With its third stage a repeat of the second RK4 has order two") {
+  const auto bug = wrong::method_of(wrong::third_is_second.stages);
+  check_order(bug, drone, 1.0 / 8, 8, 2);
+  CHECK(error_in_one_turn(bug, 60) < 1e-3);
+}
+
+TEST_CASE("Of the three scenes only the drone finds stages that move with the old velocity") {
+  const auto bug = wrong::method_of(wrong::stale_velocities.stages);
+  CHECK_THAT(order_in_position(bug, drone, 1.0 / 8, 8), WithinAbs(2, 0.1));
+  CHECK_THAT(order_in_position(bug, parachute, 1.0 / 32, 2), WithinAbs(4, 0.1));
+  CHECK_THAT(order_in_position(bug, engine_on, 0.25, 4), WithinAbs(4, 0.1));
+}
+
+TEST_CASE("Of the three scenes only the rocket finds a clock that stands still") {
+  const auto bug = wrong::method_of(wrong::stopped_clock.stages);
+  CHECK_THAT(order_in_position(bug, drone, 0.25, 8), WithinAbs(4, 0.1));
+  CHECK_THAT(order_in_position(bug, parachute, 1.0 / 32, 2), WithinAbs(4, 0.1));
+  CHECK_THAT(order_in_position(bug, engine_on, 0.25, 4), WithinAbs(1, 0.1));
+}
+
+TEST_CASE("One step of RK4 against its formula tells every bug of the table") {
+  const auto all_of_it = [](double x, double v, double t) { return t * t - x * x * x - v / 2; };
+  const auto end = [&](const wrong::Stages& stages) {
+    return measure::after(wrong::method_of(stages), all_of_it, State<double>{1, 2}, 0.5, 1);
+  };
+  double x = 1, v = 2;
+  integrate::rk4(x, v, 0.0, 0.5, all_of_it);
+  CHECK_THAT(end({}).x, WithinRel(x, 1e-14));
+  CHECK_THAT(end({}).v, WithinRel(v, 1e-14));
+  for (const auto& bug : {wrong::fourth_looks_too_soon, wrong::third_is_second,
+                          wrong::stale_velocities, wrong::equal_weights, wrong::stopped_clock}) {
+    CHECK(std::abs(end(bug.stages).v - v) > 1e-3);
+  }
+}
+
+TEST_CASE("Dormand-Prince has order five for six evaluations") {
+  check_order(measure::dopri5, drone, 1.0, 8, 5);
+  CHECK(measure::evaluations_per_step(measure::dopri5, drone, h) == 6);
+}
+
+TEST_CASE("The comet takes RK4 more than a hundred times the evaluations of an adaptive step") {
+  const Passage smooth = pass(1);
+  const long rate = 25 * smooth.total() / long(year);  // a hundred times as many evaluations
+  CHECK(error_of_equal_steps(rate) > smooth.error);
+  CHECK(error_of_equal_steps(2 * rate) < smooth.error);
+}
+
+TEST_CASE("Sixty equal steps a second throw the comet out") {
+  const auto end = measure::after(rk4, comet, comet.exact(-year / 2), h, 1200);
+  CHECK(comet.energy(end.x, end.v) > 0);
+  CHECK(comet.energy(comet.start().x, comet.start().v) < 0);
+}
+
+TEST_CASE("In its dearest frame the comet costs twelve times what it costs in most") {
+  const Passage framed = pass(1200);
+  CHECK(framed.dearest() > 12 * framed.cheapest());
+  CHECK(framed.dearest() < 13 * framed.cheapest());
+}
+
+TEST_CASE("Cut up by frames the adaptive step asks more than seven times as often") {
+  CHECK(pass(1200).total() > 7 * pass(1).total());
+  CHECK(pass(1200).total() < 8 * pass(1).total());
+}
+
+TEST_CASE("With an adaptive step, players with other frames get another comet") {
+  const auto sixty = pass(1200).end, fast = pass(2880).end, again = pass(1200).end;
+  CHECK(sixty.x == again.x);
+  CHECK(sixty.x != fast.x);
+}
+
+TEST_CASE("Midpoint and Heun do the same to a spring") {
+  for (const double homega : {0.1, 1.0, 2.0}) {
+    const Spring<> spring{.omega = 1, .zeta = 0.2};
+    const auto one = measure::step_matrix(midpoint, spring, homega);
+    const auto other = measure::step_matrix(measure::heun, spring, homega);
+    CHECK((one - other).norm() < 1e-14);
+  }
+}
+
+TEST_CASE("At five swings a second, one per cent a minute takes RK4 152 steps a second") {
+  const auto left = [](long rate) {
+    return left_after(60 * rate, swinging(5).omega / double(rate));
+  };
+  CHECK(left(152) > 0.99);
+  CHECK(left(150) < 0.99);
+}

@@ -1,0 +1,20 @@
+eval axis_names("evaluations per second", "largest error in one turn  [m]")
+set logscale xy
+set xrange [3.2:6500]
+set yrange [3e-13:300]
+set xtics (4, 16, 64, 256, 1024, 4096)
+set ytics ("1 pm" 1e-12, "1 nm" 1e-9, "1 µm" 1e-6, "1 mm" 1e-3, "1 m" 1)
+set lmargin NARROW ? 7.5 : 8
+unset mxtics
+unset mytics
+set label 1 "Euler" at 1100,NARROW ? 0.2 : 0.09 left tc rgb "#000001"
+set label 2 "midpoint" at 1100,NARROW ? 3e-4 : 8e-5 left tc rgb "#000006"
+set label 3 "RK4" at NARROW ? 100 : 130,1e-8 right tc rgb "#000004"
+set label 4 "1 cm" at 700,0.0032 center tc rgb "#000008"
+plot 0.01 with lines ls LIMIT, \
+     file("work") using 1:2 with linespoints ls EULER, \
+     file("work") using 1:3 with linespoints ls MIDPOINT, \
+     file("work") using 1:4 with linespoints ls RK4, \
+     file("work") using 1:2:(sprintf("Euler, %.0f evaluations a second: %.2g m", $1, $2)) with labels hypertext point ls EULER, \
+     file("work") using 1:3:(sprintf("midpoint, %.0f evaluations a second: %.2g m", $1, $3)) with labels hypertext point ls MIDPOINT, \
+     file("work") using 1:4:(sprintf("RK4, %.0f evaluations a second: %.2g m", $1, $4)) with labels hypertext point ls RK4

@@ -1,0 +1,20 @@
+eval axis_names("", "energy after one step, relative to before")
+set xlabel "{/:Italic h}ω" offset 0,0.3
+set xrange [0:3.05]
+set yrange [0:2.05]
+set xtics 0.5
+set ytics 0,0.5
+set label 1 "Euler" at 0.78,1.78 right tc rgb "#000001"
+set label 2 "midpoint" at 1.46,1.95 left tc rgb "#000006"
+set label 3 "RK4" at 1.86,0.5 right tc rgb "#000004"
+set label 4 "√8" at NARROW ? 2.72 : 2.77,1.12 right tc rgb "#000007"
+plot 1 with lines ls EXACT, \
+     1 + x**2 with lines ls EULER lw 1.2, \
+     1 + x**4/4 with lines ls MIDPOINT lw 1.2, \
+     1 - x**6/72 + x**8/576 with lines ls RK4 lw 1.2, \
+     file("factors") using 1:2 with points ls EULER, \
+     file("factors") using 1:3 with points ls MIDPOINT, \
+     file("factors") using 1:4 with points ls RK4, \
+     file("factors") using 1:($2 < 2.05 ? $2 : NaN):(sprintf("Euler, hω = %.2f: %.4f", $1, $2)) with labels hypertext point ls EULER, \
+     file("factors") using 1:($3 < 2.05 ? $3 : NaN):(sprintf("midpoint, hω = %.2f: %.5f", $1, $3)) with labels hypertext point ls MIDPOINT, \
+     file("factors") using 1:($4 < 2.05 ? $4 : NaN):(sprintf("RK4, hω = %.2f: %.8f", $1, $4)) with labels hypertext point ls RK4

@@ -1,0 +1,25 @@
+eval NARROW ? canvas(400, 390) : canvas(620, 540)
+eval axis_names("x  [m]", "y  [m]")
+set size ratio -1
+set xrange [3:13]
+set yrange [-0.6:9]
+set xtics 2
+set ytics 2
+set parametric
+set trange [-0.2:1.4]
+unset grid
+set label 1 "start" at 9.7,-0.2 right tc rgb "#000007"
+set label 2 "half a step" at 10.3,3.65 left tc rgb "#000001"
+set label 3 NARROW ? "Euler" : "Euler ends here" at 10.3,7.7 left tc rgb "#000001"
+set label 4 NARROW ? "midpoint" : "midpoint ends here" at 6.9,8.4 left tc rgb "#000006"
+set label 5 "should be here" at 6.6,6.7 right tc rgb "#000007"
+if (NARROW) set label 5 "truth" at 6.6,6.9 right
+set label 6 NARROW ? "velocity" : "the velocity there" at 10.3,4.35 left tc rgb "#000006"
+set arrow 1 from 10,0 to 10,7.854 ls EULER lw 1.6 filled size 0.25,20
+set arrow 2 from 10,3.927 to 10 - 6.1685/2*0.3,3.927 + 7.854*0.3 ls MIDPOINT lw 1.6 filled size 0.25,20
+set arrow 3 from 10,0 to 6.9157,7.854 ls MIDPOINT lw 2.2 filled size 0.25,20
+plot 10*cos(t), 10*sin(t) with lines ls EXACT, \
+     file("middle") every ::1::1 using 1:2 with points ls EULER ps 0.9, \
+     "+" every 1000 using (10):(0) with points ls CONTEXT pt 7 ps 0.9, \
+     "+" every 1000 using (7.0711):(7.0711) with points ls EXACT pt 7 ps 0.8, \
+     file("middle") every ::1::3 using 1:2:(sprintf("%.2f m from the tower", sqrt($1**2 + $2**2))) with labels hypertext point ls CONTEXT ps 0.5

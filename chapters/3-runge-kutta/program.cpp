@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT-0
+// Chapter 3: Runge-Kutta, one question after the other.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "blend.h"
+#include "burnout.h"
+#include "comet.h"
+#include "energy.h"
+#include "limits.h"
+#include "measure/cost.h"
+#include "measure/linear_methods.h"
+#include "measure/order.h"
+#include "measure/path.h"
+#include "toys.h"
+#include "wrong.h"
+
+using measure::euler;
+using measure::midpoint;
+using measure::Record;
+using measure::rk4;
+using measure::whole;
+
+namespace {
+
+void first_try(Record& record) {
+  auto& table = record.table("distance", {{"t", "s"},
+                                          {"Euler", "m"},
+                                          {"old velocity", "m"},
+                                          {"Euler at 120 Hz", "m"},
+                                          {"midpoint", "m", 8}});
+  const auto distance = [](auto step, double step_size, double t) {
+    return measure::after(step, drone, drone.start(), step_size, std::lround(t / step_size))
+        .x.norm();
+  };
+  for (int t = 0; t <= 80; ++t) {
+    table.add({double(t), distance(euler, h, t), distance(wrong::old_velocity, h, t),
+               distance(euler, h / 2, t), distance(midpoint, h, t)});
+  }
+  const auto& end = table.rows.back();
+  record.number("euler-10", end[1].value, 4, "m");
+  record.number("old-10", end[2].value, 4, "m");
+  record.number("euler-120-10", end[3].value, 4, "m");
+  record.number("midpoint-10", 1000 * (end[4].value - 10), 2, "mm");
+
+  const scenes::Circle<> demo{.omega = 2 * std::numbers::pi / 4};
+  const auto turn_of_demo = [&](auto step) {
+    return measure::after(step, demo, demo.start(), 0.01, 400).x.norm();
+  };
+  record.number("demo-euler", turn_of_demo(euler), 4);
+  record.number("demo-old", turn_of_demo(wrong::old_velocity), 4);
+  record.number("demo-midpoint", turn_of_demo(midpoint), 7);
+}
+
+void one_step(Record& record) {
+  auto& table = record.table("middle", {{"x", "m"}, {"y", "m"}, {"u", "m/s"}, {"v", "m/s"}});
+  const auto add = [&](const auto& s) { table.add({s.x.x(), s.x.y(), s.v.x(), s.v.y()}); };
+  const auto start = drone.start();
+  add(start);
+  add(measure::after(euler, drone, start, 0.5, 1));
+  add(measure::after(midpoint, drone, start, 1.0, 1));
+  add(measure::after(euler, drone, start, 1.0, 1));
+
+  auto& slopes = record.table("slopes", {{"t", "s"}, {"braking", "m/s²"}});
+  double x = 0, v = 1;
+  integrate::rk4(x, v, 0.0, 1.0, [&](double, double velocity, double t) {
+    slopes.add({t, velocity});
+    return -velocity;
+  });
+
+  const auto around = [&](const char* name, auto step, double h, long steps) {
+    auto& path = record.table(name, {{"t", "s"}, {"x", "m"}, {"y", "m"}});
+    auto s = drone.start();
+    measure::run(step, drone, s, h, steps,
+                 [&](double t, const auto& now) { path.add({t, now.x.x(), now.x.y()}); });
+    return s.x.norm();
+  };
+  record.number("eight-midpoint", around("eight-midpoint", midpoint, 1, 8), 3, "m");
+  record.number("eight-rk4", around("eight-rk4", rk4, 1, 8), 3, "m");
+}
+
+/// Fewest equal steps in which a method takes the drone round once, never a centimetre off.
+template <class Step>
+long steps_for_a_centimetre(Step step) {
+  const auto good = [&](long steps) {
+    return measure::largest_error(step, drone, 8.0 / double(steps), steps).position <= 0.01;
+  };
+  long least = 1, enough = 1;
+  while (!good(enough)) least = enough, enough *= 2;
+  while (enough - least > 1) {
+    const long middle = (least + enough) / 2;
+    (good(middle) ? enough : least) = middle;
+  }
+  return enough;
+}
+
+void work(Record& record) {
+  auto& orders = record.table(
+      "order",
+      {{"steps per second", "", whole}, {"midpoint", "m"}, {"order"}, {"RK4", "m"}, {"its order"}});
+  const auto two = measure::halvings(midpoint, drone, 1.0, 8.0, 8);
+  const auto four = measure::halvings(rk4, drone, 1.0, 8.0, 8);
+  for (std::size_t i = 0; i < two.size(); ++i) {
+    orders.add({1 / two[i].h, two[i].error.position, two[i].position_order, four[i].error.position,
+                four[i].position_order});
+  }
+
+  auto& table = record.table(
+      "work", {{"evaluations", "1/s", whole}, {"Euler", "m"}, {"midpoint", "m"}, {"RK4", "m"}});
+  // [work]
+  const auto error = [](auto step, double rate) {
+    const long steps = std::lround(8 * rate);
+    return measure::largest_error(step, drone, 1 / rate, steps).position;
+  };
+  for (double questions = 4; questions <= 4096; questions *= 2) {
+    table.add({questions, error(euler, questions), error(midpoint, questions / 2),
+               error(rk4, questions / 4)});
+  }
+  // [work]
+  record.number("at-240-euler", 100 * error(euler, 240), 2, "cm");
+  record.number("at-240-midpoint", 1000 * error(midpoint, 120), 2, "mm");
+  record.number("at-240-rk4", 1e9 * error(rk4, 60), 2, "nm");
+  record.number("centimetre-euler", double(steps_for_a_centimetre(euler)), whole);
+  record.number("centimetre-midpoint", double(2 * steps_for_a_centimetre(midpoint)), whole);
+  record.number("centimetre-rk4", double(4 * steps_for_a_centimetre(rk4)), whole);
+}
+
+void large_steps(Record& record) {
+  auto& table = record.table("suspension", {{"steps per second", "", whole},
+                                            {"Euler", "cm", 2},
+                                            {"midpoint", "cm", 2},
+                                            {"RK4", "cm", 2}});
+  const auto error = [](auto step, int rate) {
+    return 100 * measure::largest_error(step, suspension, 1.0 / rate, rate).position;
+  };
+  for (const int rate : {60, 30, 20}) {
+    table.add({double(rate), error(euler, rate), error(midpoint, rate), error(rk4, rate)});
+  }
+  record.number("at-80-euler", error(euler, 80), 2, "cm");
+  record.number("at-80-midpoint", error(midpoint, 40), 2, "cm");
+  record.number("at-80-rk4", error(rk4, 20), 2, "cm");
+  measure::path(record, "suspension-midpoint", midpoint, suspension, 1.0 / 20, 1);
+  measure::path(record, "suspension-rk4", rk4, suspension, 1.0 / 20, 1);
+  measure::exact_path(record, "suspension-exact", suspension, 1);
+}
+
+void matrix(Record& record) {
+  // [matrix]
+  const double k = suspension.omega * suspension.omega, c = suspension.damping();
+  const auto folded = integrate::rk4_linear_start(k, c, h);
+  double x = suspension.x0, v = suspension.v0;
+  for (int n = 0; n < 60; ++n) integrate::rk4_linear(x, v, folded);
+  // [matrix]
+  const auto plain = measure::after(rk4, suspension, suspension.start(), h, 60);
+  record.number("matrix-apart", std::abs(x - plain.x), 1, "m");
+
+  auto& speed =
+      record.table("speed", {{"measured"}, {"of a step"}, {"on " + measure::machine(), "ns", 2}});
+  const auto add = [&](const char* what, auto step) {
+    speed.add({"time", what, 1e9 * measure::seconds_per_step(step, suspension, h)});
+  };
+  add("RK4, four evaluations", rk4);
+  add("RK4, folded into one matrix", [folded](auto& place, auto& speed_of, auto, auto, auto&&) {
+    integrate::rk4_linear(place, speed_of, folded);
+  });
+}
+
+void bugs(Record& record) {
+  auto& table = record.table("bugs", {{"fault", "", measure::whole},
+                                      {"off in a turn", "µm", 2},
+                                      {"order on the drone", "", 2},
+                                      {"on a parachute", "", 2},
+                                      {"on a rocket", "", 2}});
+  const auto order = [](const auto& method, const auto& scene, double coarse, double duration) {
+    return measure::halvings(method, scene, coarse, duration, 4).back().position_order;
+  };
+  const scenes::Rocket<> engine_on{.burn_time = INFINITY};
+  for (const wrong::Bug& bug :
+       {wrong::Bug{"none", {}}, wrong::fourth_looks_too_soon, wrong::third_is_second,
+        wrong::stale_velocities, wrong::equal_weights, wrong::stopped_clock}) {
+    const auto method = wrong::method_of(bug.stages);
+    table.add({bug.what, 1e6 * measure::largest_error(method, drone, h, turn).position,
+               order(method, drone, 0.25, 8), order(method, parachute, 1.0 / 32, 2),
+               order(method, engine_on, 0.25, 4)});
+  }
+  record.number("bug-off", table.rows[1][1].value, 2, "µm");
+  auto& orders =
+      record.table("stages", {{"steps per second", "", whole}, {"RK4", "m"}, {"bug", "m"}});
+  const auto right = measure::halvings(rk4, drone, 1.0, 8.0, 8);
+  const auto wrong =
+      measure::halvings(wrong::method_of(wrong::fourth_looks_too_soon.stages), drone, 1.0, 8.0, 8);
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    orders.add({1 / right[i].h, right[i].error.position, wrong[i].error.position});
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return measure::record(argc, argv, [](Record& record) {
+    first_try(record);
+    one_step(record);
+    work(record);
+    burnout(record);
+    energy(record);
+    large_steps(record);
+    blends(record);
+    limits(record);
+    matrix(record);
+    bugs(record);
+    comet_passes(record);
+  });
+}

@@ -1,0 +1,17 @@
+eval axis_names("steps per second", "largest error in one turn  [m]")
+set logscale xy
+set xrange [0.85:160]
+set yrange [2e-10:8]
+set xtics (1, 4, 16, 64)
+set ytics ("1 nm" 1e-9, "1 µm" 1e-6, "1 mm" 1e-3, "1 m" 1)
+set lmargin NARROW ? 7.5 : 8
+unset mxtics
+unset mytics
+set label 1 "RK4" at 7,1e-5 right tc rgb "#000004"
+set label 2 "with the bug" at 14,1.5e-3 left tc rgb "#00000c"
+set label 3 "1 cm" at 150,0.022 right tc rgb "#000008"
+plot 0.01 with lines ls LIMIT, \
+     file("stages") using 1:3 with linespoints ls THIRD, \
+     file("stages") using 1:2 with linespoints ls RK4, \
+     file("stages") using 1:3:(sprintf("with the bug, %.0f steps a second: %.2g m", $1, $3)) with labels hypertext point ls THIRD, \
+     file("stages") using 1:2:(sprintf("RK4, %.0f steps a second: %.2g m", $1, $2)) with labels hypertext point ls RK4
