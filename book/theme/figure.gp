@@ -30,6 +30,10 @@ GRID = 14
 
 set style line EULER            lc rgb "#000001" lw 2.2 pt 7 ps 0.6
 set style line SYMPLECTIC_EULER lc rgb "#000002" lw 2.2 pt 5 ps 0.55
+set style line VELOCITY_VERLET  lc rgb "#000003" lw 2.2 pt 9 ps 0.7
+set style line RK4              lc rgb "#000004" lw 2.2 pt 13 ps 0.75
+set style line BACKWARD_EULER   lc rgb "#000005" lw 2.2 pt 15 ps 0.6
+set style line MIDPOINT         lc rgb "#000006" lw 2.2 pt 11 ps 0.7
 set style line EXACT            lc rgb "#000007" lw 1.4 dt (7,5) pt 6 ps 0.6
 set style line LIMIT            lc rgb "#000008" lw 1.6 dt (3,4) pt 7 ps 0.6
 set style line CONTEXT          lc rgb "#000009" lw 1.1 pt 7 ps 0.4
