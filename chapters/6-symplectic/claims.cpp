@@ -41,16 +41,6 @@ double grown(Step step, const Scene& scene, double h, long steps, int parts = 50
   return area(carried(step, scene, start, h, steps)) / area(start);
 }
 
-/// The farthest that a spring swings.
-double swing(const Spring<>& spring, double h, long steps) {
-  double far = 0;
-  auto s = spring.start();
-  measure::run(symplectic_euler, spring, s, h, steps, [&](double, const auto& now) {
-    if (!(std::abs(now.x) <= far)) far = std::abs(now.x);
-  });
-  return far;
-}
-
 /// The speeds with which a ball hits the floor.
 template <class Step>
 std::vector<double> impacts(Step step, double h, std::size_t count) {
@@ -371,7 +361,7 @@ TEST_CASE("Of the six ways of drag only two end at the right speed") {
     const std::array<double, 6> ends{
         1 - ch, 1, 1, 1 + ch, ch / std::expm1(ch), -ch / std::expm1(-ch)};
     std::size_t i = 0;
-    for_each_way([&](auto name, auto, auto, auto step) {
+    for_each_way([&](auto name, auto, auto step) {
       CAPTURE(name, rate);
       CHECK_THAT(end_speed(step, 1 / rate), WithinRel(right * ends[i++], 1e-9));
     });
@@ -416,6 +406,17 @@ TEST_CASE("Yoshida has order four on an undamped spring and order two on a dampe
   CHECK_THAT(order_on_a_spring(measure::yoshida4, 0.1), WithinAbs(2, 0.1));
   CHECK_THAT(order_on_a_spring(measure::velocity_verlet, 0.1), WithinAbs(2, 0.1));
   CHECK_THAT(order_on_a_spring(measure::rk4, 0.1), WithinAbs(4, 0.1));
+}
+
+TEST_CASE("Over one second of a spring RK4 is ahead of Yoshida at the same price") {
+  for (const int price : {240, 960, 3840}) {
+    const double rk4 =
+        measure::largest_error(measure::rk4, suspension, 4.0 / price, price / 4).position;
+    const double yoshida =
+        measure::largest_error(measure::yoshida4, suspension, 3.0 / price, price / 3).position;
+    CHECK(rk4 < 0.5 * yoshida);
+    CHECK(rk4 > 0.3 * yoshida);
+  }
 }
 
 TEST_CASE("Under drag Yoshida is ten times worse than velocity Verlet at the same price") {
@@ -470,6 +471,37 @@ TEST_CASE("On the planets RK4's energy error grows with the years, velocity Verl
   CHECK(growth(symplectic_euler, h) < 1.05);
   CHECK(growth(measure::yoshida4, 3 * h) < 1.05);
   CHECK_THAT(growth(measure::rk4, 4 * h), WithinRel(all_days / (50 * 365.25), 0.2));
+}
+
+TEST_CASE("RK4's energy error passes Yoshida's after about 20 years, velocity Verlet's after 200") {
+  const auto truth = true_end();
+  const double h = all_days / evaluations;
+  const auto error_after = [&](auto step, double step_size, double years) {
+    double error = 0;
+    fate(step, step_size, truth, [&](double day, double largest) {
+      if (day <= years * 365.25) error = largest;
+    });
+    return error;
+  };
+  CHECK(error_after(measure::rk4, 4 * h, 15) < error_after(measure::yoshida4, 3 * h, 15));
+  CHECK(error_after(measure::rk4, 4 * h, 25) > error_after(measure::yoshida4, 3 * h, 25));
+  CHECK(error_after(measure::rk4, 4 * h, 180) < error_after(measure::velocity_verlet, h, 180));
+  CHECK(error_after(measure::rk4, 4 * h, 220) > error_after(measure::velocity_verlet, h, 220));
+}
+
+TEST_CASE(
+    "After five centuries Dormand-Prince's Jupiter is nearest, and RK4's nearer than Verlet's") {
+  const auto truth = true_end();
+  const double h = all_days / evaluations;
+  const auto off = [&](auto step, double step_size) {
+    return fate(step, step_size, truth, [](double, double) {}).jupiter_off;
+  };
+  const double rk4 = off(measure::rk4, 4 * h);
+  const double nearest = off(measure::dopri5, 6 * h);
+  CHECK(rk4 < 0.5 * off(measure::velocity_verlet, h));
+  CHECK(nearest < 0.1 * rk4);
+  CHECK(nearest < 0.2 * off(measure::trapezoid_newton, h));
+  CHECK(nearest < 0.2 * off(measure::yoshida4, 3 * h));
 }
 
 TEST_CASE(

@@ -132,6 +132,9 @@ inline void planets(measure::Record& record) {
   tell("Euler", measure::euler, 1);
   const Fate fallen = tell("backward Euler", measure::backward_euler_newton, 1);
   record.number("fall-year", fallen.fall / 365.25, 2);
+  const Fate hundred = fate(measure::symplectic_euler, 100.0, truth, [](double, double) {});
+  record.number("hundred-days", 100 * hundred.largest, 2, "%");
+  record.number("years", all_days / 365.25, 3);
   tell("midpoint", measure::midpoint, 2);
   tell("Heun", measure::heun, 2);
   tell("symplectic Euler", measure::symplectic_euler, 1);

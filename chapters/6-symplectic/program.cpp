@@ -39,7 +39,7 @@ void an_hour(Record& record) {
   }
   // [hour]
   constexpr double moon = 384'400'000;  // m
-  record.number("hour-euler", table.rows.back()[1].value / 1000, 3, "km");
+  record.number("hour-euler", table.rows.back()[1].value / 1e9, 3, "million km");
   record.number("hour-moons", table.rows.back()[1].value / moon, 2);
   record.number("hour-nearest", nearest, 4, "m");
   record.number("hour-farthest", farthest, 4, "m");
@@ -80,6 +80,12 @@ void shadow(Record& record) {
   record.number("limit", measure::stability_limit(symplectic_euler, suspension, 0.01, 1.0) * 1000,
                 4, "ms");
 
+  for (const double homega : {1.9, 1.99}) {
+    const double step = homega / suspension.omega;
+    record.number("swing-" + std::to_string(std::lround(100 * homega)),
+                  swing(suspension, step, 100'000) / suspension.x0, 2);
+  }
+
   const auto angle = std::arg(
       std::complex(measure::step_matrix(symplectic_euler, suspension, frame).eigenvalues()[0]));
   const double fast = std::abs(angle) / (frame * suspension.omega);
@@ -100,10 +106,9 @@ void half_a_kick(Record& record) {
                started[i].error.position, started[i].position_order});
   }
   record.number("drone-error", 100 * plain[2].error.position, 2, "cm");
-  record.number("drone-error-half", 1000 * started[2].error.position, 2, "mm");
   record.number("drone-error-rk4",
-                1000 * measure::largest_error(measure::rk4, drone, 4 * frame, 120).position, 2,
-                "mm");
+                1e6 * measure::largest_error(measure::rk4, drone, 4 * frame, 120).position, 2,
+                "µm");
 }
 
 void bounces(Record& record) {

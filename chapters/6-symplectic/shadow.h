@@ -2,6 +2,7 @@
 /// @file
 /// What chapter 6 steps sixty times a second, and the energy that symplectic Euler keeps of it.
 #pragma once
+#include <cmath>
 #include <numbers>
 #include <type_traits>
 
@@ -16,6 +17,16 @@ inline constexpr scenes::Circle<> drone{.omega = 2 * std::numbers::pi / 8, .radi
 
 /// The suspension of a toy car, three swings a second, without its damper.
 inline constexpr scenes::Spring<> suspension{.omega = 20, .zeta = 0, .x0 = 0.1};
+
+/// The farthest that a spring swings in a number of steps.
+inline double swing(const scenes::Spring<>& spring, double h, long steps) {
+  double far = 0;
+  auto s = spring.start();
+  measure::run(measure::symplectic_euler, spring, s, h, steps, [&](double, const auto& now) {
+    if (!(std::abs(now.x) <= far)) far = std::abs(now.x);
+  });
+  return far;
+}
 
 // [shadow]
 /// The energy of a scene with `h/2 * v * a` added.

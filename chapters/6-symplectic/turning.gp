@@ -1,8 +1,8 @@
-eval NARROW ? canvas(400, 400) : canvas(600, 600)
+eval NARROW ? canvas(400, 430) : canvas(560, 600)
 eval axis_names("x  [m]", "y  [m]")
 set size ratio -1
-set xrange [-18:18]
-set yrange [-18:18]
+set xrange [-19:8]
+set yrange [-12:18]
 set xtics 10
 set ytics 10
 set parametric
