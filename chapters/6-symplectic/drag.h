@@ -16,12 +16,12 @@ inline constexpr scenes::LinearDrag<> leaf{.c = 2};
 /// Calls `visit(name, formula, step)` for each of the six ways.
 template <class Visit>
 void for_each_way(Visit visit) {
-  visit("explicit last", "(v + ha)(1 − ch)", measure::linear_damping_explicit_last);
-  visit("explicit first", "v(1 − ch) + ha", measure::linear_damping_explicit_first);
-  visit("implicit last", "(v + ha) / (1 + ch)", measure::linear_damping_implicit_last);
-  visit("implicit first", "v / (1 + ch) + ha", measure::linear_damping_implicit_first);
-  visit("exponential last", "(v + ha) exp(−ch)", measure::linear_damping_exponential_last);
-  visit("exponential first", "v exp(−ch) + ha", measure::linear_damping_exponential_first);
+  visit("explicit last", "(v + ha)(1 − ch)", measure::linear_damping_explicit_last);
+  visit("explicit first", "v(1 − ch) + ha", measure::linear_damping_explicit_first);
+  visit("implicit last", "(v + ha)/(1 + ch)", measure::linear_damping_implicit_last);
+  visit("implicit first", "v/(1 + ch) + ha", measure::linear_damping_implicit_first);
+  visit("exponential last", "(v + ha) exp(−ch)", measure::linear_damping_exponential_last);
+  visit("exponential first", "v exp(−ch) + ha", measure::linear_damping_exponential_first);
 }
 
 /// The speed at which a leaf ends [m/s].

@@ -46,11 +46,9 @@ void an_hour(Record& record) {
 }
 
 void shadow(Record& record) {
-  // [wobble]
   const auto energy = [](double x, double v) { return suspension.energy(x, v); };
   const auto shadow = shadow_energy(suspension, frame);
   const double full = energy(suspension.x0, 0);
-  // [wobble]
   auto& wobble = record.table("wobble", {{"t", "s"}, {"Euler"}, {"symplectic Euler"}, {"shadow"}});
   auto s = suspension.start(), grown = suspension.start();
   for (int n = 0; n <= 60; ++n) {
