@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT-0
 # Brings all that building and testing the book needs: packages of the distribution, and npm packages by the lock file.
 # Run again, it does nothing. For Debian 12 and 13; written for Ubuntu 24.04 too, but not tested there.
+#   ./setup.sh          the book and its tests
+#   ./setup.sh peers    these, and the libraries that the benchmark sets beside the book's methods
 set -euo pipefail
 
 fail() {
@@ -9,7 +11,11 @@ fail() {
   exit "${2:-1}"
 }
 
-[ $# -eq 0 ] || fail "takes no arguments" 2
+case "$# $*" in
+  "0 ") purpose="the book needs" ;;
+  "1 peers") purpose="the book and its benchmark need" ;;
+  *) fail "knows no argument but \"peers\", not \"$*\"" 2 ;;
+esac
 cd "$(dirname "${BASH_SOURCE[0]}")"
 # shellcheck source=/dev/null
 system=$({ . /etc/os-release && echo "$ID $VERSION_ID"; } 2>/dev/null) || system=unknown
@@ -28,7 +34,11 @@ nodejs npm ca-certificates: to weave the book
 $browser: to test the book in a browser
 lld-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32: live figures, C++ for the browser
 bubblewrap libseccomp-dev nlohmann-json3-dev libcli11-dev: the grader and its cage
+g++-aarch64-linux-gnu qemu-user: to see the same bits on 64-bit Arm
 git: to test a clean checkout"
+[ "$*" != peers ] || needs+="
+libbenchmark-dev: to measure
+libboost-dev libgsl-dev libsundials-dev: odeint, GSL and SUNDIALS, to measure beside; Debian's SUNDIALS brings PETSc and MPI"
 
 node_is_new_enough() {
   node -e 'const [major, minor] = process.versions.node.split(".").map(Number)
@@ -137,10 +147,10 @@ case $system in
   "debian 12" | "debian 13" | "ubuntu 24.04") ;;
   *) fail "knows Debian 12 and 13 and Ubuntu 24.04, not this system. Install what these Debian packages hold:
   ${needs//$'\n'/$'\n'  }
-Then run: npm ci && cmake --workflow --preset book" ;;
+Then run: npm ci && cmake --workflow --preset ${1:-book}" ;;
 esac
 
 find_missing
 [ ${#missing[@]} -eq 0 ] || install_packages
 install_npm_packages
-echo "Everything that the book needs is there."
+echo "Everything that $purpose is there."

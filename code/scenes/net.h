@@ -10,7 +10,7 @@ namespace scenes {
 
 // A net is a scene with the members
 //   nodes()               how many masses
-//   mass(i)               of a node [kg]
+//   mass_of(i)            of a node [kg]
 //   held(i)               whether a node stays where it is
 //   for_each_link(visit)  calls visit(i, j, link) for each spring
 //   g                     acceleration of gravity, against the second axis [m/s^2]
@@ -36,7 +36,7 @@ Vec net_acceleration(const Net& net, const Vec& x, const Vec& v) {
   });
   for (int i = 0; i < net.nodes(); ++i) {
     auto here = a.template segment<3>(3 * i);
-    here /= net.mass(i);
+    here /= net.mass_of(i);
     here.y() -= net.g;
     if (net.held(i)) here.setZero();
   }
@@ -57,7 +57,7 @@ void net_jacobian(const Net& net, const Vec& x, Add&& add) {
     const auto dv = link.damping(node(x, j) - node(x, i));
     const auto add_block = [&](int to, int from, auto weight) {
       if (net.held(to) || net.held(from)) return;
-      const auto w = weight / net.mass(to);
+      const auto w = weight / net.mass_of(to);
       for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
           add(3 * to + row, 3 * from + column, w * dx(row, column), w * dv(row, column));
@@ -82,7 +82,7 @@ typename Vec::Scalar net_energy(const Net& net, const Vec& x, const Vec& v) {
   net.for_each_link(
       [&](int i, int j, const auto& link) { sum += link.energy(node(x, j) - node(x, i)); });
   for (int i = 0; i < net.nodes(); ++i) {
-    sum += net.mass(i) * (node(v, i).squaredNorm() / 2 + net.g * node(x, i).y());
+    sum += net.mass_of(i) * (node(v, i).squaredNorm() / 2 + net.g * node(x, i).y());
   }
   return sum;
 }

@@ -19,15 +19,15 @@ template <class Real = double>
 struct Rope {
   using Vec = Eigen::Matrix<Real, Eigen::Dynamic, 1>;  ///< three numbers a mass: right, up, to you
 
-  int count = 20;           ///< how many masses; at least two
-  Real length = 2;          ///< of the rope at rest [m]
-  Real mass = Real(0.01);   ///< of each but the last [kg]
-  Real tip = mass;          ///< of the last [kg]
-  Real k = 1000;            ///< stiffness of each spring [N/m]
-  Real c = 0;               ///< damping of each spring, along itself [N s/m]
-  Real g = Real(9.81);      ///< acceleration of gravity, downwards [m/s^2]
-  bool first_held = true;   ///< whether the first mass stays where it is
-  bool last_held = false;   ///< whether the last one does
+  int count = 20;          ///< how many masses; at least two
+  Real length = 2;         ///< of the rope at rest [m]
+  Real mass = Real(0.01);  ///< of each but the last [kg]
+  Real tip = mass;         ///< of the last [kg]
+  Real k = 1000;           ///< stiffness of each spring [N/m]
+  Real c = 0;              ///< damping of each spring, along itself [N s/m]
+  Real g = Real(9.81);     ///< acceleration of gravity, downwards [m/s^2]
+  bool first_held = true;  ///< whether the first mass stays where it is
+  bool last_held = false;  ///< whether the last one does
 
   /// The accelerations [m/s^2].
   /// @param x  positions [m]

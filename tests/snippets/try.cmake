@@ -1,29 +1,45 @@
-# Compiles SOURCE as a reader would and runs it; or, with WRONG, checks that it does not compile and
-# that the message says what was wanted in at most 20 lines. Without EIGEN, Eigen is not to be found.
-set(program ${SOURCE}-${TAG})
+# Compiles a program that calls every function of HEADERS on the vectors of VECTORS, and runs it.
+# Its folder holds these headers, and those that they are used WITH, and no other. Without EIGEN,
+# Eigen is not to be found.
+string(REPLACE "," ";" HEADERS "${HEADERS}")
+string(REPLACE "," ";" WITH "${WITH}")
+file(REMOVE_RECURSE ${SCRATCH})
+set(includes "")
+set(adapters "")
+set(calls "")
+foreach(header IN LISTS WITH HEADERS)
+  file(COPY ${INTEGRATE}/${header}.h DESTINATION ${SCRATCH})
+  string(APPEND includes "#include \"${header}.h\"\n")
+endforeach()
+foreach(header IN LISTS HEADERS)
+  string(APPEND adapters "#include \"calls/${header}.h\"\n")
+  string(APPEND calls "  call_${header}(attempt);\n")
+endforeach()
+
+# The headers first and nothing before them: each must bring all that it needs.
+file(WRITE ${SCRATCH}/program.cpp "${includes}
+#include \"${VECTORS}.h\"
+${adapters}
+int main() {
+  Attempt attempt;
+${calls}  return attempt.wrong > 0;
+}
+")
+
 set(eigen)
 if(EIGEN)
   set(eigen -isystem ${EIGEN})
 endif()
+# No fused operations, which would round a vector in another way than its coordinates.
 execute_process(
-  COMMAND ${COMPILER} -std=c++${STANDARD} -I${STEPS} ${eigen} -Wall -Wextra -Wpedantic -Wconversion
-          -Wshadow -Werror -fno-exceptions -fno-rtti ${SOURCE} -o ${program}
-  RESULT_VARIABLE result ERROR_VARIABLE errors)
-
-if(WRONG)
-  string(REGEX MATCHALL "\n" lines "${errors}")
-  list(LENGTH lines count)
-  if(NOT result OR count GREATER 20
-     OR NOT errors MATCHES "acceleration must be callable as Vec\\(x, v, t\\)")
-    message(FATAL_ERROR "result ${result}, ${count} lines; wanted a short error:\n${errors}")
-  endif()
-  return()
-endif()
-
+  COMMAND ${COMPILER} -std=c++${STANDARD} -I${CMAKE_CURRENT_LIST_DIR} ${eigen} -Wall -Wextra
+          -Wpedantic -Wconversion -Wshadow -Werror -fno-exceptions -fno-rtti -ffp-contract=off
+          program.cpp -o program
+  WORKING_DIRECTORY ${SCRATCH} RESULT_VARIABLE result ERROR_VARIABLE errors)
 if(result)
-  message(FATAL_ERROR "${SOURCE} does not compile:\n${errors}")
+  message(FATAL_ERROR "${SCRATCH}/program.cpp does not compile:\n${errors}")
 endif()
-execute_process(COMMAND ${program} RESULT_VARIABLE result OUTPUT_VARIABLE output)
+execute_process(COMMAND ${SCRATCH}/program RESULT_VARIABLE result OUTPUT_VARIABLE output)
 if(result)
-  message(FATAL_ERROR "${SOURCE}: not the same steps (${result})\n${output}")
+  message(FATAL_ERROR "${SCRATCH}/program.cpp: not the same steps (${result})\n${output}")
 endif()

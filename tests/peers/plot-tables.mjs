@@ -1,0 +1,37 @@
+// The columns that speed.gp draws. Rows run downwards, so the first has the largest y.
+const native = '-O3 -march=native';
+const noErrno = `${native} -fno-math-errno`;
+const missing = ['NaN', 'NaN', 'NaN'];
+
+const spread = t => t ? [t.median, t.min, t.max] : missing;
+const downwards = rows => rows.map(([label, ...values], i) => [label, rows.length - i, ...values]);
+
+export function plotTables(groups) {
+  const times = (group, variant, flags) => groups.get(group)?.get(variant)?.times.get(flags);
+  return { orbit: orbit(groups, times), particles: particles(groups, times), many: many(times) };
+}
+
+function orbit(groups, times) {
+  const methods = ['rk4', 'euler', 'symplectic_euler', 'velocity_verlet'];
+  const variants = new Set(methods.flatMap(method => [...groups.get(method).keys()]));
+  variants.delete('GSL, for each call');
+  return downwards([...variants].map(v => [v, ...methods.flatMap(method => spread(times(method, v, native)))]));
+}
+
+function particles(groups, times) {
+  const kinds = ['float, one thread', 'float, two threads', 'double, one thread', 'double, two threads'];
+  const group = kind => `10 million particles, ${kind}`;
+  const speed = (kind, variant) => {
+    const t = times(group(kind), variant, native);
+    const limit = times(group(kind), 'limit of memory', native).median;
+    return t ? [limit / t.median, limit / t.max, limit / t.min] : missing;
+  };
+  const variants = [...groups.get(group(kinds[0])).keys()];
+  return downwards(variants.map(v => [v, ...kinds.flatMap(kind => speed(kind, v))]));
+}
+
+function many(times) {
+  const variants = ['vectorised by hand', 'header, blocks', 'header, plain loop'];
+  return downwards(variants.map(v => [v, ...['symplectic_euler', 'rk4'].flatMap(method =>
+    [native, noErrno].flatMap(flags => spread(times(`32 orbits, ${method}`, v, flags))))]));
+}

@@ -1,0 +1,29 @@
+// Writes the table, as Markdown and as CSV, and what the plot needs:
+//   node report.mjs OUT MEASURED.json...
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { goalsTable, markdown } from './markdown.mjs';
+import { plotTables } from './plot-tables.mjs';
+import { readMeasurements } from './read.mjs';
+
+const [out, ...files] = process.argv.slice(2);
+const measured = readMeasurements(files);
+const { processor, compiler, rounds, groups } = measured;
+
+const quoted = value => /[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : value;
+const csv = rows => rows.map(row => row.map(quoted).join(',') + '\n').join('');
+
+function allRows() {
+  const rows = [['group', 'variant', 'flags', 'median [ns]', 'min [ns]', 'max [ns]', 'rounds', 'processor', 'compiler']];
+  for (const [group, variants] of groups) for (const [variant, { times }] of variants) for (const [flags, t] of times) {
+    rows.push([group, variant, flags, t.median, t.min, t.max, rounds, processor, compiler]);
+  }
+  return rows;
+}
+
+mkdirSync(join(out, 'plot'), { recursive: true });
+writeFileSync(join(out, 'speed.md'), markdown(measured));
+writeFileSync(join(out, 'speed.csv'), csv(allRows()));
+for (const [name, rows] of Object.entries(plotTables(groups))) writeFileSync(join(out, 'plot', `${name}.csv`), csv(rows));
+writeFileSync(join(out, 'plot', 'machine.gp'), `MACHINE = ${JSON.stringify(`Measured on ${processor}, with ${compiler}`)}\n`);
+console.log(`${goalsTable(measured)}\nAll the rest: ${join(out, 'speed.md')}, with speed.csv and speed.svg beside it.`);

@@ -1,0 +1,67 @@
+# Three panels, one below the other: a row for each variant, a point for each of its times, and
+# through the point a line from the shortest to the longest round.
+eval canvas(WIDTH, HEIGHT)
+set style line VELOCITY_VERLET lc rgb "#000003" lw 2.2 pt 9 ps 0.7
+set style line RK4             lc rgb "#000004" lw 2.2 pt 13 ps 0.8
+
+set multiplot
+set lmargin at screen 0.4
+set rmargin at screen 0.97
+set border 1
+set tics scale 0.6,0
+set xtics offset 0,0.3
+set ytics scale 0
+set grid xtics ytics back ls GRID
+set logscale x
+set bars 0
+y(pixels) = 1 - pixels/(1.0*HEIGHT)
+head(text, top) = sprintf("unset label; set label 1 '%s' at screen 0.02,%g left", text, y(top))
+key(n, text, x, top, look) = sprintf("set label %d '%s' at screen %g,%g left offset 0.8,-0.25 point %s", n, text, x, y(top), look)
+panel(name, top, bottom) = sprintf("set tmargin at screen %g; set bmargin at screen %g; stats file('%s') using 2 nooutput; set yrange [0.4:STATS_max + 0.6]", y(top), y(bottom), name)
+
+eval head("{/:Bold One orbit:} ns for a step, -O3 -march=native", 20)
+eval key(2, "euler", 0.05, 48, "ls EULER")
+eval key(3, "symplectic\\_euler", 0.19, 48, "ls SYMPLECTIC_EULER")
+eval key(4, "velocity\\_verlet", 0.45, 48, "ls VELOCITY_VERLET")
+eval key(5, "rk4", 0.69, 48, "ls RK4")
+eval panel("orbit", 64, 394)
+set xrange [5:1000]
+set xtics (5, 10, 20, 50, 100, 200, 500, 1000)
+plot file("orbit") using 3:2:4:5 with xerrorbars ls RK4, \
+     file("orbit") using 6:2:7:8 with xerrorbars ls EULER, \
+     file("orbit") using 9:($2 + 0.12):10:11 with xerrorbars ls SYMPLECTIC_EULER, \
+     file("orbit") using 12:($2 - 0.12):13:14 with xerrorbars ls VELOCITY_VERLET, \
+     file("orbit") using (10):2:(""):ytic(1) with labels
+
+eval head("{/:Bold Ten million particles:} speed in multiples of what memory allows, -O3 -march=native", 458)
+eval key(2, "float", 0.05, 486, "ls FIRST")
+eval key(3, "float, two threads", 0.19, 486, "ls FIRST pt 6")
+eval key(4, "double", 0.45, 486, "ls SECOND")
+eval key(5, "double, two threads", 0.60, 486, "ls SECOND pt 4")
+eval panel("particles", 502, 750)
+set xrange [0.07:12]
+set xtics (0.1, 0.2, 0.5, 1, 2, 5, 10)
+set arrow 1 from 1,graph 0 to 1,graph 1 nohead ls LIMIT back
+plot file("particles") using 3:($2 + 0.24):4:5 with xerrorbars ls FIRST, \
+     file("particles") using 6:($2 + 0.08):7:8 with xerrorbars ls FIRST pt 6, \
+     file("particles") using 9:($2 - 0.08):10:11 with xerrorbars ls SECOND, \
+     file("particles") using 12:($2 - 0.24):13:14 with xerrorbars ls SECOND pt 4, \
+     file("particles") using (1):2:(""):ytic(1) with labels
+unset arrow 1
+
+eval head("{/:Bold Thirty-two orbits at once:} ns for a step of one of them, -O3 -march=native", 814)
+eval key(2, "symplectic\\_euler", 0.05, 842, "ls SYMPLECTIC_EULER pt 4")
+eval key(3, "and -fno-math-errno", 0.31, 842, "ls SYMPLECTIC_EULER")
+eval key(4, "rk4", 0.62, 842, "ls RK4 pt 12")
+eval key(5, "and -fno-math-errno", 0.70, 842, "ls RK4")
+load DATA."machine.gp"
+set label 9 MACHINE at screen 0.97,0.014 right noenhanced font ",12"
+eval panel("many", 858, 954)
+set xrange [0.5:30]
+set xtics (0.5, 1, 2, 5, 10, 20)
+plot file("many") using 3:($2 + 0.14):4:5 with xerrorbars ls SYMPLECTIC_EULER pt 4, \
+     file("many") using 6:($2 - 0.14):7:8 with xerrorbars ls SYMPLECTIC_EULER, \
+     file("many") using 9:($2 + 0.14):10:11 with xerrorbars ls RK4 pt 12, \
+     file("many") using 12:($2 - 0.14):13:14 with xerrorbars ls RK4, \
+     file("many") using (1):2:(""):ytic(1) with labels
+unset multiplot
