@@ -109,34 +109,6 @@ void half_a_kick(Record& record) {
                 "µm");
 }
 
-void bounces(Record& record) {
-  const auto follow = [&](const std::string& name, auto step) {
-    auto& table = record.table(name, {{"t", "s"}, {"height", "m"}});
-    auto s = dropped;
-    measure::run(on_a_floor(step), falling, s, frame, 480,
-                 [&](double t, const auto& now) { table.add({t, now.x}); });
-    record.number(name + "-top", top_after(step, frame, 10), 3, "m");
-  };
-  follow("bounce-euler", euler);
-  follow("bounce-symplectic", symplectic_euler);
-  follow("bounce-exact", measure::constant_acceleration);
-}
-
-void orbit(Record& record) {
-  auto& table = record.table("turning", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
-  auto s = shuttle.start();
-  measure::run(symplectic_euler, shuttle, s, tick, 62 * 120,
-               [&](double t, const auto& now) { table.add({t, now.x.x(), now.x.y()}); });
-  record.number("turning-15", -turning(symplectic_euler, tick, 60), 3, "°");
-  record.number("turning-60", -turning(symplectic_euler, tick / 4, 60), 3, "°");
-  const auto energy = [](auto& x, auto& v) { return shuttle.energy(x, v); };
-  const auto swing = [&](auto invariant) {
-    return 100 * measure::drift(symplectic_euler, shuttle, frame, 60 * 480, invariant).largest;
-  };
-  record.number("shuttle-energy", swing(energy), 2, "%");
-  record.number("shuttle-shadow", swing(shadow_energy(shuttle, frame)), 2, "%");
-}
-
 /// The largest error of the suspension in a second, at a price per second.
 template <class Step>
 double error_of_a_second(Step step, double zeta, int evaluations, int evaluations_per_step) {

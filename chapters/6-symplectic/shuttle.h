@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "measure/run.h"
+#include "measure/energy.h"
+#include "measure/record.h"
 #include "scenes/orbit.h"
+#include "shadow.h"
 
 inline constexpr double tick = 1.0 / 15;   ///< [s]
 inline constexpr double shuttle_turn = 8;  ///< time of a turn [s]
@@ -37,4 +39,20 @@ double turning(Step step, double h, int turns) {
   });
   const double angle = std::atan2(first.x() * last.y() - first.y() * last.x(), first.dot(last));
   return angle * 180 / std::numbers::pi / turns;
+}
+
+inline void orbit(measure::Record& record) {
+  auto& table = record.table("turning", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
+  auto s = shuttle.start();
+  measure::run(measure::symplectic_euler, shuttle, s, tick, 62 * 120,
+               [&](double t, const auto& now) { table.add({t, now.x.x(), now.x.y()}); });
+  record.number("turning-15", -turning(measure::symplectic_euler, tick, 60), 3, "°");
+  record.number("turning-60", -turning(measure::symplectic_euler, tick / 4, 60), 3, "°");
+  const auto energy = [](auto& x, auto& v) { return shuttle.energy(x, v); };
+  const auto sway = [&](auto invariant) {
+    return 100 *
+           measure::drift(measure::symplectic_euler, shuttle, frame, 60 * 480, invariant).largest;
+  };
+  record.number("shuttle-energy", sway(energy), 2, "%");
+  record.number("shuttle-shadow", sway(shadow_energy(shuttle, frame)), 2, "%");
 }
