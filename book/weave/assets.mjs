@@ -19,7 +19,9 @@ export function copyAssets(book, out) {
   copyFileSync(join(dirname(require.resolve('minisearch')), '../umd/index.js'), join(out, 'minisearch.js'));
   copyFonts(join(out, 'fonts'));
   copyKatex(join(out, 'katex'));
-  for (const chapter of book.chapters.values()) copyData(chapter, join(out, 'data', chapter.name));
+  for (const chapter of book.chapters.values()) copyData(chapter.data, join(out, 'data', chapter.name));
+  copyData(book.config.cards, join(out, 'data', 'cards'));
+  copyHeaders(book, join(out, 'headers'));
 }
 
 function copyFonts(folder) {
@@ -40,8 +42,14 @@ function copyKatex(folder) {
   for (const file of readdirSync(join(from, 'fonts'))) if (file.endsWith('.woff2')) copyFileSync(join(from, 'fonts', file), join(folder, 'fonts', file));
 }
 
-function copyData(chapter, folder) {
-  if (!existsSync(chapter.data)) return;
+function copyData(data, folder) {
+  if (!existsSync(data)) return;
   mkdirSync(folder, { recursive: true });
-  for (const file of readdirSync(chapter.data)) if (file.endsWith('.csv')) copyFileSync(join(chapter.data, file), join(folder, file));
+  for (const file of readdirSync(data)) if (file.endsWith('.csv')) copyFileSync(join(data, file), join(folder, file));
+}
+
+// The headers that readers take home.
+function copyHeaders({ api, config }, folder) {
+  mkdirSync(folder, { recursive: true });
+  for (const { file, name } of api.headers.values()) copyFileSync(join(config.source, file), join(folder, name));
 }

@@ -1,4 +1,5 @@
-// What the marks that stand alone become: listings, fences, displayed formulas, rows of a table, the list of chapters.
+// What the marks that stand alone become: listings, fences, displayed formulas, rows of a table, cards, the list of chapters.
+import { cardHtml } from './cards.mjs';
 import { highlightLines, languageOf } from './highlight.mjs';
 import { linker } from './api.mjs';
 import { sourceHref } from './source-pages.mjs';
@@ -6,7 +7,7 @@ import { tableHtml } from './tables.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
 export function blockHtml(context, piece) {
-  return { listing, fence, display, rows, contents }[piece.name](context, piece);
+  return { listing, fence, display, rows, card, contents }[piece.name](context, piece);
 }
 
 export function codeLines(lines, numbers, id = () => '') {
@@ -33,6 +34,12 @@ function fence({ hold }, { language, code }) {
 const display = ({ hold }, piece) => `<div class="math-block">${hold(piece.html)}</div>`;
 
 const rows = (_, piece) => `<div class="tablescroll">${tableHtml(piece.table)}</div>`;
+
+function card({ book, hold }, { card: measured }) {
+  const { name } = measured;
+  const { href } = book.api.names.get(`integrate::${name}`);
+  return hold(cardHtml(measured, `<b><a href="${href}"><code>${escapeHtml(name)}</code></a></b> measured`));
+}
 
 function contents({ book }) {
   const items = [...book.chapters.values()].map(chapter =>

@@ -1,6 +1,7 @@
 // Everything the weaver knows, read from the sources and from what the chapters' programs wrote.
 import { existsSync, readdirSync } from 'node:fs';
 import { join, relative } from 'node:path';
+import { readCards } from './cards.mjs';
 import { readClaims } from './claims.mjs';
 import { readNumbers } from './numbers.mjs';
 import { readPage } from './page.mjs';
@@ -15,7 +16,7 @@ export function readBook(config) {
   const book = {
     config, problems,
     chapters: new Map(), pages: [], labels: new Map(), references: new Map(), claims: new Map(),
-    sources,
+    sources, cards: readCards(config.cards, problems),
     snippet: createSnippets(config.source, sources),
     short: path => relative(config.source, path),
   };

@@ -102,6 +102,11 @@ const CHECKS = {
     }
   },
   exercise: ({ piece, report }) => plainTitle(piece.args[1], report),
+  card({ book, piece, report }) {
+    const [name] = piece.args;
+    piece.card = book.cards.get(name);
+    if (!piece.card) report(`there is no card of a function "${name}".${nameOneOf(name, book.cards.keys())}`);
+  },
   rows({ book, page, piece, report }) {
     const [name] = piece.args;
     const tables = book.chapters.get(page.name)?.tables ?? new Map();

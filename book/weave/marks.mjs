@@ -14,6 +14,7 @@ export const MARKS = {
   bibitem: { takes: [2, 2], kind: 'inline', usage: '\\bibitem{key, Author year}' },
   listing: { takes: [2, 3], kind: 'block', usage: '\\listing{path, tag} or \\listing{path, tag, Caption}' },
   rows: { takes: [1, 1], kind: 'block', usage: '\\rows{table}' },
+  card: { takes: [1, 1], kind: 'block', usage: '\\card{function}' },
   contents: { takes: [0, 0], kind: 'block', usage: '\\contents' },
   figure: { takes: [2, 2], kind: 'box', usage: '\\figure{name, Title}' },
   table: { takes: [1, 1], kind: 'box', usage: '\\table{name}' },

@@ -13,8 +13,8 @@ function converter(book, where) {
     opens: () => false, closes: () => false, isBlock: () => false, isTableStart: () => false, stray() {}, block: () => '', box: () => '',
     heading: html => `<p><strong>${html}</strong></p>`,
     code: code => codeSpan(book, code),
-    text: (text, before) => linkNames(book, docTextHtml(text, before)),
-    verbatim: code => `<pre><code>${escapeHtml(code)}</code></pre>`,
+    text: (text, before) => linkNames(book, docTextHtml(text, before), where),
+    verbatim: code => `<div class="codebox"><pre><code>${highlightLines(code, 'cpp', linker(book.api, where.file)).join('\n')}</code></pre></div>`,
     formula: tex => renderTex(tex.replace(/^\$|\$$|^\\\[|\\\]$/g, ''), false, report),
     link: (refid, html) => (book.api.hrefs.has(refid) ? `<a href="${book.api.hrefs.get(refid)}"><code>${html}</code></a>` : html),
     fault: report,
@@ -26,7 +26,15 @@ function codeSpan(book, code) {
   return href ? `<a href="${href}"><code>${escapeHtml(code)}</code></a>` : `<code>${escapeHtml(code)}</code>`;
 }
 
-const linkNames = (book, html) => html.replace(/\b\w+(?:::\w+)+\b|\b\w+\(\)/g, name => (book.api.names.has(name) || name.endsWith('()') ? codeSpan(book, name) : name));
+// A name with its namespace or with () is linked; so is one like stormer_verlet_start or BandSystem, if it is known.
+function linkNames(book, html, { file, name: own }) {
+  const link = linker(book.api, file);
+  return html.replace(/\b\w+(?:::\w+)+\b|\b\w+\(\)|\b[a-z]\w*_\w+\b|\b(?:[A-Z]\w*){2,}\b/g, name => {
+    if (name.includes('::') || name.endsWith('()')) return codeSpan(book, name);
+    const href = name === own ? null : link(name);
+    return href ? `<a href="${href}"><code>${name}</code></a>` : name;
+  });
+}
 
 export const brief = (book, entry) => converter(book, entry).inline(inlineOf(entry.brief)).trim();
 const inlineOf = e => (e?.children ?? []).flatMap(c => (c.name === 'para' ? c.children : []));
@@ -81,18 +89,30 @@ function declaration(member) {
   if (member.kind === 'variable') return `${type} ${member.name}${member.initializer && ` ${member.initializer}`};`;
   const parameters = member.parameters.map(p => [tidyType(p.type), p.name, p.value && `= ${p.value}`].filter(Boolean).join(' '));
   const start = `${type} ${member.name}(`.trimStart();
-  const end = `)${member.suffix};`;
-  const oneLine = start + parameters.join(', ') + end;
-  const call = oneLine.length <= 84 ? oneLine : start + parameters.join(`,\n${' '.repeat(Math.min(start.length, 40))}`) + end;
-  return templateLine(member.templates) + call;
+  return templateLine(member.templates) + fill(start, [...parameters.slice(0, -1).map(p => `${p}, `), `${parameters.at(-1) ?? ''})${member.suffix};`]);
 }
 
-export function memberSection(book, member) {
-  const text = brief(book, member);
-  return `<section class="member"><h3 id="${member.anchor}"><code>${escapeHtml(member.name)}</code> <a class="anchor-link" href="#${member.anchor}" aria-label="Link to this entry">#</a></h3>
-${signature(book, declaration(member), member.file)}
-${[text && `<p class="brief">${text}</p>`, details(book, member), where(member)].filter(Boolean).join('\n')}</section>`;
+// As many parameters to a line as fit, those of the next below those of the first.
+function fill(start, parts) {
+  const indent = ' '.repeat(Math.min(start.length, 40));
+  const lines = [start];
+  for (const part of parts) {
+    if ((lines.at(-1) + part).length > 84 && lines.at(-1).trim() && lines.at(-1) !== start) lines.push(indent + part);
+    else lines[lines.length - 1] += part;
+  }
+  return lines.map(line => line.trimEnd()).join('\n');
 }
+
+// `card` stands right below what the entry does.
+export function memberSection(book, member, { level = 3, card = '' } = {}) {
+  const text = brief(book, member);
+  return `<section class="member">${entryHeading(member, level)}
+${signature(book, declaration(member), member.file)}
+${[text && `<p class="brief">${text}</p>`, card, details(book, member), where(member)].filter(Boolean).join('\n')}</section>`;
+}
+
+export const entryHeading = ({ name, anchor }, level) =>
+  `<h${level} id="${anchor}"><code>${escapeHtml(name)}</code> <a class="anchor-link" href="#${anchor}" aria-label="Link to this entry">#</a></h${level}>`;
 
 export const summary = (book, entries) => `<dl class="summary">${entries.map(e =>
   `<dt><a href="${e.href}"><code>${escapeHtml(e.name)}${e.kind === 'function' ? '()' : ''}</code></a></dt><dd>${brief(book, e)}</dd>`).join('\n')}</dl>`;

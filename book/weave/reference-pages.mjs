@@ -1,13 +1,16 @@
-// The code reference: a landing page, a page per namespace, a page per struct.
+// The code reference: a landing page, a page per namespace, a page per struct or per header that stands alone.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { headerList, headerPages, methodTables } from './header-pages.mjs';
+import { headerPage } from './namespaces.mjs';
 import { brief, details, fields, include, memberSection, signature, summary, templateLine, where } from './reference-entries.mjs';
 import { escapeHtml } from './text.mjs';
 
 export function referencePages(book) {
   const { api } = book;
   checkNamespaces(book);
-  return [landing(book), ...[...api.compounds.values()].map(compound => (compound.isType ? typePage(book, compound) : namespacePage(book, compound)))];
+  const own = [...api.compounds.values()].filter(compound => !compound.isType || !headerPage(compound.file));
+  return [landing(book), ...headerPages(book), ...own.map(compound => (compound.isType ? typePage(book, compound) : namespacePage(book, compound)))];
 }
 
 function checkNamespaces(book) {
@@ -26,15 +29,20 @@ const ownName = ({ name }) => name.split('::').at(-1);
 const scopeOf = ({ name }) => name.split('::').slice(0, -1).join('::');
 const inner = (book, names) => names.map(name => book.api.compounds.get(name)).filter(Boolean).map(c => ({ ...c, name: ownName(c) })).sort(byName);
 
+// What a reader comes for stands first: the headers to take.
 function landing(book) {
-  const { namespaces } = book.api;
+  const namespaces = [...book.api.namespaces].sort((a, b) => hasHeaders(book, b) - hasHeaders(book, a));
   const groups = namespaces.map(({ name, title, compound }) =>
-    `<h2 id="${name}"><a href="${compound.href}">${escapeHtml(title)}</a></h2>\n<p>${brief(book, compound)}</p>\n${summary(book, mainEntries(book, compound))}`);
+    `<h2 id="${name}"><a href="${compound.href}">${escapeHtml(title)}</a></h2>\n<p>${brief(book, compound)}</p>\n`
+    + (hasHeaders(book, { compound }) ? methodTables(book) : summary(book, mainEntries(book, compound))));
   return {
     href: 'reference.html', title: 'Code reference', kind: 'api', body: groups.join('\n'),
     sections: namespaces.map(({ name, title }) => ({ id: name, title })),
   };
 }
+
+const headersOf = (book, { name }) => [...book.api.headers.values()].filter(({ file }) => file.startsWith(`code/${name}/`));
+const hasHeaders = (book, { compound }) => headersOf(book, compound).length > 0;
 
 // A struct in the file of another thing, such as the columns of a table in record.h, is a detail of that thing.
 function mainEntries(book, compound) {
@@ -62,6 +70,8 @@ function page(compound, groups, about) {
 
 function namespacePage(book, compound) {
   const title = book.api.namespaces.find(n => n.name === compound.name)?.title ?? ownName(compound);
+  const headers = headersOf(book, compound);
+  if (headers.length) return page(compound, [], { title, kicker: `namespace ${compound.name}`, body: intro(book, compound) + headerList(book, headers) });
   const functions = compound.members.filter(m => m.kind === 'function').sort(byName);
   const constants = compound.members.filter(m => m.kind !== 'function' && m.documented).sort(byName);
   const list = names => (names.length ? summary(book, names) : '');

@@ -4,6 +4,7 @@ import { join, relative } from 'node:path';
 import { readApi } from './api.mjs';
 import { copyAssets } from './assets.mjs';
 import { readBook } from './book.mjs';
+import { checkCards } from './cards.mjs';
 import { checkBook } from './check.mjs';
 import { claimsPage } from './claims-page.mjs';
 import { runDoxygen } from './doxygen.mjs';
@@ -27,6 +28,8 @@ function weave(config) {
   const xml = watch('Doxygen', () => runDoxygen(book));
   giveUpOn(book);
   book.api = readApi(xml, config.source);
+  checkCards(book);
+  giveUpOn(book);
   const { pages, documents } = watch('pages', () => makePages(book, xml));
   giveUpOn(book);
   watch('write', () => writeBook(book, pages, documents));

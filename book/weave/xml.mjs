@@ -97,7 +97,8 @@ export function createXmlToHtml(host) {
       case 'blockquote': return `<blockquote>${flow(node.children)}</blockquote>`;
       case 'hruler': return '<hr>';
       case 'heading': return host.heading(inline(node.children).trim());
-      case 'verbatim': case 'programlisting': case 'preformatted': return host.verbatim(plainText(node));
+      case 'programlisting': return host.verbatim(items('codeline').map(codeText).join('\n'));
+      case 'verbatim': case 'preformatted': return host.verbatim(plainText(node));
       default: return flow(node.children.filter(child => child.name !== 'title'));
     }
   }
@@ -122,5 +123,7 @@ export function createXmlToHtml(host) {
 }
 
 const proseHtml = (text, before) => escapeHtml(smarten(text, before)).replace(/&quot;/g, '"');
+
+const codeText = node => (node.name === 'sp' ? ' ' : node.type === 'text' ? node.data : (node.children ?? []).map(codeText).join(''));
 
 export const plainText = node => (node.type === 'text' ? node.data : (node.children ?? []).map(plainText).join(''));

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "drone.h"
-#include "measure/card.h"
 #include "measure/energy.h"
 #include "measure/order.h"
 #include "measure/path.h"
@@ -193,6 +192,5 @@ int main(int argc, char** argv) {
     drag(record);
     constant_force(record);
     planets(record);
-    measure::card(record, "card", euler);
   });
 }

@@ -1,6 +1,32 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// Implicit Euler by a linear system: one solve, or Newton's method.
+///
+/// @code
+/// const auto spring = [](double x, double v, double) { return -9 * x - v; };
+/// const auto solve = [](double, double, double, double p, double q, double& change) {
+///   change = change / (1 + p * -9 + q * -1);  // da/dx is -9, da/dv is -1
+///   return true;
+/// };
+/// const double h = 1 / 60.0;
+/// double x = 1, v = 0;
+/// bool solved = true;
+/// for (int n = 0; n < 60 && solved; ++n) {
+///   solved = integrate::backward_euler(x, v, n * h, h, spring, solve);
+/// }
+/// @endcode
+///
+/// To a tolerance, from the same start:
+/// @code
+/// #include <cmath>
+///
+/// x = 1, v = 0;
+/// const auto size = [](double change) { return std::abs(change); };
+/// int iterations = 1;
+/// for (int n = 0; n < 60 && iterations > 0; ++n) {
+///   iterations = integrate::backward_euler_newton(x, v, n * h, h, spring, solve, size, 1e-9);
+/// }
+/// @endcode
 #pragma once
 #include <functional>
 #include <type_traits>
@@ -30,7 +56,10 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve>
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
                         std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool solves =
+      std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
+  static_assert(solves, "solve must be callable as bool(x, v, t, p, q, change), change a Vec&");
+  if constexpr (fits && solves) {
     // [move]
     const Vec x_end = x + h * v;
     Vec change = h * acceleration(x_end, v, t + h);
@@ -67,7 +96,12 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve, cl
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
                         std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool solves =
+      std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
+  static_assert(solves, "solve must be callable as bool(x, v, t, p, q, change), change a Vec&");
+  constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
+  static_assert(measures, "norm must be callable as Real(Vec)");
+  if constexpr (fits && solves && measures) {
     // [newton-move]
     Vec v_end = v;
     for (int iteration = 1; iteration <= 50; ++iteration) {

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// Implicit Euler on a damped spring, solved by hand.
+///
+/// @code
+/// double x = 1, v = 0;
+/// const double omega = 3, zeta = 1 / 6.0;
+/// for (int n = 0; n < 60; ++n) integrate::backward_euler_spring(x, v, 1 / 60.0, omega, zeta);
+/// @endcode
 #pragma once
 #include <functional>
 #include <type_traits>

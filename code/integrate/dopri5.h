@@ -1,6 +1,22 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// Dormand-Prince 5(4): fifth order, with an estimate of its own error.
+///
+/// @code
+/// const auto spring = [](double x, double v, double) { return -9 * x - v; };
+/// const double h = 1 / 60.0;
+/// double x = 1, v = 0;
+/// double a = integrate::dopri5_start(x, v, 0.0, spring);
+/// for (int n = 0; n < 60; ++n) integrate::dopri5(x, v, a, n * h, h, spring);
+/// @endcode
+///
+/// To a tolerance, from the same start:
+/// @code
+/// x = 1, v = 0;
+/// double next = 0.1;
+/// const auto size = [](double error) { return std::abs(error); };
+/// const bool arrived = integrate::dopri5_adaptive(x, v, 0.0, 1.0, next, spring, size, 1e-9);
+/// @endcode
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -41,7 +57,9 @@ struct Dopri5Error {
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 template <class Vec, class Time, class Acceleration>
 constexpr Vec dopri5_start(const Vec& x, const Vec& v, Time t, Acceleration&& acceleration) {
-  return acceleration(x, v, t);
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t)");
+  if constexpr (fits) return acceleration(x, v, t);
 }
 // [start]
 
@@ -109,30 +127,37 @@ constexpr Dopri5Error<Vec> dopri5(Vec& x, Vec& v, Vec& a, Time t, Real h,
 template <class Vec, class Time, class Real, class Acceleration, class Norm>
 [[nodiscard]] bool dopri5_adaptive(Vec& x, Vec& v, Time t, Real duration, Real& h,
                                    Acceleration&& acceleration, Norm&& norm, Real tolerance) {
-  static_assert(std::is_invocable_r_v<Real, Norm&, const Vec&>, "norm must be callable as h(Vec)");
-  // [control]
-  const Real length = std::abs(duration);
-  const Real forward = duration < Real(0) ? Real(-1) : Real(1);
-  Vec x_now = x, v_now = v, a_now = dopri5_start(x, v, t, acceleration);
-  for (Real done = 0; done < length;) {
-    const bool last = !(h < length - done);
-    const Real step = last ? length - done : h;
-    if (!(done + step > done)) return false;
-    Vec x_next = x_now, v_next = v_now, a_next = a_now;
-    const auto error =
-        dopri5(x_next, v_next, a_next, t + forward * done, forward * step, acceleration);
-    const Real size = std::max(Real(norm(error.x)), Real(norm(error.v))) / tolerance;
-    const bool good = size <= Real(1);
-    const Real wish = Real(0.9) * std::pow(size, Real(-0.2));
-    const Real change = size == Real(0) ? Real(5) : good || wish > Real(0.2) ? wish : Real(0.2);
-    if (!(good && last)) h = step * std::min(change, Real(5));
-    if (!good) continue;
-    x_now = x_next, v_now = v_next, a_now = a_next;
-    done = last ? length : done + step;
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
+  static_assert(measures, "norm must be callable as Real(Vec)");
+  if constexpr (fits && measures) {
+    // [control]
+    const Real length = std::abs(duration);
+    if (!(length >= Real(0))) return false;
+    const Real forward = duration < Real(0) ? Real(-1) : Real(1);
+    Vec x_now = x, v_now = v, a_now = dopri5_start(x, v, t, acceleration);
+    for (Real done = 0; done < length;) {
+      const bool last = !(h < length - done);
+      const Real step = last ? length - done : h;
+      if (!(done + step > done)) return false;
+      Vec x_next = x_now, v_next = v_now, a_next = a_now;
+      const auto error =
+          dopri5(x_next, v_next, a_next, t + forward * done, forward * step, acceleration);
+      const Real size = std::max(Real(norm(error.v)), Real(norm(error.x))) / tolerance;
+      const bool good = size <= Real(1);
+      const Real wish = Real(0.9) * std::pow(size, Real(-0.2));
+      const Real change = size == Real(0) ? Real(5) : good || wish > Real(0.2) ? wish : Real(0.2);
+      if (!(good && last)) h = step * std::min(change, Real(5));
+      if (!good) continue;
+      x_now = x_next, v_now = v_next, a_now = a_next;
+      done = last ? length : done + step;
+    }
+    x = x_now, v = v_now;
+    return true;
+    // [control]
   }
-  x = x_now, v = v_now;
-  return true;
-  // [control]
 }
 // [adaptive]
 

@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// Leapfrog: velocities at half steps.
+///
+/// @code
+/// const auto spring = [](double x, double v, double) { return -9 * x - v; };
+/// const double h = 1 / 60.0;
+/// double x = 1, v = 0;
+/// double v_half = integrate::leapfrog_start(x, v, 0.0, h, spring);
+/// for (int n = 0; n < 60; ++n) integrate::leapfrog(x, v_half, n * h, h, spring);
+/// v = integrate::leapfrog_velocity(x, v_half, 60 * h, h, spring);
+/// @endcode
 #pragma once
 #include <functional>
 #include <type_traits>
@@ -18,7 +27,10 @@ namespace integrate {
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr Vec leapfrog_start(const Vec& x, const Vec& v, Time t, Real h,
                              Acceleration&& acceleration) {
-  return v + (h / Real(-2)) * acceleration(x, v, t);
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) return v + (h / Real(-2)) * acceleration(x, v, t);
 }
 // [start]
 
@@ -33,7 +45,10 @@ constexpr Vec leapfrog_start(const Vec& x, const Vec& v, Time t, Real h,
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr Vec leapfrog_velocity(const Vec& x, const Vec& v_half, Time t, Real h,
                                 Acceleration&& acceleration) {
-  return v_half + (h / Real(2)) * acceleration(x, v_half, t);
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) return v_half + (h / Real(2)) * acceleration(x, v_half, t);
 }
 // [velocity]
 

@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// Damping within a step of symplectic Euler: six ways of the engines, and the exact one.
+///
+/// @code
+/// const auto spring = [](double x, double, double) { return -9 * x; };  // all but the damping
+/// const double h = 1 / 60.0, c = 1;
+/// double x = 1, v = 0;
+/// for (int n = 0; n < 60; ++n) {
+///   integrate::linear_damping_implicit_last(x, v, n * h, h, c, spring);
+/// }
+/// @endcode
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -12,7 +21,8 @@ namespace integrate {
 // [explicit-last]
 /// Symplectic Euler with damping: the force, then the speed times 1 - c*h (PhysX, Jolt).
 ///
-/// Order 1, one evaluation of the acceleration, stable on drag for every h.
+/// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
+/// while h*omega < 2.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -39,7 +49,8 @@ constexpr void linear_damping_explicit_last(Vec& x, Vec& v, Time t, Real h, Real
 // [explicit-first]
 /// Symplectic Euler with damping: the speed times 1 - c*h, then the force (Godot).
 ///
-/// Order 1, one evaluation of the acceleration, stable on drag for every h.
+/// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
+/// while h*omega < 2.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -66,7 +77,8 @@ constexpr void linear_damping_explicit_first(Vec& x, Vec& v, Time t, Real h, Rea
 // [implicit-last]
 /// Symplectic Euler with damping: the force, then the speed over 1 + c*h (solver2d, Box2D 2).
 ///
-/// Order 1, one evaluation of the acceleration, stable on drag for every h.
+/// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
+/// while h*omega < 2.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -93,7 +105,8 @@ constexpr void linear_damping_implicit_last(Vec& x, Vec& v, Time t, Real h, Real
 // [implicit-first]
 /// Symplectic Euler with damping: the speed over 1 + c*h, then the force (Box2D 3, Avian).
 ///
-/// Order 1, one evaluation of the acceleration, stable on drag for every h.
+/// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
+/// while h*omega < 2.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -120,7 +133,8 @@ constexpr void linear_damping_implicit_first(Vec& x, Vec& v, Time t, Real h, Rea
 // [exponential-last]
 /// Symplectic Euler with damping: the force, then the speed times exp(-c*h).
 ///
-/// Order 1, one evaluation of the acceleration, stable on drag for every h.
+/// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
+/// while h*omega < 2.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -147,7 +161,8 @@ void linear_damping_exponential_last(Vec& x, Vec& v, Time t, Real h, Real c,
 // [exponential-first]
 /// Symplectic Euler with damping: the speed times exp(-c*h), then the force (Bullet, Chipmunk).
 ///
-/// Order 1, one evaluation of the acceleration, stable on drag for every h.
+/// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
+/// while h*omega < 2.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -174,8 +189,8 @@ void linear_damping_exponential_first(Vec& x, Vec& v, Time t, Real h, Real c,
 // [exact]
 /// Symplectic Euler with damping: the exact velocity of damping and a constant force together.
 ///
-/// Order 1, one evaluation of the acceleration, stable on drag for every h. The velocity under
-/// gravity and drag is exact, the terminal speed with it.
+/// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
+/// while h*omega < 2. The velocity under gravity and drag is exact, the terminal speed with it.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// Runge-Kutta 4: four slopes, weighted 1, 2, 2, 1.
+///
+/// @code
+/// const auto spring = [](double x, double v, double) { return -9 * x - v; };
+/// double x = 1, v = 0;
+/// for (int n = 0; n < 60; ++n) integrate::rk4(x, v, n / 60.0, 1 / 60.0, spring);
+/// @endcode
 #pragma once
 #include <functional>
 #include <type_traits>

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// Runge-Kutta 4 on a known linear force, folded into one matrix.
+///
+/// @code
+/// double x = 1, v = 0;
+/// const auto step = integrate::rk4_linear_start(9.0, 1.0, 1 / 60.0);  // x'' = -9 x - x'
+/// for (int n = 0; n < 60; ++n) integrate::rk4_linear(x, v, step);
+/// @endcode
 #pragma once
 #include <functional>
 #include <type_traits>

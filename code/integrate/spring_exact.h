@@ -1,6 +1,21 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// The damped spring in closed form, for any step.
+///
+/// @code
+/// double x = 1, v = 0;
+/// const double omega = 3, zeta = 1 / 6.0;
+/// for (int n = 0; n < 60; ++n) integrate::spring_exact(x, v, 1 / 60.0, omega, zeta);
+/// @endcode
+///
+/// A camera that follows its target without overshoot:
+/// @code
+/// double camera = 0, speed = 0;
+/// const double target = 10;
+/// double way = camera - target;
+/// integrate::spring_exact(way, speed, 1 / 60.0, 8.0, 1.0);
+/// camera = target + way;
+/// @endcode
 #pragma once
 #include <cmath>
 #include <functional>
@@ -36,12 +51,13 @@ void spring_exact(Vec& x, Vec& v, Real h, Real omega, Real zeta) {
     const Real push = apart * h == Real(0) ? h
                       : swings             ? std::sin(apart * h) / apart
                                            : -std::expm1(Real(-2) * apart * h) / (Real(2) * apart);
-    const Real hold = swings ? std::cos(apart * h) + decay * push : Real(1) + decay * push;
+    // What is left of x alone and of v alone, again but for the decay.
+    const Real swing = swings ? std::cos(apart * h) : Real(1);
+    const Real last = swings ? swing : std::exp(Real(-2) * apart * h);
     const Real left = std::exp(-decay * h);
     const Vec x_start = x;
-    x = (left * hold) * x_start + (left * push) * v;
-    v = (left * (hold - Real(2) * zeta * omega * push)) * v +
-        (-left * omega * omega * push) * x_start;
+    x = (left * (swing + decay * push)) * x_start + (left * push) * v;
+    v = (left * (last - decay * push)) * v + (-left * omega * omega * push) * x_start;
     // [move]
   }
 }

@@ -1,6 +1,40 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// Position Verlet: the next position from the last two.
+///
+/// @code
+/// const auto spring = [](double x, double v, double) { return -9 * x - v; };
+/// const double h = 1 / 60.0;
+/// double x = 1, v = 0;
+/// double x_previous = integrate::stormer_verlet_start(x, v, 0.0, h, spring);
+/// for (int n = 0; n < 60; ++n) integrate::stormer_verlet(x, x_previous, n * h, h, spring);
+/// v = integrate::stormer_verlet_velocity(x, x_previous, h);
+/// @endcode
+///
+/// Carrying the acceleration, from the same start:
+/// @code
+/// x = 1, v = 0;
+/// double a = spring(x, v, 0.0);
+/// x_previous = integrate::stormer_verlet_start(x, v, 0.0, h, spring);
+/// for (int n = 0; n < 60; ++n) {
+///   integrate::stormer_verlet_carried(x, x_previous, a, n * h, h, spring);
+/// }
+/// v = integrate::stormer_verlet_carried_velocity(x, x_previous, a, h);
+/// @endcode
+///
+/// With steps as long as the frames are:
+/// @code
+/// x = 1, v = 0;
+/// double t = 0, h_previous = h;
+/// x_previous = integrate::stormer_verlet_start(x, v, t, h_previous, spring);
+/// for (int n = 0; n < 40; ++n) {
+///   const double frame = n % 2 == 0 ? 0.01 : 0.04;
+///   integrate::stormer_verlet_uneven(x, x_previous, t, frame, h_previous, spring);
+///   t = t + frame;
+///   h_previous = frame;
+/// }
+/// v = integrate::stormer_verlet_velocity(x, x_previous, h_previous);
+/// @endcode
 #pragma once
 #include <functional>
 #include <type_traits>
@@ -17,7 +51,9 @@ namespace integrate {
 /// @param h  step size [s]
 template <class Vec, class Real>
 constexpr Vec stormer_verlet_velocity(const Vec& x, const Vec& x_previous, Real h) {
-  return (Real(1) / h) * (x + Real(-1) * x_previous);
+  constexpr bool fits = std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "h * x must be a Vec; h no integer");
+  if constexpr (fits) return (Real(1) / h) * (x + Real(-1) * x_previous);
 }
 // [velocity]
 
@@ -31,8 +67,11 @@ constexpr Vec stormer_verlet_velocity(const Vec& x, const Vec& x_previous, Real 
 /// @param a  acceleration one step ago [units of x per s^2]
 /// @param h  step size [s]
 template <class Vec, class Real>
-constexpr Vec stormer_verlet_velocity(const Vec& x, const Vec& x_previous, const Vec& a, Real h) {
-  return (Real(1) / h) * (x + Real(-1) * x_previous) + (h / Real(2)) * a;
+constexpr Vec stormer_verlet_carried_velocity(const Vec& x, const Vec& x_previous, const Vec& a,
+                                              Real h) {
+  constexpr bool fits = std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "h * x must be a Vec; h no integer");
+  if constexpr (fits) return (Real(1) / h) * (x + Real(-1) * x_previous) + (h / Real(2)) * a;
 }
 // [better-velocity]
 
@@ -49,7 +88,10 @@ constexpr Vec stormer_verlet_velocity(const Vec& x, const Vec& x_previous, const
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr Vec stormer_verlet_start(const Vec& x, const Vec& v, Time t, Real h,
                                    Acceleration&& acceleration) {
-  return x + Real(-1) * h * v + (h * h / Real(2)) * acceleration(x, v, t);
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  if constexpr (fits) return x + Real(-1) * h * v + (h * h / Real(2)) * acceleration(x, v, t);
 }
 // [start]
 
@@ -104,7 +146,7 @@ constexpr void stormer_verlet_carried(Vec& x, Vec& x_previous, Vec& a, Time t, R
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [carried-move]
-    const Vec v = stormer_verlet_velocity(x, x_previous, a, h);
+    const Vec v = stormer_verlet_carried_velocity(x, x_previous, a, h);
     a = acceleration(x, v, t);
     const Vec x_next = Real(2) * x + Real(-1) * x_previous + (h * h) * a;
     x_previous = x;

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// Velocity Verlet: kick, drift, kick.
+///
+/// @code
+/// const auto spring = [](double x, double v, double) { return -9 * x - v; };
+/// const double h = 1 / 60.0;
+/// double x = 1, v = 0;
+/// double a = integrate::velocity_verlet_start(x, v, 0.0, spring);
+/// for (int n = 0; n < 60; ++n) integrate::velocity_verlet(x, v, a, n * h, h, spring);
+/// @endcode
 #pragma once
 #include <functional>
 #include <type_traits>
@@ -17,7 +25,9 @@ namespace integrate {
 template <class Vec, class Time, class Acceleration>
 constexpr Vec velocity_verlet_start(const Vec& x, const Vec& v, Time t,
                                     Acceleration&& acceleration) {
-  return acceleration(x, v, t);
+  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  static_assert(fits, "acceleration must be callable as Vec(x, v, t)");
+  if constexpr (fits) return acceleration(x, v, t);
 }
 // [start]
 

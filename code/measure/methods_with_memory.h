@@ -60,7 +60,7 @@ struct StormerVerletCarried {
   /// The state that it stands for, its velocity brought up to date.
   template <class Vec, class Real, class Scene>
   static scenes::State<Vec> seen(const std::array<Vec, 3>& kept, Real, Real h, const Scene&) {
-    return {kept[0], integrate::stormer_verlet_velocity(kept[0], kept[1], kept[2], h)};
+    return {kept[0], integrate::stormer_verlet_carried_velocity(kept[0], kept[1], kept[2], h)};
   }
 };
 

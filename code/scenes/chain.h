@@ -53,13 +53,15 @@ struct Chain {
   /// [1/s]
   template <class Time, class Add>
   void jacobian(const Vec&, const Vec&, Time, Add&& add) const {
-    for (int i = 0; i < count; ++i) {
-      const Real m = i + 1 < count ? mass : tip;
-      const Real springs = i + 1 < count ? 2 : 1;
-      if (i > 0) add(i, i - 1, k / m, c / m);
-      add(i, i, -springs * k / m, -springs * c / m);
-      if (i + 1 < count) add(i, i + 1, k / m, c / m);
+    const Real by_position = k / mass, by_velocity = c / mass;
+    const int last = count - 1;
+    for (int i = 0; i < last; ++i) {
+      if (i > 0) add(i, i - 1, by_position, by_velocity);
+      add(i, i, -2 * by_position, -2 * by_velocity);
+      add(i, i + 1, by_position, by_velocity);
     }
+    if (last > 0) add(last, last - 1, k / tip, c / tip);
+    add(last, last, -k / tip, -c / tip);
   }
   // [jacobian]
 

@@ -67,7 +67,7 @@ struct Cloth {
   /// One of the masses [kg].
   Real mass_of(int) const { return mass; }
 
-  /// Whether a mass stays where it is.
+  /// Whether a mass keeps the velocity that it has, which is none at the start.
   bool held(int i) const { return i == 0 || i == side - 1; }
 
   /// Calls `visit(i, j, link)` for each spring.
@@ -76,13 +76,17 @@ struct Cloth {
     const Real spacing = width / Real(side - 1);
     const Link<Real> edge{spacing, k, c};
     const Link<Real> diagonal{spacing * std::numbers::sqrt2_v<Real>, k, c};
-    for (int row = 0, i = 0; row < side; ++row) {
-      for (int column = 0; column < side; ++column, ++i) {
-        const bool right = column + 1 < side, below = row + 1 < side;
-        if (right) visit(i, i + 1, edge);
-        if (below) visit(i, i + side, edge);
-        if (right && below) visit(i, i + side + 1, diagonal);
-        if (right && below) visit(i + 1, i + side, diagonal);
+    const struct {
+      int right, down;
+      Link<Real> link;
+    } neighbours[] = {{1, 0, edge}, {0, 1, edge}, {1, 1, diagonal}, {-1, 1, diagonal}};
+    for (int row = 0; row < side; ++row) {
+      for (int column = 0; column < side; ++column) {
+        for (const auto& [right, down, link] : neighbours) {
+          const int there = column + right, below = row + down;
+          if (there < 0 || there == side || below == side) continue;
+          visit(row * side + column, below * side + there, link);
+        }
       }
     }
   }

@@ -27,8 +27,8 @@ struct Link {
   /// @param w  velocity of the second point, seen from the first [m/s]
   Vec3 pull(const Vec3& d, const Vec3& w) const {
     const Real r = d.norm();
-    const Vec3 along = d / r;
-    return (k * (r - length) + c * along.dot(w)) * along;
+    const Real tension = k * (r - length) + c * d.dot(w) / r;
+    return (tension / r) * d;
   }
   // [pull]
 
@@ -40,15 +40,18 @@ struct Link {
   /// @see K.-J. Choi and H.-S. Ko, Stable but responsive cloth, SIGGRAPH (2002)
   Block stiffness(const Vec3& d) const {
     const Real r = d.norm();
-    const Block along = (d / r) * (d / r).transpose();
-    const Real across = std::max(Real(0), Real(1) - length / r);
-    return k * along + (k * across) * (Block::Identity() - along);
+    const Vec3 along = d / r;
+    const Real across = k * std::max(Real(0), Real(1) - length / r);
+    return (k - across) * Block(along * along.transpose()) + across * Block::Identity();
   }
   // [stiffness]
 
   /// The derivative of the pull by w [N s/m].
   /// @param d  from the first point to the second [m]
-  Block damping(const Vec3& d) const { return (c / d.squaredNorm()) * d * d.transpose(); }
+  Block damping(const Vec3& d) const {
+    const Vec3 along = d / d.norm();
+    return c * Block(along * along.transpose());
+  }
 
   /// What is stored in the spring [J].
   /// @param d  from the first point to the second [m]

@@ -11,7 +11,7 @@ namespace scenes {
 // A net is a scene with the members
 //   nodes()               how many masses
 //   mass_of(i)            of a node [kg]
-//   held(i)               whether a node stays where it is
+//   held(i)               whether a node keeps its velocity, whatever pulls at it
 //   for_each_link(visit)  calls visit(i, j, link) for each spring
 //   g                     acceleration of gravity, against the second axis [m/s^2]
 // A node has three unknowns, one after the other; the second of them is its height.

@@ -26,7 +26,7 @@ struct Rope {
   Real k = 1000;           ///< stiffness of each spring [N/m]
   Real c = 0;              ///< damping of each spring, along itself [N s/m]
   Real g = Real(9.81);     ///< acceleration of gravity, downwards [m/s^2]
-  bool first_held = true;  ///< whether the first mass stays where it is
+  bool first_held = true;  ///< whether the first mass keeps its velocity, at the start none
   bool last_held = false;  ///< whether the last one does
 
   /// The accelerations [m/s^2].
@@ -71,7 +71,7 @@ struct Rope {
   /// One of the masses [kg].
   Real mass_of(int i) const { return i + 1 < count ? mass : tip; }
 
-  /// Whether a mass stays where it is.
+  /// Whether a mass keeps the velocity that it has, which is none at the start.
   bool held(int i) const { return i == 0 ? first_held : i + 1 == count && last_held; }
 
   /// Calls `visit(i, j, link)` for each spring.

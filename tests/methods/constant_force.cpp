@@ -1,55 +1,119 @@
 // SPDX-License-Identifier: MIT-0
 // Under a constant force, where every error can be worked out by hand.
+#include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <limits>
+#include <typeinfo>
 
+#include "list.h"
 #include "measure/run.h"
-#include "scenes/projectile.h"
+#include "scenes/linear_drag.h"
+#include "theory.h"
 
+using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
+using scenes::LinearDrag;
 
 namespace {
 
-struct Misses {
-  double up, sideways, speed;
+constexpr double v0 = 20;
+constexpr LinearDrag<> fall{.c = 0, .v0 = v0};
+constexpr double a = -fall.g;
+
+struct Miss {
+  double position, velocity;
+  double rounding;  // of either: each step rounds a few times what has been reached by then
 };
 
-// How far the cannonball of step h is from the true one after `steps` steps.
 template <class Step>
-Misses misses(Step step, double h, int steps) {
-  const scenes::Projectile<> ball{.start_velocity = {3, 20}};
-  const auto end = measure::after(step, ball, ball.start(), h, steps);
-  const auto truth = ball.exact(steps * h);
-  return {end.x.y() - truth.x.y(), end.x.x() - truth.x.x(), (end.v - truth.v).norm()};
+Miss miss(const Step& step, double h, int steps) {
+  const double t = h * steps;
+  const auto end = measure::after(step, fall, fall.start(), h, steps);
+  const auto truth = fall.exact(t);
+  // Position Verlet's velocity is a difference of positions, over h.
+  const double size = v0 * t + std::abs(a) * t * t + v0 + std::abs(a) * t;
+  const double rounding =
+      4 * steps * std::numeric_limits<double>::epsilon() * size / std::min(h, 1.0);
+  return {end.x - truth.x, end.v - truth.v, rounding};
+}
+
+// How far ahead the position is, in a h t: whether a step moves with the velocity of its start, of
+// its middle or of its end.
+constexpr double lead(theory::OneOf<list::Euler, list::SymplecticEulerPositionFirst> auto) {
+  return -0.5;
+}
+constexpr double lead(theory::OneOf<list::SymplecticEuler, list::PredictedEuler,
+                                    list::BackwardEuler, list::BackwardEulerNewton> auto) {
+  return 0.5;
+}
+constexpr double lead(auto) {
+  return 0;
+}
+
+// How far ahead the velocity is, in a h.
+constexpr double lead_of_velocity(
+    theory::OneOf<list::StormerVerlet, list::StormerVerletUneven> auto) {
+  return -0.5;
+}
+constexpr double lead_of_velocity(auto) {
+  return 0;
 }
 
 }  // namespace
 
-TEST_CASE("Under constant force Euler lags by a h t / 2, symplectic Euler leads by as much") {
-  for (const double h : {1.0 / 60, 0.25}) {
+TEMPLATE_LIST_TEST_CASE(
+    "Under constant force a position leads by half a h t, or lags by it, or is exact", "",
+    list::General) {
+  INFO(typeid(TestType).name());
+  for (const double h : {1.0 / 60, 0.25, 30.0}) {
     for (const int steps : {1, 7, 100}) {
-      const double half = -9.81 * h * (steps * h) / 2;
       CAPTURE(h, steps);
-      const Misses euler = misses(measure::euler, h, steps);
-      CHECK_THAT(euler.up, WithinRel(-half, 1e-10));
-      const Misses symplectic = misses(measure::symplectic_euler, h, steps);
-      CHECK_THAT(symplectic.up, WithinRel(half, 1e-10));
-      for (const Misses& miss : {euler, symplectic}) {
-        CHECK(miss.speed < 1e-11);
-        CHECK(std::abs(miss.sideways) < 1e-12);
-      }
+      const auto [position, velocity, rounding] = miss(TestType::step, h, steps);
+      CHECK_THAT(position, WithinAbs(lead(TestType()) * a * h * (h * steps), rounding));
     }
   }
 }
 
-TEST_CASE("Under constant force the exact step is exact, however long it is") {
+TEMPLATE_LIST_TEST_CASE(
+    "Under constant force a velocity is exact, but position Verlet's half a step late", "",
+    list::General) {
+  INFO(typeid(TestType).name());
   for (const double h : {1.0 / 60, 0.25, 30.0}) {
     for (const int steps : {1, 7, 100}) {
-      const Misses exact = misses(measure::constant_acceleration, h, steps);
-      const double rounding = 1e-14 * 9.81 * (h * steps) * (h * steps);
-      CAPTURE(h, steps, exact.up);
-      CHECK(std::abs(exact.up) < rounding + 1e-12);
-      CHECK(exact.speed < rounding + 1e-12);
+      CAPTURE(h, steps);
+      const auto [position, velocity, rounding] = miss(TestType::step, h, steps);
+      CHECK_THAT(velocity, WithinAbs(lead_of_velocity(TestType()) * a * h, rounding));
     }
   }
+}
+
+TEST_CASE("With gravity and drag the velocity of linear_damping_exact is exact") {
+  for (const double c : {0.1, 2.0, 50.0}) {
+    for (const double h : {1.0 / 60, 0.25, 30.0}) {
+      CAPTURE(c, h);
+      const LinearDrag<> leaf{.c = c, .v0 = v0};
+      const int steps = 7;
+      const auto end = measure::after(measure::linear_damping_exact, leaf, leaf.start(), h, steps);
+      CHECK_THAT(end.v, WithinRel(leaf.exact(h * steps).v, 1e-13));
+    }
+  }
+}
+
+TEST_CASE("With gravity and drag every other way to damp has a velocity of order one") {
+  const LinearDrag<> leaf{.c = 2, .v0 = v0};
+  const auto off = [&leaf](const auto& step, int steps) {
+    const auto end = measure::after(step, leaf, leaf.start(), 1.0 / steps, steps);
+    return std::abs(end.v - leaf.exact(1.0).v);
+  };
+  const auto check = [&off](const auto& step) {
+    CHECK_THAT(std::log2(off(step, 400) / off(step, 800)), WithinAbs(1, 0.1));
+  };
+  check(measure::linear_damping_explicit_last);
+  check(measure::linear_damping_explicit_first);
+  check(measure::linear_damping_implicit_last);
+  check(measure::linear_damping_implicit_first);
+  check(measure::linear_damping_exponential_last);
+  check(measure::linear_damping_exponential_first);
 }

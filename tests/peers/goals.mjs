@@ -3,6 +3,8 @@ const methods = ['euler', 'symplectic_euler', 'velocity_verlet', 'rk4'];
 const kinds = ['float, one thread', 'double, one thread', 'float, two threads', 'double, two threads'];
 const many = ['32 orbits, symplectic_euler', '32 orbits, rk4'];
 
+const [chain, cloth] = ['chain of 10,000 masses', 'cloth of 58 x 58 masses'];
+
 const atMost = bound => ({ text: `at most ${bound}`, met: value => value <= bound });
 const atLeast = bound => ({ text: `at least ${bound}`, met: value => value >= bound });
 
@@ -34,6 +36,12 @@ export const goals = [
   { what: '32 orbits: time of the better header row beside the loop vectorised by hand, worst of the two methods', goal: atMost(1.1),
     value: time => Math.max(...many.map(g => Math.min(time(g, 'header, blocks'), time(g, 'header, plain loop')) /
       time(g, 'vectorised by hand'))) },
+  { what: 'Implicit step of a chain of 10,000 unknowns, in milliseconds', goal: atMost(1),
+    value: time => 10_000 * time(chain, 'header, BandSystem') / 1e6 },
+  { what: 'The same beside Thomas by hand', goal: atMost(1.3),
+    value: time => time(chain, 'header, BandSystem') / time(chain, 'by hand, Thomas') },
+  { what: 'Implicit step of cloth of 10,092 unknowns, beside plain Eigen', goal: atMost(1.3),
+    value: time => time(cloth, 'header, SparseSystem') / time(cloth, 'by hand, plain Eigen') },
 ];
 
 /// One goal under one set of flags: by the medians, and by the fastest rounds; undefined if it wasn't measured.

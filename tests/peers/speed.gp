@@ -39,8 +39,8 @@ eval key(3, "float, two threads", 0.19, 486, "ls FIRST pt 6")
 eval key(4, "double", 0.45, 486, "ls SECOND")
 eval key(5, "double, two threads", 0.60, 486, "ls SECOND pt 4")
 eval panel("particles", 502, 750)
-set xrange [0.07:12]
-set xtics (0.1, 0.2, 0.5, 1, 2, 5, 10)
+set xrange [0.04:12]
+set xtics (0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10)
 set arrow 1 from 1,graph 0 to 1,graph 1 nohead ls LIMIT back
 plot file("particles") using 3:($2 + 0.24):4:5 with xerrorbars ls FIRST, \
      file("particles") using 6:($2 + 0.08):7:8 with xerrorbars ls FIRST pt 6, \
@@ -55,7 +55,7 @@ eval key(3, "and -fno-math-errno", 0.31, 842, "ls SYMPLECTIC_EULER")
 eval key(4, "rk4", 0.62, 842, "ls RK4 pt 12")
 eval key(5, "and -fno-math-errno", 0.70, 842, "ls RK4")
 load DATA."machine.gp"
-set label 9 MACHINE at screen 0.97,0.014 right noenhanced font ",12"
+set label 9 MACHINE at screen 0.97,y(1006) right noenhanced font ",12"
 eval panel("many", 858, 954)
 set xrange [0.5:30]
 set xtics (0.5, 1, 2, 5, 10, 20)

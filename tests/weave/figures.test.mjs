@@ -38,8 +38,8 @@ test('snippets: no such file, no such tag, a file that nothing compiles', () => 
 
 test('a tag that stands once, and one thrice', () => refuses(
   [[EULER, '  v = v + h * a;\n  // [step]\n', '  v = v + h * a;\n'], [EULER, '#pragma once\n', '#pragma once\n// [position]\n'], listing(EULER, 'position')],
-  [CHAPTER, 'step, The step', `tag "step" stands once in ${EULER} (line 20); it must stand twice, before and after the lines to show`],
-  [CHAPTER, ', position', `tag "position" stands 3 times in ${EULER} (lines 3, 22, 24); it must stand twice, before and after the lines to show`],
+  [CHAPTER, 'step, The step', `tag "step" stands once in ${EULER} (line 27); it must stand twice, before and after the lines to show`],
+  [CHAPTER, ', position', `tag "position" stands 3 times in ${EULER} (lines 10, 29, 31); it must stand twice, before and after the lines to show`],
 ));
 
 test('tags around documentation alone', () => refuses(

@@ -12,6 +12,7 @@ const SAMPLE = fileURLToPath(new URL('sample', import.meta.url));
 export const CHAPTER = 'chapters/2-euler/chapter.md';
 export const CLAIMS = 'chapters/2-euler/claims.cpp';
 export const REPORT = 'built/2-euler/claims.xml';
+export const CARDS = 'code/measure/every_card.cpp';
 export const NUMBERS = 'built/2-euler/data/numbers.csv';
 
 // A paragraph of its own in the chapter, outside of every box.
@@ -52,7 +53,7 @@ function edit(book, name, change) {
 function weave(folder, chapters, doxygen) {
   const config = join(folder, 'weave.json');
   writeFileSync(config, JSON.stringify({
-    source: folder, output: join(folder, 'out'), work: join(folder, 'work'), doxygen,
+    source: folder, output: join(folder, 'out'), work: join(folder, 'work'), cards: join(folder, 'built/cards'), doxygen,
     chapters: chapters.map(name => ({ name, folder: `chapters/${name}`, build: join(folder, 'built', name) })),
   }));
   return spawnSync(process.execPath, [WEAVER, config], { encoding: 'utf8' });

@@ -106,8 +106,8 @@ inline std::vector<Variant> sprk_variants() {
           {verlet, with_sundials(WithSundials::symplectic("ARKODE_SPRK_PSEUDO_LEAPFROG_2_2"))}};
 #else
   for (peers::Row row : {euler, verlet}) {
-    row.note =
-        "SUNDIALS " SUNDIALS_VERSION " is too old: SPRKStep came with 6.6, as used here with 7.1";
+    row.note = "SUNDIALS " SUNDIALS_VERSION
+               " is too old: SPRKStep came with 6.6, the functions called here with 7.1";
     peers::lacks_row(row);
   }
   return {};

@@ -12,7 +12,7 @@ void call_stormer_verlet(Try& attempt) {
     auto x_previous = integrate::stormer_verlet_start(x, v, t, h, acceleration);
     auto a = acceleration(x, v, t);
     integrate::stormer_verlet_carried(x, x_previous, a, t, h, acceleration);
-    v = integrate::stormer_verlet_velocity(x, x_previous, a, h);
+    v = integrate::stormer_verlet_carried_velocity(x, x_previous, a, h);
   });
   attempt("stormer_verlet_uneven", [](auto& x, auto& v, auto t, auto h, auto& acceleration) {
     auto x_previous = integrate::stormer_verlet_start(x, v, t, h, acceleration);

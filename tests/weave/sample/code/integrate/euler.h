@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: MIT-0
+/// @file
+/// Euler's method, for a sample.
+///
+/// @code
+/// double x = 1, v = 0;
+/// integrate::euler(x, v, 0.0, 0.1, [](double x, double, double) { return -x; });
+/// @endcode
 #pragma once
 
 namespace integrate {

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT-0
+// Prints "method scene hash" for a long trajectory of every method whose arithmetic IEEE 754
+// settles to the last bit: + - * / and square roots. The others call the C library's exponential,
+// sine or power, which no two libraries round alike.
+#include <cxxabi.h>
+
+#include <bit>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <type_traits>
+#include <typeinfo>
+
+#include "../methods/list.h"
+#include "measure/run.h"
+#include "scenes/orbit.h"
+#include "scenes/outer_solar_system.h"
+#include "scenes/pendulum.h"
+#include "scenes/spring.h"
+
+namespace {
+
+template <class Method>
+constexpr bool calls_the_c_library = std::is_same_v<Method, list::SpringExact> ||
+                                     std::is_same_v<Method, list::LinearDampingExponentialLast> ||
+                                     std::is_same_v<Method, list::LinearDampingExponentialFirst> ||
+                                     std::is_same_v<Method, list::LinearDampingExact>;
+
+// FNV-1a, one double at a time.
+struct Hash {
+  std::uint64_t value = 0xcbf29ce484222325;
+
+  void add(double x) { value = (value ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3; }
+
+  template <class Vec>
+  void add(const Vec& x) {
+    for (const double coordinate : x.reshaped()) add(coordinate);
+  }
+};
+
+// "list::Euler" as g++ and clang++ both spell it.
+template <class Method>
+std::string name() {
+  int status = 0;
+  char* const spelled = abi::__cxa_demangle(typeid(Method).name(), nullptr, nullptr, &status);
+  std::string name = status == 0 ? spelled : "?";
+  std::free(spelled);
+  return name.substr(name.find_last_of(':') + 1);
+}
+
+template <class Method, class Scene, class Vec>
+void print(const char* where, const Scene& scene, scenes::State<Vec> s, double h, long steps) {
+  if constexpr (!calls_the_c_library<Method>) {
+    Hash hash;
+    measure::run(Method::step, scene, s, h, steps, [&hash](double, const scenes::State<Vec>& now) {
+      hash.add(now.x);
+      hash.add(now.v);
+    });
+    std::printf("%s %s %016llx\n", name<Method>().c_str(), where,
+                static_cast<unsigned long long>(hash.value));
+  }
+}
+
+// Calls `go` with an object of each type of a list.
+template <class... Methods, class Go>
+void for_each(std::tuple<Methods...>, Go go) {
+  (go(Methods()), ...);
+}
+
+}  // namespace
+
+int main() {
+  const scenes::Pendulum<> pendulum{.angle = 3};
+  const scenes::Orbit<> orbit;
+  const scenes::State<Eigen::Vector2d> pericentre{{0.4, 0}, {0, 2}};
+  const scenes::OuterSolarSystem<> planets;
+  const scenes::Spring<> spring{.omega = 3, .zeta = 0.01};
+  for_each(list::General(), [&](auto method) {
+    using Method = decltype(method);
+    print<Method>("pendulum", pendulum, pendulum.start(), 1e-3, 10'000);
+    print<Method>("orbit", orbit, pericentre, 1e-3, 5000);
+  });
+  for_each(list::Explicit(), [&](auto method) {
+    print<decltype(method)>("planets", planets, planets.start(), 10.0, 500);
+  });
+  for_each(std::tuple_cat(list::OnSprings(), list::Damping()), [&](auto method) {
+    print<decltype(method)>("spring", spring, spring.start(), 1e-3, 10'000);
+  });
+}

@@ -1,0 +1,73 @@
+// The cards of the methods: everywhere the same, where a reader looks for them, and the only place for times.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { kind, pages, parse } from './book.mjs';
+
+const text = e => e.text().replace(/\s+/g, ' ').trim();
+const headers = pages.filter(page => kind(page) === 'api' && parse(page)('h1 .kicker').text() === 'code/integrate');
+
+// Every card of the book: the page, the method, what it says.
+const cards = pages.flatMap(page => {
+  const $ = parse(page);
+  return $('.card').map((_, card) => ({ page, method: $(card).find('.sources a').first().text().replace('.csv', ''), says: text($(card).find('.parts')) })).get();
+});
+
+test('a function that moves x on has a card below its signature', () => {
+  let stepping = 0;
+  for (const page of headers) {
+    const $ = parse(page);
+    $('section.member').filter((_, e) => /\(Vec& x,/.test($(e).find('.signature').first().text())).each((_, e) => {
+      ++stepping;
+      const method = text($(e).find('h2 code').first());
+      assert.equal($(e).find('.card .sources a').first().text(), `${method}.csv`, page);
+    });
+  }
+  assert.ok(stepping > 25, `${stepping} functions`);
+});
+
+test('the card of a method says the same on each page', () => {
+  const chapters = cards.filter(({ page }) => kind(page) === 'chapter');
+  assert.ok(chapters.length > 0);
+  for (const { page, method, says } of chapters) {
+    const reference = cards.find(card => card.method === method && kind(card.page) === 'api');
+    assert.equal(says, reference.says, `${method} in ${page}`);
+  }
+});
+
+test('the list of methods leads to each card and agrees with it', () => {
+  const $ = parse('reference.html');
+  const rows = $('.methods tbody tr').get().map(row => ({
+    method: text($(row).find('th code').first()), href: $(row).find('th a').attr('href'),
+    limits: $(row).find('td').slice(3, 5).map((_, cell) => text($(cell).clone().find('.head').remove().end())).get(),
+  }));
+  assert.deepEqual(rows.map(({ method }) => method).sort(), [...new Set(cards.map(({ method }) => method))].sort());
+  for (const { method, href, limits: [drag, spring] } of rows) {
+    const card = cards.find(({ page, method: name }) => name === method && href.startsWith(`${page}#`));
+    assert.ok(card, `${method} leads to ${href}`);
+    if (drag === '–') continue;
+    assert.ok(card.says.includes(`drag, ch${drag}`), `${method}: ${drag} in ${card.says}`);
+    assert.ok(card.says.includes(`undamped spring, hω${spring}`), `${method}: ${spring} in ${card.says}`);
+  }
+});
+
+test('the page of a header begins with the file to take and an example that includes it', () => {
+  assert.ok(headers.length > 15);
+  for (const page of headers) {
+    const $ = parse(page);
+    const header = $('h1 > code').text();
+    assert.equal($('.take a[download]').attr('href'), `headers/${header}`, page);
+    assert.ok($('.codebox').first().text().startsWith(`#include "${header}"\n`), page);
+    assert.ok($('.codebox').first().prevAll('section').length === 0, page);
+  }
+});
+
+test('nanoseconds stand on cards that name the machine, and nowhere else', () => {
+  for (const page of pages.filter(name => kind(name) !== 'source')) {
+    const $ = parse(page);
+    const timed = $('.card').filter((_, card) => /\d\u202fns/.test($(card).text()));
+    timed.each((_, card) => assert.match($(card).find('.note').text(), /best of nine runs on \S+/, page));
+    const outside = $('main').clone();
+    outside.find('.card, pre').remove();
+    assert.doesNotMatch(outside.text(), /\d[\s\u202f]ns\b/, page);
+  }
+});

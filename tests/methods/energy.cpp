@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT-0
+// What a step does to the energy of an undamped spring.
+#include "measure/energy.h"
+
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <limits>
+#include <typeinfo>
+
+#include "list.h"
+#include "measure/stability.h"
+#include "scenes/spring.h"
+#include "theory.h"
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+using scenes::Spring;
+
+namespace {
+
+// These turn and stretch every state alike: the energy is multiplied by the square of |R(i w)|,
+// where w = h omega.
+double gain(list::Euler, double w) {
+  return 1 + w * w;
+}
+double gain(theory::OneOf<list::Midpoint, list::Heun> auto, double w) {
+  return 1 + std::pow(w, 4) / 4;
+}
+double gain(theory::OneOf<list::Rk4, list::Rk4Linear> auto, double w) {
+  return 1 - std::pow(w, 6) / 72 + std::pow(w, 8) / 576;
+}
+double gain(list::Dopri5, double w) {
+  return 1 - std::pow(w, 6) / 1800 + std::pow(w, 8) / 1600 - std::pow(w, 10) / 14400 +
+         std::pow(w, 12) / 360000;
+}
+double gain(list::PredictedEuler, double w) {
+  return 1 - w * w + std::pow(w, 4);
+}
+double gain(
+    theory::OneOf<list::BackwardEuler, list::BackwardEulerNewton, list::BackwardEulerSpring> auto,
+    double w) {
+  return 1 / (1 + w * w);
+}
+double gain(theory::OneOf<list::Trapezoid, list::TrapezoidNewton, list::SpringExact> auto, double) {
+  return 1;
+}
+
+using Stretching = std::tuple<list::Euler, list::Midpoint, list::Heun, list::Rk4, list::Rk4Linear,
+                              list::Dopri5, list::PredictedEuler, list::BackwardEuler,
+                              list::BackwardEulerNewton, list::BackwardEulerSpring, list::Trapezoid,
+                              list::TrapezoidNewton, list::SpringExact>;
+
+// These tilt what they turn, and so keep an ellipse of their own: an energy of x, v and h that is
+// close to the true one. Here omega is 1.
+double kept(
+    theory::OneOf<list::SymplecticEuler, list::StormerVerlet, list::StormerVerletUneven> auto,
+    double x, double v, double w) {
+  return v * v + x * x - w * x * v;
+}
+double kept(list::SymplecticEulerPositionFirst, double x, double v, double w) {
+  return v * v + x * x + w * x * v;
+}
+double kept(theory::OneOf<list::Leapfrog, list::VelocityVerlet> auto, double x, double v,
+            double w) {
+  return v * v + (1 - w * w / 4) * x * x;
+}
+double kept(list::StormerVerletCarried, double x, double v, double w) {
+  const double half_step_ago = (v + w / 2 * x) / (1 + w * w / 2);
+  return kept(list::StormerVerlet(), x, half_step_ago, w);
+}
+double kept(list::Yoshida4, double x, double v, double w) {
+  // Of a matrix [p, q; r, p] with p^2 - q r = 1, on x and h v.
+  const Eigen::Matrix3d step = theory::yoshida4({w * w, 0});
+  const double q = step(0, 1), r = step(1, 0) - w * w * step(1, 2);
+  return q * v * v - r / (w * w) * x * x;
+}
+
+using Tilting =
+    std::tuple<list::SymplecticEuler, list::SymplecticEulerPositionFirst, list::StormerVerlet,
+               list::StormerVerletUneven, list::StormerVerletCarried, list::Leapfrog,
+               list::VelocityVerlet, list::Yoshida4>;
+
+static_assert(std::tuple_size_v<Stretching> + std::tuple_size_v<Tilting> + 1 ==
+                  std::tuple_size_v<list::General> + std::tuple_size_v<list::OnSprings>,
+              "all methods but the one of a constant acceleration");
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("On an undamped spring each step multiplies the energy by its formula", "",
+                        Stretching) {
+  INFO(typeid(TestType).name());
+  for (const double w : {0.01, 0.1, 0.5, 1.0, 2.5, 5.0}) {
+    const double omega = 7, h = w / omega;
+    const Spring<> spring{.omega = omega, .x0 = 0.3, .v0 = -2};
+    double before = 0;
+    scenes::State<double> s = spring.start();
+    measure::run(TestType::step, spring, s, h, 100, [&](double t, const auto& now) {
+      const double energy = spring.energy(now.x, now.v);
+      // Room for the sum of a method's stages, which may be ten times as large as what it comes to.
+      if (t > 0) CHECK_THAT(energy / before, WithinRel(gain(TestType(), w), 1e-13));
+      before = energy;
+    });
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("On an undamped spring each keeps an energy of its own, for ever", "",
+                        Tilting) {
+  INFO(typeid(TestType).name());
+  for (const double w : {0.01, 0.5, 1.5}) {
+    const double omega = 7;
+    const Spring<> spring{.omega = omega, .x0 = 0.3, .v0 = -2};
+    const auto own = [&](double x, double v) { return kept(TestType(), x, v / omega, w); };
+    double first = 0, last = 0;
+    scenes::State<double> s = spring.start();
+    measure::run(TestType::step, spring, s, w / omega, 10'001, [&](double t, const auto& now) {
+      // The velocity of position Verlet is not the one that it was started with.
+      if (t > 0 && first == 0) first = own(now.x, now.v);
+      last = own(now.x, now.v);
+    });
+    const double rounding = 10'000 * 4 * std::numeric_limits<double>::epsilon();
+    CHECK_THAT(last, WithinRel(first, rounding));
+  }
+}
+
+TEST_CASE("A constant acceleration per step makes an undamped spring grow with every step, too") {
+  for (const double w : {0.01, 0.1, 1.0}) {
+    const Spring<> spring{.omega = 7};
+    // It tilts and stretches: the square of the growth is the determinant.
+    const double radius = measure::spectral_radius(measure::constant_acceleration, spring, w / 7);
+    CHECK_THAT(radius * radius, WithinRel(1 + w * w / 2, 1e-13));
+    const long steps = 1000;
+    const auto end =
+        measure::after(measure::constant_acceleration, spring, spring.start(), w / 7, steps);
+    const double growth = spring.energy(end.x, end.v) / spring.energy(spring.x0, spring.v0);
+    // Apart from the tilt, which takes or gives a part of the energy that does not grow.
+    CHECK_THAT(std::log(growth), WithinAbs(double(steps) * std::log1p(w * w / 2), 1));
+  }
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT-0
+// The implicit methods with a single solve: one step of Newton's method for both unknowns at once,
+// on the defect of the implicit formula.
+#pragma once
+#include <Eigen/LU>
+#include <vector>
+
+#include "runge_kutta.h"
+
+namespace textbook {
+
+// The derivative by central differences of order 8, exact for a polynomial up to that degree.
+template <class Defect>
+Eigen::Matrix<Real, 2, 2> derivative(const Defect& defect, const Pair& z) {
+  constexpr Real weights[] = {4 / 5.0L, -1 / 5.0L, 4 / 105.0L, -1 / 280.0L};
+  constexpr Real apart = 0.125L;
+  Eigen::Matrix<Real, 2, 2> matrix = Eigen::Matrix<Real, 2, 2>::Zero();
+  for (int column = 0; column < 2; ++column) {
+    for (int n = 1; n <= 4; ++n) {
+      const Pair far = n * apart * Pair::Unit(column);
+      matrix.col(column) += weights[n - 1] / apart * (defect(z + far) - defect(z - far));
+    }
+  }
+  return matrix;
+}
+
+// Newton's method begins where the velocity of the start leads to, with that velocity.
+template <class Defect>
+Pair newton_step(const Defect& defect, const Pair& z, Real h) {
+  const Pair guess{z[0] + h * z[1], z[1]};
+  return guess - derivative(defect, guess).partialPivLu().solve(defect(guess));
+}
+
+inline std::vector<State> steps(list::BackwardEuler, const Force& force, const State& start, Real h,
+                                int count) {
+  std::vector<State> states;
+  Pair z{start.x, start.v};
+  for (int n = 0; n < count; ++n) {
+    const auto defect = [&](const Pair& end) -> Pair {
+      return end - z - h * slope(force, end, (n + 1) * h);
+    };
+    z = newton_step(defect, z, h);
+    states.push_back({z[0], z[1]});
+  }
+  return states;
+}
+
+inline std::vector<State> steps(list::Trapezoid, const Force& force, const State& start, Real h,
+                                int count) {
+  std::vector<State> states;
+  Pair z{start.x, start.v};
+  for (int n = 0; n < count; ++n) {
+    const auto defect = [&](const Pair& end) -> Pair {
+      return end - z - h / 2 * (slope(force, z, n * h) + slope(force, end, (n + 1) * h));
+    };
+    z = newton_step(defect, z, h);
+    states.push_back({z[0], z[1]});
+  }
+  return states;
+}
+
+}  // namespace textbook
