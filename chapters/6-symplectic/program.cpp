@@ -10,9 +10,10 @@
 #include "ball.h"
 #include "cat.h"
 #include "drag.h"
-#include "measure/card.h"
 #include "measure/energy.h"
+#include "measure/order.h"
 #include "measure/path.h"
+#include "measure/stability.h"
 #include "planets.h"
 #include "shadow.h"
 #include "shuttle.h"
@@ -153,6 +154,5 @@ int main(int argc, char** argv) {
     six_ways(record);
     composition(record);
     planets(record);
-    measure::card(record, "card", symplectic_euler);
   });
 }
