@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// A cat in phase space: where a method carries it, and how large it is there.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "measure/implicit_methods.h"
+#include "measure/methods_with_memory.h"
+#include "measure/record.h"
+#include "scenes/pendulum.h"
+
+/// A wrecking ball on a chain, which swings once in about 2 pi seconds.
+inline constexpr scenes::Pendulum<> wrecking_ball{.length = 9.81};
+inline constexpr double cat_step = 0.25;  ///< [s]
+inline constexpr long cat_steps = 18;     ///< from one end of its swing to the other and on
+
+/// Points of phase space, one after the other around an outline.
+using Outline = std::vector<scenes::State<double>>;
+
+/// A sitting cat in the phase space of the wrecking ball, counter-clockwise.
+/// @param parts  points on each of its edges
+inline Outline cat(int parts) {
+  constexpr std::array<std::pair<double, double>, 23> corners{
+      {{0.55, -1.00}, {1.05, -1.00}, {1.33, -0.65},  {1.28, -0.28},  {1.12, -0.30}, {1.15, -0.60},
+       {0.95, -0.80}, {0.60, -0.78}, {0.62, -0.60},  {0.55, -0.15},  {0.38, 0.15},  {0.50, 0.40},
+       {0.48, 0.65},  {0.52, 1.05},  {0.22, 0.82},   {-0.22, 0.82},  {-0.52, 1.05}, {-0.48, 0.65},
+       {-0.50, 0.40}, {-0.38, 0.15}, {-0.55, -0.15}, {-0.62, -0.60}, {-0.55, -1.00}}};
+  Outline outline;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto [x, y] = corners[i];
+    const auto [next_x, next_y] = corners[(i + 1) % corners.size()];
+    for (int part = 0; part < parts; ++part) {
+      const double s = double(part) / parts;
+      outline.push_back({0.9 + 0.3 * (x + s * (next_x - x)), 0.3 * (y + s * (next_y - y))});
+    }
+  }
+  return outline;
+}
+
+/// Where every point of an outline is after a number of steps.
+template <class Step, class Scene>
+Outline carried(Step step, const Scene& scene, Outline outline, double h, long steps) {
+  for (auto& point : outline) point = measure::after(step, scene, point, h, steps);
+  return outline;
+}
+
+/// An outline that ends where it began, to be drawn.
+inline Outline closed(Outline outline) {
+  outline.push_back(outline.front());
+  return outline;
+}
+
+// [area]
+/// The area within an outline: half the sum of the cross products of neighbours.
+inline double area(const Outline& outline) {
+  double twice = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const auto& here = outline[i];
+    const auto& next = outline[(i + 1) % outline.size()];
+    twice += here.x * next.v - next.x * here.v;
+  }
+  return twice / 2;
+}
+// [area]
+
+inline void cats(measure::Record& record) {
+  auto& shears = record.table("shears", {{"x"}, {"v"}, {"kicked v"}, {"drifted x"}});
+  for (const auto& before : closed(cat(20))) {
+    auto after = before;
+    integrate::symplectic_euler(after.x, after.v, 0.0, 1.0, wrecking_ball);
+    shears.add({before.x, before.v, after.v, after.x});
+  }
+  const auto follow = [&](const std::string& name, auto step) {
+    auto& table = record.table(name, {{"third"}, {"x", "rad"}, {"v", "rad/s"}});
+    for (int third = 0; third <= 3; ++third) {
+      const auto now = carried(step, wrecking_ball, cat(20), cat_step, third * cat_steps / 3);
+      for (const auto& point : closed(now)) table.add({double(third), point.x, point.v});
+    }
+  };
+  follow("cat-euler", measure::euler);
+  follow("cat-symplectic", measure::symplectic_euler);
+
+  auto& table = record.table("areas", {{"method"}, {"area at the end", "%", 5}});
+  const auto measured = [&](const std::string& name, auto step) {
+    const Outline start = cat(500);
+    const Outline end = carried(step, wrecking_ball, start, cat_step, cat_steps);
+    const double left = 100 * area(end) / area(start);
+    table.add({name, left});
+    return left;
+  };
+  measured("Euler", measure::euler);
+  measured("midpoint", measure::midpoint);
+  measured("RK4", measure::rk4);
+  record.number("cat-backward", measured("backward Euler", measure::backward_euler_newton), 3, "%");
+  measured("symplectic Euler", measure::symplectic_euler);
+  measured("velocity Verlet", measure::velocity_verlet);
+  measured("Yoshida 4", measure::yoshida4);
+}

@@ -1,0 +1,16 @@
+eval NARROW ? canvas(400, 380) : canvas(600, 560)
+eval axis_names("angle  [rad]", "angular velocity  [rad/s]")
+set size ratio -1
+set xrange [-1.9:1.5]
+set yrange [-1.65:1.55]
+set xtics 1
+set ytics 1
+set label 1 "start" at 1,0.5 center tc rgb "#000007"
+set label 2 "Euler" at -1.05,1.36 center tc rgb "#000001"
+set label 3 "symplectic Euler" at 0.3,0.75 left tc rgb "#000002"
+first(i) = 1 + 461*i
+last(i) = 461*(i + 1)
+plot for [i=0:3] file("cat-symplectic") every ::first(i)::last(i) using 2:3 with filledcurves closed ls AREA, \
+     for [i=1:3] file("cat-euler") every ::first(i)::last(i) using 2:3 with lines ls EULER lw 1.5, \
+     for [i=1:3] file("cat-symplectic") every ::first(i)::last(i) using 2:3 with lines ls SYMPLECTIC_EULER lw 1.5, \
+     file("cat-euler") every ::first(0)::last(0) using 2:3 with lines ls EXACT dt solid

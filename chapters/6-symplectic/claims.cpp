@@ -1,0 +1,550 @@
+// SPDX-License-Identifier: MIT-0
+// The claims of chapter 6. Each name is a sentence that the chapter says.
+#include <array>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "ball.h"
+#include "cat.h"
+#include "drag.h"
+#include "measure/cost.h"
+#include "measure/energy.h"
+#include "measure/order.h"
+#include "planets.h"
+#include "scenes/projectile.h"
+#include "shadow.h"
+#include "shuttle.h"
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+using measure::euler;
+using measure::symplectic_euler;
+using scenes::Spring;
+using scenes::State;
+
+namespace {
+
+constexpr auto position_first = measure::symplectic_euler_position_first;
+
+/// A spring with one as its frequency.
+Spring<> unit(double zeta = 0) {
+  return {.omega = 1, .zeta = zeta, .x0 = 1, .v0 = 0.5};
+}
+
+/// How much larger a cat has become.
+template <class Step, class Scene>
+double grown(Step step, const Scene& scene, double h, long steps, int parts = 500) {
+  const auto start = cat(parts);
+  return area(carried(step, scene, start, h, steps)) / area(start);
+}
+
+/// The speeds with which a ball hits the floor.
+template <class Step>
+std::vector<double> impacts(Step step, double h, std::size_t count) {
+  std::vector<double> speeds;
+  auto s = dropped;
+  while (speeds.size() < count) {
+    const bool down = s.v < 0;
+    on_a_floor(step)(s.x, s.v, 0.0, h, falling);
+    if (down && s.v > 0) speeds.push_back(s.v);
+  }
+  return speeds;
+}
+
+/// How far a thing falls from rest in ten steps, in units of g h^2.
+template <class Step>
+double fingerprint(Step step) {
+  constexpr scenes::LinearDrag<> fall{.c = 0};
+  return -measure::after(step, fall, fall.start(), frame, 10).x / (fall.g * frame * frame);
+}
+
+template <class Step>
+double order_on_a_spring(Step step, double zeta) {
+  return measure::halvings(step, unit(zeta), 0.05, 6.0, 4).back().position_order;
+}
+
+}  // namespace
+
+TEST_CASE("After an hour of Euler the drone is farther away than the moon") {
+  const auto end = measure::after(euler, drone, drone.start(), frame, 3600 * 60);
+  CHECK(end.x.norm() > 2 * 384.4e6);
+  CHECK(end.x.norm() < 3 * 384.4e6);
+}
+
+TEST_CASE("With two lines swapped the drone stays within four centimetres for an hour") {
+  double off = 0;
+  auto s = drone.start();
+  measure::run(symplectic_euler, drone, s, frame, 3600 * 60, [&](double, const auto& now) {
+    if (!(std::abs(now.x.norm() - 10) <= off)) off = std::abs(now.x.norm() - 10);
+  });
+  CHECK(off < 0.04);
+  CHECK(off > 0.03);
+}
+
+TEST_CASE("A step of symplectic Euler and a step back do not undo each other, but its twin does") {
+  State<double> s{0.3, -0.2};
+  symplectic_euler(s.x, s.v, 0.0, 0.25, wrecking_ball);
+  auto twin = s;
+  symplectic_euler(s.x, s.v, 0.25, -0.25, wrecking_ball);
+  CHECK(std::hypot(s.x - 0.3, s.v + 0.2) > 0.01);
+  position_first(twin.x, twin.v, 0.25, -0.25, wrecking_ball);
+  CHECK(std::hypot(twin.x - 0.3, twin.v + 0.2) < 1e-15);
+}
+
+TEST_CASE("A step of backward Euler undoes a step of Euler with the step reversed") {
+  State<double> s{0.3, -0.2};
+  euler(s.x, s.v, 0.25, -0.25, wrecking_ball);
+  measure::backward_euler_newton(s.x, s.v, 0.0, 0.25, wrecking_ball);
+  CHECK(std::hypot(s.x - 0.3, s.v + 0.2) < 1e-12);
+}
+
+TEST_CASE("A kick keeps the area of a cat, and so does a drift") {
+  const auto start = cat(500);
+  auto kicked = start, drifted = start;
+  for (auto& point : kicked) point.v += 1.0 * wrecking_ball(point.x, point.v, 0.0);
+  for (auto& point : drifted) point.x += 1.0 * point.v;
+  // The outline has straight edges and a kick bends them: of 500 parts, each is off by 1e-7.
+  CHECK_THAT(area(kicked), WithinRel(area(start), 1e-6));
+  CHECK_THAT(area(drifted), WithinRel(area(start), 1e-13));
+}
+
+TEST_CASE("Symplectic Euler carries a cat round a pendulum and keeps its area") {
+  const double off = std::abs(grown(symplectic_euler, wrecking_ball, cat_step, cat_steps, 50) - 1);
+  const double fine = std::abs(grown(symplectic_euler, wrecking_ball, cat_step, cat_steps) - 1);
+  CHECK(fine < 1e-6);
+  CHECK_THAT(off / fine, WithinAbs(100, 5));  // what is left is that of straight edges
+}
+
+TEST_CASE("Euler's cat has nearly doubled, backward Euler's has lost more than half") {
+  CHECK_THAT(grown(euler, wrecking_ball, cat_step, cat_steps), WithinAbs(1.93, 0.01));
+  CHECK_THAT(grown(measure::backward_euler_newton, wrecking_ball, cat_step, cat_steps),
+             WithinAbs(0.39, 0.01));
+}
+
+TEST_CASE("On a spring a step of Euler multiplies every area by 1 + (h omega)^2") {
+  for (const double h : {0.01, 0.1, 1.0}) {
+    CHECK_THAT(grown(euler, unit(), h, 10), WithinRel(std::pow(1 + h * h, 10), 1e-12));
+    CHECK_THAT(grown(symplectic_euler, unit(), h, 10), WithinRel(1, 1e-12));
+    CHECK_THAT(grown(position_first, unit(), h, 10), WithinRel(1, 1e-12));
+  }
+}
+
+TEST_CASE("Drag takes from every area the share c h that it should") {
+  for (const double h : {0.01, 0.1, 0.4}) {
+    CHECK_THAT(grown(symplectic_euler, unit(0.5), h, 10), WithinRel(std::pow(1 - h, 10), 1e-12));
+  }
+}
+
+TEST_CASE("Symplectic Euler keeps the shadow energy of a spring to rounding") {
+  for (const double h : {frame, 0.05, 0.09}) {
+    const auto shadow = shadow_energy(suspension, h);
+    CHECK(measure::drift(symplectic_euler, suspension, h, 100'000, shadow).largest < 1e-11);
+    const auto other = shadow_energy(suspension, -h);
+    CHECK(measure::drift(position_first, suspension, h, 100'000, other).largest < 1e-11);
+  }
+}
+
+TEST_CASE("A spring's energy stays between 1 / (1 + h omega / 2) and 1 / (1 - h omega / 2)") {
+  for (const double homega : {0.1, 1.0 / 3, 1.5}) {
+    const double h = homega / suspension.omega;
+    const double full = suspension.energy(suspension.x0, 0);
+    double least = INFINITY, most = 0;
+    auto s = suspension.start();
+    measure::run(symplectic_euler, suspension, s, h, 100'000, [&](double, const auto& now) {
+      least = std::min(least, suspension.energy(now.x, now.v) / full);
+      most = std::max(most, suspension.energy(now.x, now.v) / full);
+    });
+    CHECK_THAT(least, WithinRel(1 / (1 + homega / 2), 1e-3));
+    CHECK_THAT(most, WithinRel(1 / (1 - homega / 2), 1e-3));
+    CHECK(least > (1 - 1e-11) / (1 + homega / 2));
+    CHECK(most < (1 + 1e-11) / (1 - homega / 2));
+  }
+}
+
+TEST_CASE("After an hour without a damper a spring swings as far as in its first second") {
+  auto s = measure::after(symplectic_euler, suspension, suspension.start(), frame, 3600 * 60);
+  Spring<> later = suspension;
+  later.x0 = s.x, later.v0 = s.v;
+  CHECK_THAT(swing(later, frame, 60), WithinRel(swing(suspension, frame, 60), 0.02));
+}
+
+TEST_CASE("Symplectic Euler holds an undamped spring while h omega is less than two") {
+  CHECK(swing(unit(), 1.999, 1'000'000) < 50);
+}
+
+TEST_CASE("Symplectic Euler loses an undamped spring when h omega is more than two") {
+  CHECK(swing(unit(), 2.001, 1000) > 1e6);
+}
+
+TEST_CASE("At h omega = 1.9 a spring swings 3.2 times as far as it should, at 1.99 ten times") {
+  const auto times = [](double homega) {
+    return swing(suspension, homega / suspension.omega, 100'000) / suspension.x0;
+  };
+  CHECK_THAT(times(1.9), WithinAbs(3.2, 0.01));
+  CHECK_THAT(times(1.99), WithinAbs(10, 0.02));
+}
+
+TEST_CASE("A spring's clock runs fast by a share of (h omega)^2 / 24") {
+  for (const double h : {0.01, 0.05, 0.1}) {
+    const auto step = measure::step_matrix(symplectic_euler, unit(), h);
+    const double angle = std::acos(step.trace() / 2);
+    CHECK_THAT(angle / h - 1, WithinRel(h * h / 24, 0.01));
+  }
+}
+
+TEST_CASE("Started half a kick back, symplectic Euler takes the steps of leapfrog, bit for bit") {
+  auto s = shuttle.start();
+  auto hopping = s;
+  hopping.v = integrate::leapfrog_start(s.x, s.v, 0.0, tick, shuttle);
+  s.v = s.v - tick / 2 * shuttle(s.x, s.v, 0.0);
+  for (int n = 0; n < 1000; ++n) {
+    symplectic_euler(s.x, s.v, n * tick, tick, shuttle);
+    integrate::leapfrog(hopping.x, hopping.v, n * tick, tick, shuttle);
+  }
+  CHECK(s.x == hopping.x);
+  CHECK(s.v == hopping.v);
+}
+
+TEST_CASE("Started half a kick back, symplectic Euler goes through the places of velocity Verlet") {
+  const auto hopping = measure::after(measure::leapfrog, shuttle, shuttle.start(), tick, 1000);
+  const auto kicked =
+      measure::after(measure::velocity_verlet, shuttle, shuttle.start(), tick, 1000);
+  CHECK((hopping.x - kicked.x).norm() < 1e-9);
+  CHECK((hopping.v - kicked.v).norm() < 1e-9);
+  const auto plain = measure::after(symplectic_euler, shuttle, shuttle.start(), tick, 1000);
+  CHECK((plain.x - kicked.x).norm() > 0.1);
+}
+
+TEST_CASE("Symplectic Euler has order one, and two in position when started half a kick back") {
+  const auto plain = measure::halvings(symplectic_euler, drone, 1.0 / 15, 8.0, 5);
+  const auto started = measure::halvings(measure::leapfrog, drone, 1.0 / 15, 8.0, 5);
+  for (std::size_t i = 1; i < plain.size(); ++i) {
+    CHECK_THAT(plain[i].position_order, WithinAbs(1, 0.1));
+    CHECK_THAT(plain[i].velocity_order, WithinAbs(1, 0.1));
+    CHECK_THAT(started[i].position_order, WithinAbs(2, 0.1));
+    CHECK_THAT(started[i].velocity_order, WithinAbs(2, 0.1));
+  }
+}
+
+TEST_CASE("On the drone RK4 is ten thousand times as accurate at the same price") {
+  const double cheap = measure::largest_error(symplectic_euler, drone, frame, 480).position;
+  const double rk4 = measure::largest_error(measure::rk4, drone, 4 * frame, 120).position;
+  CHECK(cheap / rk4 > 1e4);
+  CHECK(measure::evaluations_per_step(measure::rk4, drone, frame) ==
+        4 * measure::evaluations_per_step(symplectic_euler, drone, frame));
+}
+
+TEST_CASE("Under a constant force symplectic Euler errs as far as Euler, to the other side") {
+  const scenes::Projectile<> jump{.start_velocity = {3, 5}};
+  for (const double h : {frame, 0.1, 1.0}) {
+    const double t = 100 * h;
+    const auto error = [&](auto step) {
+      return measure::after(step, jump, jump.start(), h, 100).x.y() - jump.exact(t).x.y();
+    };
+    CHECK_THAT(error(euler), WithinRel(9.81 * h * t / 2, 1e-9));
+    CHECK_THAT(error(symplectic_euler), WithinRel(-9.81 * h * t / 2, 1e-9));
+  }
+}
+
+TEST_CASE("Started half a kick back, symplectic Euler follows a jump exactly") {
+  const scenes::Projectile<> jump{.start_velocity = {3, 5}};
+  for (const double h : {frame, 0.1, 1.0}) {
+    auto s = jump.start();
+    s.v = s.v - h / 2 * jump(s.x, s.v, 0.0);
+    s = measure::after(symplectic_euler, jump, s, h, 100);
+    CHECK((s.x - jump.exact(100 * h).x).norm() < 1e-12 * s.x.norm());
+  }
+}
+
+TEST_CASE("Between two bounces a ball gains g h of speed under Euler, and loses it when swapped") {
+  const auto up = impacts(euler, frame, 11), down = impacts(symplectic_euler, frame, 11);
+  const double per_bounce = falling.g * frame;
+  // The floor is met up to a step late, which is worth up to g h once.
+  CHECK_THAT(up.back() - up.front(), WithinAbs(10 * per_bounce, per_bounce));
+  CHECK_THAT(down.back() - down.front(), WithinAbs(-10 * per_bounce, per_bounce));
+}
+
+TEST_CASE("With the exact step a ball bounces as high after a hundred bounces") {
+  // A top between two steps is seen g h^2 / 8 too low.
+  CHECK_THAT(top_after(measure::constant_acceleration, frame, 100), WithinAbs(2, 0.0015));
+}
+
+TEST_CASE("Symplectic Euler keeps the angular momentum of an orbit to rounding") {
+  const auto spin = [](auto& x, auto& v) { return shuttle.angular_momentum(x, v); };
+  CHECK(measure::drift(symplectic_euler, shuttle, tick, 12'000, spin).largest < 1e-12);
+  CHECK(measure::drift(euler, shuttle, tick, 12'000, spin).largest > 0.1);
+  CHECK(measure::drift(measure::rk4, shuttle, tick, 12'000, spin).largest > 1e-5);
+}
+
+TEST_CASE("After a thousand turns the shuttle is on an ellipse of the size that it began with") {
+  auto s = measure::after(symplectic_euler, shuttle, shuttle.start(), tick, 120'000);
+  double near = INFINITY, far = 0;
+  measure::run(symplectic_euler, shuttle, s, tick, 240, [&](double, const auto& now) {
+    near = std::min(near, now.x.norm());
+    far = std::max(far, now.x.norm());
+  });
+  CHECK_THAT(near, WithinRel(4, 0.05));
+  CHECK_THAT(far, WithinRel(16, 0.07));
+}
+
+TEST_CASE("The shuttle's ellipse turns by about a degree in a turn at 15 steps a second") {
+  CHECK_THAT(turning(symplectic_euler, tick, 60), WithinAbs(-0.95, 0.05));
+}
+
+TEST_CASE("Four times the steps turn the ellipse a sixteenth as far") {
+  CHECK_THAT(turning(symplectic_euler, tick / 2, 60) / turning(symplectic_euler, tick / 8, 60),
+             WithinRel(16, 0.05));
+}
+
+TEST_CASE("On an orbit the shadow energy swings ten times less, and with the square of the step") {
+  const auto energy = [](auto& x, auto& v) { return shuttle.energy(x, v); };
+  const auto moves = [&](double h, auto invariant) {
+    return measure::drift(symplectic_euler, shuttle, h, std::lround(80 / h), invariant).largest;
+  };
+  CHECK(moves(frame, shadow_energy(shuttle, frame)) < 0.1 * moves(frame, energy));
+  const double fine = frame / 8;
+  CHECK_THAT(moves(fine, energy) / moves(fine / 2, energy), WithinAbs(2, 0.1));
+  CHECK_THAT(
+      moves(fine, shadow_energy(shuttle, fine)) / moves(fine / 2, shadow_energy(shuttle, fine / 2)),
+      WithinAbs(4, 0.1));
+}
+
+TEST_CASE("Drag in the acceleration shrinks the limit to 2 (sqrt(1 + zeta^2) - zeta)") {
+  for (const double zeta : {0.0, 0.1, 0.5, 1.0, 2.0, 5.0}) {
+    const double bound = 2 * (std::sqrt(1 + zeta * zeta) - zeta);
+    CHECK_THAT(limit(symplectic_euler, zeta), WithinRel(bound, 1e-6));
+    const auto size_after = [&](double h) {
+      return std::abs(
+          measure::after(symplectic_euler, unit(zeta), State<double>{1, 1}, h, 20'000).x);
+    };
+    CHECK(size_after(0.99 * bound) < 20);
+    CHECK(!(size_after(1.01 * bound) < 1e10));
+  }
+}
+
+TEST_CASE("From zeta = 1 / sqrt(3) on Euler takes longer steps than symplectic Euler") {
+  const double equal = 1 / std::sqrt(3);
+  CHECK_THAT(limit(euler, equal), WithinRel(limit(symplectic_euler, equal), 1e-6));
+  for (const double more : {0.01, 0.1, 1.0, 10.0}) {
+    CHECK(limit(euler, equal + more) > limit(symplectic_euler, equal + more));
+  }
+  for (const double less : {0.01, 0.1, 0.5}) {
+    CHECK(limit(euler, equal - less) < limit(symplectic_euler, equal - less));
+  }
+}
+
+TEST_CASE(
+    "Divided by 1 + c h after the force, drag widens the limit to 2 (sqrt(1 + zeta^2) + zeta)") {
+  for (const double zeta : {0.0, 0.1, 0.5, 1.0, 2.0}) {
+    CHECK_THAT(limit(measure::linear_damping_implicit_last, zeta),
+               WithinRel(2 * (std::sqrt(1 + zeta * zeta) + zeta), 1e-6));
+  }
+}
+
+TEST_CASE("Divided by 1 + c h before the force, drag shrinks the limit towards the root of two") {
+  const auto bound = [](double zeta) {
+    return limit(measure::linear_damping_implicit_first, zeta);
+  };
+  CHECK_THAT(bound(0), WithinRel(2, 1e-6));
+  CHECK_THAT(bound(1000), WithinRel(std::sqrt(2), 1e-3));
+  CHECK(bound(0.5) < bound(0.1));
+  CHECK(bound(5) < bound(0.5));
+}
+
+TEST_CASE("Of the six ways of drag only two end at the right speed") {
+  const double right = leaf.g / leaf.c;
+  for (const double rate : {20.0, 60.0}) {
+    const double ch = leaf.c / rate;
+    const std::array<double, 6> ends{
+        1 - ch, 1, 1, 1 + ch, ch / std::expm1(ch), -ch / std::expm1(-ch)};
+    std::size_t i = 0;
+    for_each_way([&](auto name, auto, auto step) {
+      CAPTURE(name, rate);
+      CHECK_THAT(end_speed(step, 1 / rate), WithinRel(right * ends[i++], 1e-9));
+    });
+    CHECK_THAT(end_speed(measure::linear_damping_exact, 1 / rate), WithinRel(right, 1e-9));
+  }
+}
+
+TEST_CASE("Drag that comes after the move lets things fall as fast as drag that comes first") {
+  double x = 0, v = 0, before = 0;
+  for (int n = 0; n < 2000; ++n) {
+    before = x;
+    v = v - frame * leaf.g;
+    x = x + frame * v;
+    v = v / (1 + leaf.c * frame);
+  }
+  CHECK_THAT((before - x) / frame,
+             WithinRel(end_speed(measure::linear_damping_implicit_first, frame), 1e-9));
+  CHECK_THAT(-v, WithinRel(leaf.g / leaf.c, 1e-9));
+}
+
+TEST_CASE("Ten steps of free fall tell velocity first from the exact step and position first") {
+  CHECK_THAT(fingerprint(symplectic_euler), WithinRel(55, 1e-12));
+  CHECK_THAT(fingerprint(measure::velocity_verlet), WithinRel(50, 1e-12));
+  CHECK_THAT(fingerprint(measure::rk4), WithinRel(50, 1e-12));
+  CHECK_THAT(fingerprint(position_first), WithinRel(45, 1e-12));
+  CHECK_THAT(fingerprint(euler), WithinRel(45, 1e-12));
+}
+
+TEST_CASE("Half a step of one twin and half a step of the other are a step of velocity Verlet") {
+  auto s = shuttle.start();
+  for (int n = 0; n < 100; ++n) {
+    symplectic_euler(s.x, s.v, 0.0, tick / 2, shuttle);
+    position_first(s.x, s.v, 0.0, tick / 2, shuttle);
+  }
+  const auto verlet = measure::after(measure::velocity_verlet, shuttle, shuttle.start(), tick, 100);
+  CHECK((s.x - verlet.x).norm() < 1e-11);
+  CHECK((s.v - verlet.v).norm() < 1e-11);
+}
+
+TEST_CASE("Yoshida has order four on an undamped spring and order two on a damped one") {
+  CHECK_THAT(order_on_a_spring(measure::yoshida4, 0), WithinAbs(4, 0.1));
+  CHECK_THAT(order_on_a_spring(measure::yoshida4, 0.1), WithinAbs(2, 0.1));
+  CHECK_THAT(order_on_a_spring(measure::velocity_verlet, 0.1), WithinAbs(2, 0.1));
+  CHECK_THAT(order_on_a_spring(measure::rk4, 0.1), WithinAbs(4, 0.1));
+}
+
+TEST_CASE("Over one second of a spring RK4 is ahead of Yoshida at the same price") {
+  for (const int price : {240, 960, 3840}) {
+    const double rk4 =
+        measure::largest_error(measure::rk4, suspension, 4.0 / price, price / 4).position;
+    const double yoshida =
+        measure::largest_error(measure::yoshida4, suspension, 3.0 / price, price / 3).position;
+    CHECK(rk4 < 0.5 * yoshida);
+    CHECK(rk4 > 0.3 * yoshida);
+  }
+}
+
+TEST_CASE("Under drag Yoshida is ten times worse than velocity Verlet at the same price") {
+  const Spring<> damped{.omega = 20, .zeta = 0.1, .x0 = 0.1};
+  const double verlet =
+      measure::largest_error(measure::velocity_verlet, damped, 1.0 / 960, 960).position;
+  const double yoshida = measure::largest_error(measure::yoshida4, damped, 1.0 / 320, 320).position;
+  CHECK(yoshida > 10 * verlet);
+  CHECK(yoshida < 20 * verlet);
+}
+
+TEST_CASE("Velocity Verlet forth and back comes home, but not under drag") {
+  const auto away = [](double zeta) {
+    auto s = State<double>{1, 0.5};
+    s = measure::after(measure::velocity_verlet, unit(zeta), s, 0.1, 1);
+    s = measure::after(measure::velocity_verlet, unit(zeta), s, -0.1, 1);
+    return std::hypot(s.x - 1, s.v - 0.5);
+  };
+  CHECK(away(0) < 1e-15);
+  CHECK(away(0.1) > 1e-7);
+}
+
+TEST_CASE("Yoshida loses an undamped spring beyond h omega = 1.573") {
+  const auto size_after = [](double h) {
+    return std::abs(measure::after(measure::yoshida4, unit(), State<double>{1, 0.5}, h, 400).x);
+  };
+  CHECK(size_after(1.572) < 100);
+  CHECK(size_after(1.575) > 1e10);
+}
+
+TEST_CASE("Backward Euler drops Jupiter into the sun within fourteen years") {
+  const double h = all_days / evaluations;
+  const Fate found = fate(measure::backward_euler_newton, h, true_end(), [](double, double) {});
+  CHECK(std::isnan(found.jupiter_off));
+  CHECK(found.fall < 14 * 365.25);
+  // On a circle each step takes 2 (h omega)^2 of the radius: r^3 falls evenly, to nothing after
+  // 1 / (6 (h omega)^2) steps. Jupiter's mean motion is 2 pi in 4332.6 days.
+  const double angle = h * 2 * std::numbers::pi / 4332.6;
+  CHECK_THAT(found.fall / h, WithinRel(1 / (6 * angle * angle), 0.1));
+}
+
+TEST_CASE("On the planets RK4's energy error grows with the years, velocity Verlet's does not") {
+  const auto growth = [truth = true_end()](auto step, double h) {
+    double at_fifty = 0;
+    const Fate found = fate(step, h, truth, [&](double day, double largest) {
+      if (day < 50 * 365.25) at_fifty = largest;
+    });
+    return found.largest / at_fifty;
+  };
+  const double h = all_days / evaluations;
+  CHECK(growth(measure::velocity_verlet, h) < 1.05);
+  CHECK(growth(symplectic_euler, h) < 1.05);
+  CHECK(growth(measure::yoshida4, 3 * h) < 1.05);
+  CHECK_THAT(growth(measure::rk4, 4 * h), WithinRel(all_days / (50 * 365.25), 0.2));
+}
+
+TEST_CASE("RK4's energy error passes Yoshida's after about 20 years, velocity Verlet's after 200") {
+  const auto truth = true_end();
+  const double h = all_days / evaluations;
+  const auto error_after = [&](auto step, double step_size, double years) {
+    double error = 0;
+    fate(step, step_size, truth, [&](double day, double largest) {
+      if (day <= years * 365.25) error = largest;
+    });
+    return error;
+  };
+  CHECK(error_after(measure::rk4, 4 * h, 15) < error_after(measure::yoshida4, 3 * h, 15));
+  CHECK(error_after(measure::rk4, 4 * h, 25) > error_after(measure::yoshida4, 3 * h, 25));
+  CHECK(error_after(measure::rk4, 4 * h, 180) < error_after(measure::velocity_verlet, h, 180));
+  CHECK(error_after(measure::rk4, 4 * h, 220) > error_after(measure::velocity_verlet, h, 220));
+}
+
+TEST_CASE(
+    "After five centuries Dormand-Prince's Jupiter is nearest, and RK4's nearer than Verlet's") {
+  const auto truth = true_end();
+  const double h = all_days / evaluations;
+  const auto off = [&](auto step, double step_size) {
+    return fate(step, step_size, truth, [](double, double) {}).jupiter_off;
+  };
+  const double rk4 = off(measure::rk4, 4 * h);
+  const double nearest = off(measure::dopri5, 6 * h);
+  CHECK(rk4 < 0.5 * off(measure::velocity_verlet, h));
+  CHECK(nearest < 0.1 * rk4);
+  CHECK(nearest < 0.2 * off(measure::trapezoid_newton, h));
+  CHECK(nearest < 0.2 * off(measure::yoshida4, 3 * h));
+}
+
+TEST_CASE(
+    "For five centuries symplectic Euler holds the planets' energy within a third of a per cent") {
+  const Fate found =
+      fate(symplectic_euler, all_days / evaluations, true_end(), [](double, double) {});
+  CHECK(found.largest < 1.0 / 300);
+  CHECK(found.largest > 1.0 / 1000);
+}
+
+TEST_CASE("With steps of a hundred days the planets' energy wanders by two and a half per cent") {
+  const Fate found = fate(symplectic_euler, 100.0, true_end(), [](double, double) {});
+  CHECK_THAT(found.largest, WithinAbs(0.0253, 0.0001));
+}
+
+TEST_CASE("Half a kick back at the start brings Jupiter six times closer to its place") {
+  const double h = all_days / evaluations;
+  const auto truth = true_end();
+  const auto off = [&](auto step) {
+    return fate(step, h, truth, [](double, double) {}).jupiter_off;
+  };
+  CHECK_THAT(off(symplectic_euler) / off(measure::leapfrog), WithinAbs(6.5, 0.5));
+}
+
+TEST_CASE("A critically damped camera of 12 per second needs 14.5 steps a second, or 2.5 divided") {
+  const auto rate = [](auto step) {
+    const Spring<> camera{.omega = 12, .zeta = 1};
+    return 1 / measure::stability_limit(step, camera, 1e-6, 1);
+  };
+  CHECK_THAT(rate(symplectic_euler), WithinAbs(14.5, 0.05));
+  CHECK_THAT(rate(measure::linear_damping_implicit_last), WithinAbs(2.5, 0.05));
+}
+
+TEST_CASE("With drag split off on both sides Yoshida has order four on a damped spring") {
+  const auto split = [](auto& x, auto& v, auto, auto h, const auto& spring) {
+    const double outer = h / (2 - std::cbrt(2.0));
+    for (const double part : {outer, h - 2 * outer, outer}) {
+      const double brake = std::exp(-spring.damping() * part / 2);
+      const double stiffness = spring.omega * spring.omega;
+      v = brake * v - part / 2 * stiffness * x;
+      x = x + part * v;
+      v = brake * (v - part / 2 * stiffness * x);
+    }
+  };
+  CHECK_THAT(order_on_a_spring(split, 0.1), WithinAbs(4, 0.1));
+}

@@ -1,0 +1,20 @@
+eval axis_names("damping ratio  ζ", "largest stable step, {/:Italic h}ω")
+set xrange [0:2]
+set yrange [0:5]
+set xtics 0.5
+set ytics 1
+set label 1 "Euler" at 0.97,2.2 right tc rgb "#000001"
+set label 2 "drag in the acceleration" at 1.97,0.2 right tc rgb "#000002"
+set label 3 "{/:Italic v} / (1 + {/:Italic ch}) + {/:Italic ha}" at 1.97,1.85 right tc rgb "#00000b"
+set label 4 "({/:Italic v} + {/:Italic ha}) / (1 + {/:Italic ch})" at 1.08,4.3 left tc rgb "#00000a"
+set label 5 "1/√3" at 0.6,0.22 left tc rgb "#000008"
+set arrow 1 from 0.57735,0 to 0.57735,1.1547 nohead ls LIMIT
+tip = "ζ = %.2f: stable under hω = %.3f"
+plot 2*(sqrt(1 + x*x) - x) with lines ls CONTEXT, 2*(sqrt(1 + x*x) + x) with lines ls CONTEXT, \
+     file("damped") using 1:2 with linespoints ls EULER lw 1.4 ps 0.45, \
+     file("damped") using 1:5 with linespoints ls SECOND lw 1.4 ps 0.5, \
+     file("damped") using 1:($4 < 5 ? $4 : NaN) with points ls FIRST ps 0.5, \
+     file("damped") using 1:3 with points ls SYMPLECTIC_EULER ps 0.5, \
+     file("damped") every 4 using 1:2:(sprintf(tip, $1, $2)) with labels hypertext point ls EULER ps 0.45, \
+     file("damped") every 4 using 1:3:(sprintf(tip, $1, $3)) with labels hypertext point ls SYMPLECTIC_EULER ps 0.5, \
+     file("damped") every 4 using 1:5:(sprintf(tip, $1, $5)) with labels hypertext point ls SECOND ps 0.5

@@ -1,0 +1,22 @@
+eval NARROW ? canvas(400, 400) : canvas(560, 560)
+eval axis_names("stretch  [m]", "velocity over ω  [m]")
+set size ratio -1
+set xrange [-0.5:0.5]
+set yrange [-0.5:0.5]
+set xtics 0.25
+set ytics 0.25
+set parametric
+set trange [0:2*pi]
+# The shadow ellipse x^2 - k x u + u^2 = x0^2, k = h omega, along its two axes; a hyperbola from k = 2 on.
+far(k) = 0.1/sqrt(2 - k)
+near(k) = 0.1/sqrt(2 + k)
+set label 1 "{/:Italic h}ω = 0.67" at -0.07,0.19 right tc rgb "#000002"
+set label 2 "1.5" at 0.17,0.04 left tc rgb "#000002"
+set label 3 "1.9" at 0.32,0.13 left tc rgb "#000002"
+set label 4 "2.1" at 0.23,0.44 right tc rgb "#000008"
+along(t) = (t/pi - 1)/2
+bend(p) = near(2.1)*sqrt(1 + 10*p*p)
+plot for [k in "0.67 1.5 1.9"] far(k)*cos(t) - near(k)*sin(t), far(k)*cos(t) + near(k)*sin(t) with lines ls CONTEXT, \
+     for [side in "1 -1"] along(t) + side*bend(along(t)), along(t) - side*bend(along(t)) with lines ls LIMIT, \
+     for [name in "opening-67 opening-150 opening-190"] file(name) using 2:($3/20) with points ls SYMPLECTIC_EULER ps 0.35, \
+     file("opening-210") using (abs($2) < 0.6 ? $2 : NaN):($3/20) with points ls LIMIT pt 7 ps 0.7

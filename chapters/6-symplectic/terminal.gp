@@ -1,0 +1,18 @@
+eval axis_names("steps per second", "terminal speed  [m/s]")
+set logscale x
+set xrange [NARROW ? 1.1 : 3.2:300]
+set yrange [3.7:6.2]
+set xtics (10, 20, 30, 60, 120, 240)
+if (NARROW) set xtics (10, 30, 120)
+set ytics 0.5
+unset mxtics
+set label 1 "implicit first" at 9,5.886 right tc rgb "#00000c"
+set label 2 "exponential first" at 9,5.411 right tc rgb "#00000b"
+set label 3 "implicit last" at 9,4.99 right tc rgb "#000007"
+set label 4 "explicit first" at 9,4.8 right tc rgb "#000007"
+set label 5 "exponential last" at 9,4.43 right tc rgb "#00000b"
+set label 6 "explicit last" at 9,3.924 right tc rgb "#00000a"
+look(n) = n == 1 ? FIRST : n == 4 ? THIRD : n >= 5 ? SECOND : EXACT
+plot for [n=1:6] file("terminal") using 1:(column(n + 1)) with linespoints ls look(n) dt solid, \
+     for [n=1:6] file("terminal") every 3 using 1:(column(n + 1)):(sprintf("%d steps a second: %.3f m/s", $1, column(n + 1))) \
+       with labels hypertext point ls look(n)
