@@ -4,7 +4,7 @@ import { sourceHref } from './source-pages.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
 export function claimsPage(book) {
-  const chapters = [...book.chapters.values()].filter(chapter => chapter.tests.length);
+  const chapters = [...book.programs.values()].filter(chapter => chapter.tests.length);
   const total = book.claims.size;
   const body = `<p class="lead">Each sentence below is the name of a test that runs whenever the book is built. `
     + `If one of the ${total} fails, there is no book. A check mark in the text leads here, and from here to the test.</p>\n`
@@ -17,7 +17,7 @@ export function claimsPage(book) {
 
 function section(book, chapter) {
   const claims = chapter.tests.map(test => book.claims.get(test.name));
-  return `<h2 id="${chapter.name}"><span class="secno">${chapter.number}</span> ${escapeHtml(smarten(chapter.title))}</h2>\n`
+  return `<h2 id="${chapter.name}">${chapter.number ? `<span class="secno">${chapter.number}</span> ` : ''}${escapeHtml(smarten(chapter.title))}</h2>\n`
     + `<ul class="claims">\n${claims.map(item).join('\n')}\n</ul>`;
 }
 
