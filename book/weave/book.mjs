@@ -87,7 +87,7 @@ function readPages(book) {
   }
   AFTER.forEach(addAround);
   const opening = book.programs.get(OPENING);
-  if (opening) Object.assign(opening, { page: start, title: start.title, href: start.href });
+  if (opening) Object.assign(opening, { page: start, title: 'The start page', href: start.href });
   start.owner = OPENING;
 }
 

@@ -79,7 +79,7 @@ const CHECKS = {
   term({ book, piece, report }) {
     const [name] = piece.args;
     piece.target = introduction(book, name);
-    if (!piece.target) report(`no chapter has the term *${name}*.${didYouMean(name, italics(book))}`);
+    if (!piece.target) report(`no chapter says *${name}* in italics, as where a term is introduced.${didYouMean(name, italics(book))}`);
   },
   listing({ book, piece, report }) {
     const [path, tag, caption = ''] = piece.args;

@@ -23,7 +23,7 @@ function section(book, chapter) {
 
 function item({ test, cited }) {
   const places = cited.map(({ page, piece }, i) => {
-    const words = page.number ? `chapter ${page.number}` : page.title;
+    const words = page.number ? `chapter ${page.number}` : page.name === 'index' ? 'the start page' : page.title;
     return `<a href="${page.href}#${piece.id}">${i ? 'and again' : `said in ${escapeHtml(words)}`}</a>`;
   });
   if (!places.length) places.push('not said in the text');

@@ -35,7 +35,7 @@ const HTML = {
   eqref: ({ target }, page) => `<a href="${address(target, page)}">(${target.piece.number})</a>`,
   citep: (piece, page, book) => `[${piece.args.map(key => `<a href="references.html#bib-${slug(key)}">${escapeHtml(book.references.get(key).piece.args[1])}</a>`).join('; ')}]`,
   bibitem: ({ args: [key, name] }) => `<span class="bibkey" id="bib-${slug(key)}">[${escapeHtml(name)}]</span>`,
-  term: ({ args: [name], target }) => `<dfn id="term-${slug(name)}">${escapeHtml(smarten(name))}</dfn> `
+  term: ({ id, args: [name], target }) => `<dfn id="${id}">${escapeHtml(smarten(name))}</dfn> `
     + `<a class="introduced" href="${target.page.href}${target.section ? `#${target.section.id}` : ''}" aria-label="${escapeHtml(smarten(name))}: ${place(target)}">${target.section?.number ?? target.page.number}</a>`,
   chapterref: ({ target }) => `<a href="${target.href}">Chapter ${target.number}, <em>${escapeHtml(smarten(target.title))}</em></a>`,
   sectionref: ({ target, section }, page) => `<a href="${target.page === page ? '' : target.href}#${section.id}">section ${section.number}</a>`,

@@ -75,6 +75,7 @@ function nameHeadings(page, problems) {
 function numberBoxes(page) {
   const count = {};
   for (const piece of page.pieces) {
+    if (piece.name === 'term') piece.id = `term-${slug(piece.args[0])}`;
     if (['claim', 'tested'].includes(piece.name)) piece.id = `cited-${count.claim = (count.claim ?? 0) + 1}`;
     if (piece.type === 'close' || piece.incomplete || !NUMBERED[piece.name]) continue;
     count[piece.name] = (count[piece.name] ?? 0) + 1;

@@ -29,8 +29,8 @@ steps of <i>hω</i> = 0.1: by how much it is off at most where it is kept, and e
 
 function howMuch(row) {
   const [off, step] = [row('energy-off'), row('energy-step')];
-  if (off !== NONE) return ` <small>${off}</small>`;
-  return step === NONE ? '' : ` <small>${step}</small>`;
+  if (off !== NONE) return ` <small>off by ${off}</small>`;
+  return step === NONE ? '' : ` <small>${step} a step</small>`;
 }
 
 const NONE = '–';

@@ -2,8 +2,7 @@
 const ITALICS = /(?<![\\*])\*(?=[^\s*])([^*]+)(?<=[^\s\\*])\*(?!\*)/g;
 
 const plain = words => words.replace(/\s+/g, ' ').toLowerCase();
-const withoutCode = source => source.replace(/`[^`\n]*`/g, code => ' '.repeat(code.length));
-const inItalics = page => [...withoutCode(page.source).matchAll(ITALICS)].map(({ index, 1: words }) => ({ index, words: plain(words) }));
+const inItalics = page => [...page.source.matchAll(ITALICS)].map(({ index, 1: words }) => ({ index, words: plain(words) }));
 
 export const italics = book => [...book.chapters.values()].flatMap(({ page }) => inItalics(page).map(({ words }) => words));
 

@@ -1,7 +1,7 @@
 eval NARROW ? canvas(400, 850) : canvas(720, 440)
 columns = NARROW ? 2 : 4
 rows = NARROW ? 4 : 2
-names = "euler midpoint heun rk4 backward-euler predicted-euler verlet symplectic-euler"
+names = "race-euler race-midpoint race-heun race-rk4 race-backward-euler race-predicted-euler race-verlet race-symplectic-euler"
 titles = "'Euler' 'midpoint' 'Heun' 'RK4' 'backward Euler' 'predicted Euler' 'Verlet' 'symplectic Euler'"
 fates = "'flies off' 'grows and turns' 'grows and turns' 'sinks' 'crashes' 'crashes' 'holds and turns' 'holds and turns'"
 array style[8] = [EULER, MIDPOINT, HEUN, RK4, BACKWARD_EULER, PREDICTED_EULER, VELOCITY_VERLET, SYMPLECTIC_EULER]
@@ -24,13 +24,12 @@ do for [i=1:8] {
   set bmargin at screen 1 - (row + 1.0)/rows + 6.0/HEIGHT
   set label 1 word(titles, i) at graph 0.5,1.0 center offset 0,1.55
   set label 2 word(fates, i) at graph 0.5,1.0 center offset 0,0.55 font ",13" tc rgb "#000007"
-  path = file("race-".word(names, i))
-  # Who has left or crashed has no last turn to show.
-  flies = i != 2 && i != 4 && i < 7
-  last_turn = flies ? 1e3 : 152
+  name = word(names, i)
+  # Who has left or crashed has no last turn; where there are few turns, each is drawn like a last one.
+  from = i == 1 || i == 5 || i == 6 ? 0 : 152
   plot 10*cos(t) - 5, 10*sqrt(0.75)*sin(t) with lines ls EXACT, \
-       path using 2:3 with lines ls style[i] lw (flies && i != 3 ? 1.6 : 0.5) dt solid, \
-       path using ($1 > last_turn || $0 <= 1 ? $2 : NaN):3 with lines ls style[i] lw 1.8 dt solid, \
+       file(name) using 2:3 with lines ls style[i] lw 0.5 dt solid, \
+       file(name) using (i == 3 || $1 > from ? $2 : NaN):3 with lines ls style[i] lw (i == 3 ? 0.5 : 1.8) dt solid, \
        "+" every 1000 using (5):(0) with points ls EXACT pt 7 ps 0.45
 }
 unset multiplot

@@ -35,7 +35,7 @@ test('the card of a method says the same on each page', () => {
 });
 
 test('the list of methods leads to each card and agrees with it', () => {
-  const $ = parse('reference.html');
+  const $ = parse('snippets.html');
   const rows = $('.methods tbody tr').get().map(row => ({
     method: text($(row).find('th code').first()), href: $(row).find('th a').attr('href'),
     limits: $(row).find('td').slice(3, 5).map((_, cell) => text($(cell).clone().find('.head').remove().end())).get(),
