@@ -14,9 +14,10 @@ inline constexpr double turn = 8;      ///< time of a turn [s]
 inline constexpr double price = 15;    ///< evaluations of the acceleration per second
 inline constexpr int turns = 20;       ///< length of the race
 inline constexpr double planet = 2;    ///< radius; who comes closer has crashed [m]
-inline constexpr double picture = 20;  ///< who is farther out than this has left [m]
+inline constexpr double picture = 23;  ///< out to the far corner of the figure [m]
+
+/// Between 5 m and 15 m from the planet.
 inline constexpr scenes::Orbit<> shuttle{
-    ///< from 5 m to 15 m
     .eccentricity = 0.5,
     .semi_major = 10,
     .mu = 1000 * (2 * std::numbers::pi / turn) * (2 * std::numbers::pi / turn)};
