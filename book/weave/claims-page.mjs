@@ -21,12 +21,14 @@ function section(book, chapter) {
     + `<ul class="claims">\n${claims.map(item).join('\n')}\n</ul>`;
 }
 
+const placeOf = ({ number, name }) => (number ? `chapter ${number}` : `the ${name === 'index' ? 'start page' : name}`);
+
 function item({ test, cited }) {
   const places = cited.map(({ page, piece }, i) => {
-    const words = page.number ? `chapter ${page.number}` : page.name === 'index' ? 'the start page' : page.title;
-    return `<a href="${page.href}#${piece.id}">${i ? 'and again' : `said in ${escapeHtml(words)}`}</a>`;
+    const words = i ? (page === cited[i - 1].page ? 'and again' : `and in ${placeOf(page)}`) : `said in ${placeOf(page)}`;
+    return `<a href="${page.href}#${piece.id}">${words}</a>`;
   });
   if (!places.length) places.push('not said in the text');
   return `<li id="${claimId(test.name)}"><span class="sentence">${escapeHtml(smarten(test.name))}</span>`
-    + `<span class="proof"><span class="passed">passed</span> <a href="${sourceHref(test.file)}#L${test.line}"><code>${escapeHtml(test.file)}:${test.line}</code></a> ${places.join(', ')}</span></li>`;
+    + `<span class="proof"><span class="passed">passed</span> <a href="${sourceHref(test.file)}#L${test.line}"><code>${escapeHtml(test.file)}:${test.line}</code></a> <span>${places.join(', ')}</span></span></li>`;
 }

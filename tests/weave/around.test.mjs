@@ -70,7 +70,7 @@ test('a word that no chapter introduces, and one that stands twice', () => {
 test('a test by its name', () => {
   const read = weaves([TALKS, 'What they say.', '\\tested{Euler gains energy on every step}']);
   assert.match(read('talks.html'), /<a class="tested" id="cited-1" href="claims\.html#claim-euler-gains-energy-on-every-step">Euler gains energy on every step<\/a>/);
-  assert.match(read('claims.html'), /<a href="talks\.html#cited-1">and again<\/a>/);
+  assert.match(read('claims.html'), /<a href="talks\.html#cited-1">and in the talks<\/a>/);
 });
 
 test('a test that nobody wrote', () => refuses(
