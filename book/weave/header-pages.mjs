@@ -44,8 +44,15 @@ function cardFor(book, member) {
 function take(book, header) {
   const lines = readFileSync(join(book.config.source, header.file), 'utf8').trimEnd().split('\n');
   const libraries = [...new Set(lines.map(line => line.match(/^#include <(\w+)\//)?.[1]).filter(Boolean))];
-  return `<p class="take">Take <a href="headers/${header.name}" download>${escapeHtml(header.name)}</a>, <a href="${sourceHref(header.file)}">${lines.length} lines</a>. `
-    + `It needs C++17${libraries.length ? ` and ${libraries.join(' and ')}` : ' and nothing else'}.</p>`;
+  return `<p class="take">Take <a href="headers/${header.name}" download>${escapeHtml(header.name)}</a>, <a href="${sourceHref(header.file)}">${lines.length} lines</a> `
+    + `under MIT-0, which owe you nothing. It needs C++17${libraries.length ? ` and ${libraries.join(' and ')}` : ' and nothing else'}.${vectors(header, libraries)}</p>`;
+}
+
+function vectors({ functions }, libraries) {
+  if (libraries.includes('Eigen')) return ' Its <code>Vec</code> is an Eigen vector of all unknowns.';
+  if (!functions.some(steps)) return '';
+  return ' A <code>Vec</code> is whatever has <code>Vec + Vec</code> and <code>h * Vec</code>: a number, <code>glm::vec3</code>, an Eigen vector, a struct of yours. '
+    + 'Bodies that pull at each other go into one <code>Vec</code>, and one call moves them all.';
 }
 
 // The first example starts with the line that brings the header in.
@@ -90,8 +97,11 @@ const HEAD = `<thead>
 </thead>`;
 
 const ABOUT = `<p>Each is measured, and its page has the rest of the measurements. The order is that of the position; where the velocity has
-another, it stands behind. Evaluations of the acceleration are counted per step. Above its limit a step explodes: on drag, where the speed falls
-at the rate <i>c</i>, and on an undamped spring that swings with <i>ω</i>. The last column is what becomes of the energy of that spring.</p>`;
+another, it stands behind. Evaluations of the acceleration are counted per step. A step of <i>h</i> seconds explodes above its limit: on drag, where the speed
+falls at the rate <i>c</i>, and on an undamped spring that swings with <i>ω</i>. The last column is what becomes of the energy of that spring.</p>
+<p>A mass <i>m</i> on one spring of stiffness <i>k</i> swings with <i>ω</i> = √(<i>k</i>/<i>m</i>). In a rope of many, count with 2√(<i>k</i>/<i>m</i>), that of its
+shortest wave. With a damper the limit is another, mostly lower: see the page. And all of this holds for forces that are linear: a rope
+that swings explodes under the trapezoid rule, whatever its row says, and not under backward Euler.</p>`;
 
 // Each function that steps with what its card says, one table for each kind of thing that they are for.
 export function methodTables(book) {
