@@ -44,8 +44,15 @@ function cardFor(book, member) {
 function take(book, header) {
   const lines = readFileSync(join(book.config.source, header.file), 'utf8').trimEnd().split('\n');
   const libraries = [...new Set(lines.map(line => line.match(/^#include <(\w+)\//)?.[1]).filter(Boolean))];
-  return `<p class="take">Take <a href="headers/${header.name}" download>${escapeHtml(header.name)}</a>, <a href="${sourceHref(header.file)}">${lines.length} lines</a>. `
-    + `It needs C++17${libraries.length ? ` and ${libraries.join(' and ')}` : ' and nothing else'}.</p>`;
+  return `<p class="take">Take <a href="headers/${header.name}" download>${escapeHtml(header.name)}</a>, <a href="${sourceHref(header.file)}">${lines.length} lines</a> `
+    + `under MIT-0, which owe you nothing. It needs C++17${libraries.length ? ` and ${libraries.join(' and ')}` : ' and nothing else'}.${vectors(header, libraries)}</p>`;
+}
+
+function vectors({ functions }, libraries) {
+  if (libraries.includes('Eigen')) return ' Its <code>Vec</code> is an Eigen vector of all unknowns.';
+  if (!functions.some(steps)) return '';
+  return ' A <code>Vec</code> is whatever has <code>Vec + Vec</code> and <code>h * Vec</code>: a number, <code>glm::vec3</code>, an Eigen vector, a struct of yours. '
+    + 'Bodies that pull at each other go into one <code>Vec</code>, and one call moves them all.';
 }
 
 // The first example starts with the line that brings the header in.

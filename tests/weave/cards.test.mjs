@@ -24,6 +24,7 @@ test('the same card on the page of the method and in a chapter', () => {
   line('evaluations of the acceleration', '1');
   line('time, on an orbit', '15\u202fns');
   line('drag, <i>ch</i>', '2.00');
+  line('spring with <i>ζ</i> = 0.5, <i>hω</i>', '0.912');
   line('undamped spring, <i>hω</i>', 'never');
   line('change per step', '\u22121.39\u00a0×\u00a010<sup>\u22126</sup>\u202f%');
   assert.equal(reference.match(/<p class="label">/g).length, 4);
