@@ -7,9 +7,9 @@ set ytics ("1 nm" 1e-9, "1 mm" 1e-3, "1 km" 1e3, "1 million km" 1e9, "1 light-ye
 set lmargin NARROW ? 11.5 : 12
 unset mytics
 set label 1 "RK4" at 5.6,NARROW ? 1e16 : 5e15 right tc rgb "#000004"
-set label 2 "symplectic Euler" at 10,NARROW ? 1e12 : 3e12 right tc rgb "#000002"
-set label 3 "Euler" at 9.9,3e3 right tc rgb "#000001"
-set label 4 "backward Euler" at 5.6,1e-8 left tc rgb "#000005"
+set label 2 NARROW ? "symplectic" : "symplectic Euler" at 10.1,1e9 right tc rgb "#000002"
+set label 3 "Euler" at 10.1,NARROW ? 1 : 1e2 right tc rgb "#000001"
+set label 4 "backward Euler" at 5.2,NARROW ? 3e-5 : 1e-6 left tc rgb "#000005"
 plot file("bar") using 1:2 with linespoints ls EULER, \
      file("bar") using 1:3 with linespoints ls SYMPLECTIC_EULER, \
      file("bar") using 1:4 with linespoints ls RK4, \

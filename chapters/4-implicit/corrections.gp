@@ -6,8 +6,6 @@ set ytics 0.5
 set label 1 "Euler's limit on drag" at 20.4,2.09 right tc rgb "#000001"
 set label 2 "drag" at 6.4,1.26 left tc rgb "#000005"
 set label 3 "undamped spring" at 11.6,0.8 left tc rgb "#00000b"
-set label 4 "without corrections no spring is held" at 20.4,0.13 right tc rgb "#000007"
-unset label 4
 plot 2 with lines ls EULER lw 1.4, \
      1 with lines ls CONTEXT, \
      file("corrections") using 1:2 with linespoints ls PREDICTED_EULER, \

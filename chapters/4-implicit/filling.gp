@@ -14,11 +14,11 @@ set label 3 "rope, substeps" at 900,510 center tc rgb "#00000b"
 set label 4 "rope, solved" at 900,88 center tc rgb "#00000b"
 set label 5 "chain, substeps" at 900,195 center tc rgb "#00000a"
 set label 6 "chain, solved" at 900,15 center tc rgb "#00000a"
-plot file("work") every ::0::2 using 2:4 with linespoints ls FIRST, \
-     file("work") every ::0::2 using 2:6 with linespoints ls FIRST dt (6,4), \
-     file("work") every ::3::5 using 2:4 with linespoints ls SECOND, \
-     file("work") every ::3::5 using 2:6 with linespoints ls SECOND dt (6,4), \
-     file("work") every ::6::10 using 2:4 with linespoints ls THIRD, \
-     file("work") every ::6::10 using 2:6 with linespoints ls THIRD dt (6,4), \
+plot file("work") every ::1::3 using 2:4 with linespoints ls FIRST, \
+     file("work") every ::1::3 using 2:6 with linespoints ls FIRST dt (6,4), \
+     file("work") every ::4::6 using 2:4 with linespoints ls SECOND, \
+     file("work") every ::4::6 using 2:6 with linespoints ls SECOND dt (6,4), \
+     file("work") every ::7::11 using 2:4 with linespoints ls THIRD, \
+     file("work") every ::7::11 using 2:6 with linespoints ls THIRD dt (6,4), \
      file("work") using 2:4:(sprintf("%s, %d unknowns, solved: %.0f", strcol(1), $2, $4)) with labels hypertext point ls CONTEXT, \
      file("work") using 2:6:(sprintf("%s, %d unknowns, %d substeps: %.0f", strcol(1), $2, $5, $6)) with labels hypertext point ls CONTEXT

@@ -5,11 +5,10 @@ set yrange [0.3:30]
 set xtics 0.2
 set ytics (0.5, 1, 2, 5, 10, 20)
 unset mytics
-set label 1 "trapezoid, one solve" at 0.42,12.5 right tc rgb "#000005"
-set label 2 "one solve" at 0.98,1.83 right tc rgb "#000005"
-set label 3 "solved to the end" at 0.98,0.55 right tc rgb "#00000a"
-set label 4 "trapezoid, solved to the end" at 0.98,1.08 right tc rgb "#00000b"
-if (NARROW) set label 4 "trapezoid, to the end" at 0.98,1.1 right tc rgb "#00000b"
+set label 1 "trapezoid, one solve" at 0.98,5.4 right tc rgb "#000005"
+set label 2 NARROW ? "one solve" : "backward Euler, one solve" at 0.98,1.83 right tc rgb "#000005"
+set label 3 NARROW ? "to the end" : "backward Euler, to the end" at 0.98,0.55 right tc rgb "#00000a"
+set label 4 "trapezoid, to the end" at 0.98,1.08 right tc rgb "#00000b"
 plot file("blow") using 1:4 with lines ls TRAPEZOID, \
      file("blow") using 1:2 with lines ls BACKWARD_EULER, \
      file("blow") using 1:5 with lines ls SECOND lw 1.4, \

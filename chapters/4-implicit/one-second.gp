@@ -4,7 +4,7 @@ set yrange [0:1.04]
 set xtics 0.2
 set ytics 0.25
 set label 1 "spring, one swing a second" at 0.3,0.9 left tc rgb "#000005"
-set label 2 "rope" at 0.75,0.715 left tc rgb "#00000b"
+set label 2 "rope" at 0.75,0.74 left tc rgb "#00000b"
 set label 3 "cloth" at 0.45,0.165 left tc rgb "#00000c"
 set label 4 "chain" at 0.3,0.045 left tc rgb "#00000a"
 plot file("second") using 1:5 with lines ls BACKWARD_EULER, \

@@ -4,7 +4,7 @@ set yrange [-1.1:1.25]
 set xtics 0.1
 set ytics 0.5
 set label 1 "trapezoid" at 0.16,1.0 left tc rgb "#000005"
-set label 2 "backward Euler" at 0.43,0.1 left tc rgb "#000005"
+set label 2 "backward Euler is at rest" at 0.59,-0.72 right tc rgb "#000005"
 set label 3 "true" at 0.012,1.1 left tc rgb "#000007"
 true(t) = t < 0.11 ? exp(-60*t)*cos(596.99*t) : NaN
 set samples 2000
