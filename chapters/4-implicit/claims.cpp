@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bar.h"
-#include "integrate/trapezoid.h"
+#include "blows.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
 #include "measure/implicit_methods.h"
@@ -58,15 +58,6 @@ auto corrected(int corrections) {
 template <class Step>
 double drag_limit(Step step) {
   return measure::stability_limit(step, unit_brake, 1e-3, 10);
-}
-
-/// How a share of the energy is left after each step of trapezoid on a blow.
-template <class Scene>
-std::vector<double> trapezoid_shares(const Scene& scene, bool to_the_end) {
-  return shares(scene, hard, 60, [&](Struck& s, const auto& now, auto& system) {
-    if (!to_the_end) return integrate::trapezoid(s.x, s.v, 0.0, frame, now, system);
-    return integrate::trapezoid_newton(s.x, s.v, 0.0, frame, now, system, largest, tolerance) > 0;
-  });
 }
 
 /// Multiplications of all substeps over those of one solved step.
@@ -222,6 +213,15 @@ TEST_CASE("Fifty substeps hold the chain, and 49 lose it") {
   CHECK(substeps_for(chain) == 50);
   CHECK(chain_after(50) < 0.1);
   CHECK_FALSE(chain_after(49) < 1e6);  // nor is it a number
+}
+
+TEST_CASE("Four times the stiffness takes twice the substeps and the same work to solve") {
+  auto stiffer = chain;
+  stiffer.k *= 4;
+  CHECK(substeps_for(stiffer) == 2 * substeps_for(chain));
+  auto counted = chain_of<Tallied>(chain.count), four_times = counted;
+  four_times.k *= 4;
+  CHECK(work_of_step(four_times) == work_of_step(counted));
 }
 
 TEST_CASE("Cloth of any size needs about seventy substeps") {
@@ -460,14 +460,14 @@ TEST_CASE("On the bar the trapezoid rule leaves 96 per cent of the swing in each
 TEST_CASE(
     "With one solve a step the trapezoid rule lifts the rope's energy 19 times, cloth's a "
     "million times") {
-  const auto of_rope = trapezoid_shares(rope, false);
+  const auto of_rope = shares(rope, hard, 60, trapezoid_once);
   REQUIRE(of_rope.size() == 61);
   CHECK_THAT(of_rope.back(), WithinAbs(19, 1));
-  CHECK(trapezoid_shares(cloth, false).back() > 1e6);
+  CHECK(shares(cloth, hard, 60, trapezoid_once).back() > 1e6);
 }
 
 TEST_CASE("Solved to the end the trapezoid rule keeps the rope's energy within a fifth") {
-  const auto left = trapezoid_shares(rope, true);
+  const auto left = shares(rope, hard, 60, trapezoid_to_the_end);
   REQUIRE(left.size() == 61);
   for (const double share : left) CHECK_THAT(share, WithinAbs(0.9, 0.11));
 }

@@ -7,18 +7,18 @@
 
 #include "scenes/state.h"
 
-// [predictor-corrector]
 /// The talk's example of a predictor-corrector.
 inline constexpr auto slide = [](auto& x, auto& v, double t, double h, const auto& acceleration) {
   using Vec = std::decay_t<decltype(x)>;
+  // [predictor-corrector]
   const Vec a = acceleration(x, v, t);
   const Vec x_ahead = x + h * v;
   const Vec v_ahead = v + h * a;
   const Vec a_ahead = acceleration(x_ahead, v_ahead, t + h);
   x = x + h / 2 * (v_ahead + v);
   v = v + h / 2 * (a_ahead + a);
+  // [predictor-corrector]
 };
-// [predictor-corrector]
 
 /// The talk's linear system, for position and velocity in one column: (1/h - f') change = f.
 template <class Scene>

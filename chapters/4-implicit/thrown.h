@@ -4,7 +4,12 @@
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 
+#include "bar.h"
+#include "measure/implicit_methods.h"
+#include "measure/record.h"
+#include "measure/run.h"
 #include "scenes/state.h"
 
 /// The matrix that does to a vector what a cross product with w does.
@@ -50,4 +55,33 @@ inline Eigen::Vector3d as_in_bullet(const Thrown& body, const Eigen::Vector3d& w
   const Eigen::Vector3d residual = h * w.cross(inertia * w);
   const Eigen::Matrix3d jacobian = inertia + h * (cross(w) * inertia - cross(inertia * w));
   return w - jacobian.inverse() * residual;
+}
+
+/// Ten seconds of a thrown body.
+inline void spins(measure::Record& record) {
+  auto& spin = record.table("spin", {{"t", "s"},
+                                     {"Euler"},
+                                     {"backward Euler"},
+                                     {"trapezoid"},
+                                     {"backward Euler turns", "rad/s"},
+                                     {"true", "rad/s"}});
+  const Thrown body;
+  auto e = body.start(), b = body.start(), tr = body.start(), fine = body.start();
+  const double first = body.energy(e.v);
+  for (int n = 0; n <= 600; ++n) {
+    spin.add({n * frame, body.energy(e.v) / first, body.energy(b.v) / first,
+              body.energy(tr.v) / first, b.v.y(), fine.v.y()});
+    measure::euler(e.x, e.v, 0.0, frame, body);
+    measure::backward_euler(b.x, b.v, 0.0, frame, body);
+    measure::trapezoid(tr.x, tr.v, 0.0, frame, body);
+    fine = measure::after(measure::rk4, body, fine, frame / 20, 20);
+  }
+  const auto blown = std::find_if(spin.rows.begin(), spin.rows.end(),
+                                  [](const auto& row) { return !(row[1].value < 1e6); });
+  record.number("spin-euler", blown->at(0).value, 2, "s");
+  record.number("spin-second", 100 * spin.rows[60][2].value, 2, "%");
+  record.number("spin-five", 100 * spin.rows[300][2].value, 2, "%");
+  const auto over = std::find_if(spin.rows.begin(), spin.rows.end(),
+                                 [](const auto& row) { return row[5].value < 0; });
+  record.number("spin-over", over->at(0).value, 2, "s");
 }
