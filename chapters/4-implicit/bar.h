@@ -2,11 +2,9 @@
 /// @file
 /// The stiff bar that opens chapter 4, and the softer springs beside it.
 #pragma once
-#include <cmath>
 #include <numbers>
 
 #include "scenes/circle.h"
-#include "scenes/linear_drag.h"
 #include "scenes/spring.h"
 
 inline constexpr double frame = 1.0 / 60;  ///< the step of the chapter [s]
@@ -22,9 +20,6 @@ inline constexpr scenes::Spring<> bar{.omega = 600, .zeta = 0.1, .x0 = 0.001};
 
 /// The suspension of a toy car, which swings about three times a second.
 inline constexpr scenes::Spring<> suspension{.omega = 20, .zeta = 0.1, .x0 = 0.1};
-
-/// A damper without a spring that brakes at once: c h is 10 at sixty steps a second.
-inline constexpr scenes::LinearDrag<> brake{.c = 600, .g = 0, .v0 = 1};
 
 /// An undamped spring by how often it swings [1/s].
 constexpr scenes::Spring<> swinging(double times_a_second) {

@@ -17,7 +17,7 @@
 #include "measure/order.h"
 #include "measure/stability.h"
 #include "parachute.h"
-#include "scenes/projectile.h"
+#include "scenes/linear_drag.h"
 #include "slide.h"
 #include "soft.h"
 #include "struck.h"

@@ -4,6 +4,7 @@
 #pragma once
 #include <Eigen/SparseCholesky>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
