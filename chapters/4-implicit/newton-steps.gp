@@ -8,8 +8,8 @@ set lmargin NARROW ? 7.5 : 8
 unset mytics
 set label 1 "parachute" at 2.6,12 left tc rgb "#00000a"
 set label 2 "cloth, hard blow" at 9.6,5e-5 left tc rgb "#00000c"
-set label 3 "rope, hard blow" at 6.5,4e-13 left tc rgb "#00000b"
-set label 4 NARROW ? "rope, gentle" : "rope, gentle blow" at 1,1e-11 left tc rgb "#000009"
+set label 3 NARROW ? "rope, hard" : "rope, hard blow" at 6.5,4e-13 left tc rgb "#00000b"
+set label 4 NARROW ? "gentle" : "rope, gentle blow" at 1,1e-11 left tc rgb "#000009"
 set label 5 "good enough" at 11.5,1.2e-10 center tc rgb "#000008"
 plot 1e-9 with lines ls LIMIT, \
      file("newton") using 1:($2 > 0 ? $2 : NaN) with linespoints ls FIRST, \

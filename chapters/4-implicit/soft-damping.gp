@@ -4,8 +4,8 @@ set yrange [0:1]
 set xtics 0.5
 set ytics 0.2
 set label 1 "asked for ζ = 0.7" at 1.2,0.95 left tc rgb "#00000c"
-set label 2 "0.2" at 1.9,0.72 center tc rgb "#00000b"
-set label 3 "0" at 1.9,0.5 center tc rgb "#000005"
+set label 2 "0.2" at 1.9,NARROW ? 0.745 : 0.72 center tc rgb "#00000b"
+set label 3 "0" at 1.9,NARROW ? 0.49 : 0.5 center tc rgb "#000005"
 set label 4 "½ {/:Italic h}ω" at 0.62,0.22 left tc rgb "#000007"
 half(x) = x < 0.95 ? x/2 : NaN
 plot half(x) with lines ls EXACT, \
