@@ -3,8 +3,8 @@ set logscale y
 set xrange [0:10.2]
 set yrange [1e-14:1e26]
 set xtics 2
-set ytics ("1 nm" 1e-9, "1 mm" 1e-3, "1 km" 1e3, "1 million km" 1e9, "1 light-year" 9.46e15, "Andromeda" 2.4e22)
-set lmargin NARROW ? 11.5 : 12
+set ytics ("1 nm" 1e-9, "1 mm" 1e-3, "1 km" 1e3, "the Sun" 1.5e11, "a light-year" 9.46e15, "Andromeda" 2.4e22)
+set lmargin NARROW ? 10 : 10.5
 unset mytics
 set label 1 "RK4" at 5.6,NARROW ? 1e16 : 5e15 right tc rgb "#000004"
 set label 2 NARROW ? "symplectic" : "symplectic Euler" at 10.1,1e9 right tc rgb "#000002"

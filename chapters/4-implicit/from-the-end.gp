@@ -14,7 +14,7 @@ set label 3 NARROW ? "backward" : "backward Euler ends here" at 5.9,NARROW ? 4.7
 if (!NARROW) set label 3 "backward Euler\nends here" at 5.8,4.9 right tc rgb "#000005"
 set label 4 "truth" at 7.4,7.35 left tc rgb "#000007"
 set label 5 NARROW ? "velocity" : "its velocity" at 4.85,7.0 left tc rgb "#000005"
-if (NARROW) set label 5 "its velocity" at 3.9,8.4 right tc rgb "#000005"
+if (NARROW) set label 5 "velocity" at 3.9,8.4 right tc rgb "#000005"
 s = 7.8615
 set arrow 1 from 10,0 to 10,7.854 ls EULER lw 1.6 filled size 0.25,20
 set arrow 2 from 10,0 to 6.1849,4.8576 ls BACKWARD_EULER lw 2.2 filled size 0.25,20
