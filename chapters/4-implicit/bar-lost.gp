@@ -1,0 +1,20 @@
+eval axis_names("frame", "distance of the trailer from its place")
+set logscale y
+set xrange [0:10.2]
+set yrange [1e-14:1e26]
+set xtics 2
+set ytics ("1 nm" 1e-9, "1 mm" 1e-3, "1 km" 1e3, "the Sun" 1.5e11, "a light-year" 9.46e15, "Andromeda" 2.4e22)
+set lmargin NARROW ? 10 : 10.5
+unset mytics
+set label 1 "RK4" at 5.6,NARROW ? 1e16 : 5e15 right tc rgb "#000004"
+set label 2 NARROW ? "symplectic" : "symplectic Euler" at 10.1,1e9 right tc rgb "#000002"
+set label 3 "Euler" at 10.1,NARROW ? 1 : 1e2 right tc rgb "#000001"
+set label 4 "backward Euler" at 5.2,NARROW ? 3e-5 : 1e-6 left tc rgb "#000005"
+plot file("bar") using 1:2 with linespoints ls EULER, \
+     file("bar") using 1:3 with linespoints ls SYMPLECTIC_EULER, \
+     file("bar") using 1:4 with linespoints ls RK4, \
+     file("bar") using 1:5 with linespoints ls BACKWARD_EULER, \
+     file("bar") using 1:2:(sprintf("Euler, frame %d: %.2g m", $1, $2)) with labels hypertext point ls EULER, \
+     file("bar") using 1:3:(sprintf("symplectic Euler, frame %d: %.2g m", $1, $3)) with labels hypertext point ls SYMPLECTIC_EULER, \
+     file("bar") using 1:4:(sprintf("RK4, frame %d: %.2g m", $1, $4)) with labels hypertext point ls RK4, \
+     file("bar") using 1:5:(sprintf("backward Euler, frame %d: %.2g m", $1, $5)) with labels hypertext point ls BACKWARD_EULER

@@ -1,0 +1,564 @@
+// SPDX-License-Identifier: MIT-0
+// The claims of chapter 4. Each name is a sentence that the chapter says.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "bar.h"
+#include "blows.h"
+#include "measure/cost.h"
+#include "measure/energy.h"
+#include "measure/implicit_methods.h"
+#include "measure/linear_methods.h"
+#include "measure/order.h"
+#include "measure/stability.h"
+#include "parachute.h"
+#include "scenes/linear_drag.h"
+#include "slide.h"
+#include "soft.h"
+#include "struck.h"
+#include "thrown.h"
+#include "work.h"
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+using measure::backward_euler;
+using measure::euler;
+using measure::spectral_radius;
+using measure::symplectic_euler;
+using measure::trapezoid;
+using scenes::LinearDrag;
+using scenes::Spring;
+using scenes::State;
+
+namespace {
+
+const double rounding = std::numeric_limits<double>::epsilon();
+
+/// A brake without gravity and with one as its drag.
+constexpr LinearDrag<> unit_brake{.c = 1, .g = 0, .v0 = 1};
+
+/// The speed after one step of a brake.
+template <class Step>
+double braked(Step step, double ch) {
+  return measure::after(step, unit_brake, unit_brake.start(), ch, 1).v;
+}
+
+/// predicted_euler() with so many corrections.
+auto corrected(int corrections) {
+  return [corrections](auto& x, auto& v, auto t, auto h, auto&& a) {
+    integrate::predicted_euler(x, v, t, h, a, corrections);
+  };
+}
+
+template <class Step>
+double drag_limit(Step step) {
+  return measure::stability_limit(step, unit_brake, 1e-3, 10);
+}
+
+/// Multiplications of all substeps over those of one solved step.
+template <class Scene, class Counted>
+double saving(const Scene& scene, const Counted& counted) {
+  return substeps_for(scene) * work_of_substep(counted) / work_of_step(counted);
+}
+
+double cloth_saving(int side) {
+  return saving(cloth_of(side), cloth_of<Tallied>(side));
+}
+
+/// The largest size of any position after a second of a chain in substeps of symplectic Euler.
+double chain_after(int substeps) {
+  Struck s = struck(chain, gentle);
+  const double step = frame / substeps;
+  for (int n = 0; n < 60 * substeps; ++n) symplectic_euler(s.x, s.v, 0.0, step, chain);
+  return s.x.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+TEST_CASE("Euler, symplectic Euler and RK4 all lose the bar at 60 steps a second") {
+  const auto away = [](auto step) {
+    return std::abs(measure::after(step, bar, bar.start(), frame, 10).x);
+  };
+  CHECK(away(euler) > 1e6);
+  CHECK(away(symplectic_euler) > 1e16);
+  CHECK(away(measure::rk4) > 2.4e22);  // as far as Andromeda
+  CHECK(away(backward_euler) < bar.x0);
+}
+
+TEST_CASE("To hold the bar Euler needs 3000 steps a second, symplectic Euler 332, RK4 204") {
+  const auto rate = [](auto step) { return 1 / measure::stability_limit(step, bar, 1e-5, 1); };
+  CHECK_THAT(rate(euler), WithinRel(3000, 1e-6));
+  CHECK_THAT(rate(symplectic_euler), WithinAbs(331.5, 0.5));
+  CHECK_THAT(rate(measure::rk4), WithinAbs(203.5, 0.5));
+}
+
+TEST_CASE("Four frames of backward Euler bring the bar to rest within a tenth of a micrometre") {
+  CHECK(std::abs(measure::after(measure::backward_euler_spring, bar, bar.start(), frame, 4).x) <
+        1e-7);
+  CHECK(std::abs(measure::after(measure::backward_euler_spring, bar, bar.start(), frame, 3).x) >
+        1e-7);
+}
+
+TEST_CASE("Each step of backward Euler on a circle starts outside the circle that it ends on") {
+  auto s = drone.start();
+  for (int n = 0; n < 1000; ++n) {
+    const auto before = s;
+    integrate::backward_euler_spring(s.x, s.v, frame, drone.omega, 0.0);
+    CHECK(s.x.norm() < before.x.norm());
+    CHECK_THAT(s.x.dot(s.v), WithinAbs(0, 1e-10));  // still at right angles, so a tangent
+    CHECK(((s.x - before.x) - frame * s.v).norm() < 10 * rounding * s.x.norm());
+  }
+}
+
+TEST_CASE("Backward Euler divides the energy of a circle by what Euler multiplies it with") {
+  const auto energy = [](const auto& x, const auto& v) { return drone.energy(x, v); };
+  for (const double step : {frame, 0.1, 1.0, 10.0}) {
+    const double up = 1 + measure::drift(euler, drone, step, 1, energy).last;
+    const double down = 1 + measure::drift(backward_euler, drone, step, 1, energy).last;
+    CHECK_THAT(up * down, WithinRel(1, 1e-13));
+    CHECK_THAT(down, WithinRel(left_in_a_step(step * drone.omega), 1e-13));
+  }
+}
+
+TEST_CASE("Ten turns of backward Euler draw the drone a third of the way to its tower") {
+  const auto end = measure::after(backward_euler, drone, drone.start(), frame, 10 * turn);
+  CHECK_THAT(end.x.norm(), WithinAbs(6.63, 0.01));
+  const auto late = measure::after(backward_euler, drone, drone.start(), frame, 200 * turn);
+  CHECK(late.x.norm() < 0.01);
+}
+
+TEST_CASE("Backward Euler brakes at every step without turning round") {
+  for (const double ch : {0.1, 1.0, 2.0, 10.0, 1e3, 1e6}) {
+    CHECK_THAT(braked(backward_euler, ch), WithinAbs(1 / (1 + ch), 2 * rounding));
+    CHECK(braked(backward_euler, ch) > 0);
+    CHECK(std::abs(braked(euler, ch) - (1 - ch)) <= rounding * ch);
+  }
+}
+
+TEST_CASE("Backward Euler holds every spring at every step") {
+  for (const double zeta : {0.0, 0.1, 0.5, 1.0, 5.0, 50.0}) {
+    for (const double homega : {0.01, 0.1, 1.0, 10.0, 1e3}) {
+      CHECK(spectral_radius(backward_euler, Spring<>{.zeta = zeta}, homega) < 1);
+    }
+  }
+}
+
+TEST_CASE("On a spring the derived step, the solved one and Newton's are one step") {
+  const State<double> start{0.3, -2};
+  for (const double zeta : {0.0, 0.1, 1.0, 5.0}) {
+    const Spring<> spring{.omega = 600, .zeta = zeta};
+    const auto derived = measure::after(measure::backward_euler_spring, spring, start, frame, 1);
+    const auto solved = measure::after(backward_euler, spring, start, frame, 1);
+    const auto newton = measure::after(measure::backward_euler_newton, spring, start, frame, 1);
+    // x is h omega = 10 times the rounding of v, and v is of the size of omega x.
+    const double size = std::abs(start.x) + std::abs(start.v) / spring.omega;
+    for (const auto& other : {solved, newton}) {
+      CHECK_THAT(other.x, WithinAbs(derived.x, 50 * rounding * size));
+      CHECK_THAT(other.v, WithinAbs(derived.v, 50 * rounding * size * spring.omega));
+    }
+  }
+}
+
+TEST_CASE("The talk's linear system takes the step of half as many unknowns on a chain") {
+  Struck whole = struck(chain_of(12), gentle), half = whole;
+  const auto scene = chain_of(12);
+  slide_system(whole, frame, scene);
+  auto system = system_of(scene);
+  REQUIRE(integrate::backward_euler(half.x, half.v, 0.0, frame, scene, system));
+  // The condition of the matrices is about (h omega)^2.
+  CHECK((whole.v - half.v).norm() < 1e4 * rounding * gentle);
+  CHECK((whole.x - half.x).norm() < 1e4 * rounding * gentle * frame);
+}
+
+TEST_CASE("One solve ends where the slope of the end leads back to the start, on a chain") {
+  const Struck start = struck(chain, gentle);
+  Struck s = start;
+  auto system = system_of(chain);
+  REQUIRE(integrate::backward_euler(s.x, s.v, 0.0, frame, chain, system));
+  const Eigen::VectorXd back = s.v - frame * chain(s.x, s.v, 0.0);
+  CHECK((back - start.v).cwiseAbs().maxCoeff() < 1e4 * rounding * gentle);
+}
+
+TEST_CASE("Of the matrix of a chain three diagonals are not zero, and of its inverse all") {
+  const Sparse matrix = step_matrix_of(chain);
+  CHECK(matrix.nonZeros() == 3 * chain.count - 2);
+  const Eigen::MatrixXd inverse = Eigen::MatrixXd(matrix).inverse();
+  CHECK((inverse.array() > 0).all());
+}
+
+TEST_CASE("Elimination leaves one entry a row of a chain, four of a rope, ever more of cloth") {
+  const auto each = [](const auto& scene) {
+    const Sparse factor = factor_of(step_matrix_of(scene));
+    return double(factor.nonZeros()) / double(factor.cols());
+  };
+  CHECK_THAT(each(chain_of(1000)), WithinAbs(1, 0.002));
+  CHECK_THAT(each(rope_of(1000)), WithinAbs(4, 0.02));
+  CHECK_THAT(each(cloth_of(6)), WithinAbs(16, 1));
+  CHECK_THAT(each(cloth_of(58)), WithinAbs(75, 3));
+}
+
+TEST_CASE("The matrix of cloth has 27 entries in a row at most, at any size") {
+  for (const int side : {6, 18}) {
+    const Sparse matrix = step_matrix_of(cloth_of(side));
+    Eigen::Index most = 0;
+    for (int j = 0; j < matrix.cols(); ++j) most = std::max(most, matrix.col(j).nonZeros());
+    CHECK(most == 27);
+  }
+}
+
+TEST_CASE("Fifty substeps hold the chain, and 49 lose it") {
+  CHECK(substeps_for(chain) == 50);
+  CHECK(chain_after(50) < 0.1);
+  CHECK_FALSE(chain_after(49) < 1e6);  // nor is it a number
+}
+
+TEST_CASE("Four times the stiffness takes twice the substeps and the same work to solve") {
+  auto stiffer = chain;
+  stiffer.k *= 4;
+  CHECK(substeps_for(stiffer) == 2 * substeps_for(chain));
+  auto counted = chain_of<Tallied>(chain.count), four_times = counted;
+  four_times.k *= 4;
+  CHECK(work_of_step(four_times) == work_of_step(counted));
+}
+
+TEST_CASE("Cloth of any size needs about seventy substeps") {
+  for (const int side : {6, 10, 18, 32}) CHECK_THAT(substeps_for(cloth_of(side)), WithinAbs(70, 2));
+}
+
+TEST_CASE(
+    "A solved chain saves twelve times the multiplications, a rope three times, at any size") {
+  for (const int count : {50, 500}) {
+    CHECK_THAT(saving(chain_of(count), chain_of<Tallied>(count)), WithinAbs(12.5, 0.5));
+    CHECK_THAT(saving(rope_of(count), rope_of<Tallied>(count)), WithinAbs(3.2, 0.1));
+  }
+}
+
+TEST_CASE("Cloth of 10 x 10 is cheaper solved, of 18 x 18 as cheap, of 32 x 32 dearer") {
+  CHECK(cloth_saving(10) > 1.5);
+  CHECK_THAT(cloth_saving(18), WithinAbs(1, 0.1));
+  CHECK(cloth_saving(32) < 0.6);
+}
+
+TEST_CASE("One correction has half of Euler's limit on drag") {
+  CHECK_THAT(drag_limit(euler), WithinRel(2, 1e-9));
+  CHECK_THAT(drag_limit(corrected(1)), WithinRel(1, 1e-9));
+}
+
+TEST_CASE("The second correction moves the limit on drag to 1.353, the third takes it back to 1") {
+  CHECK_THAT(drag_limit(corrected(2)), WithinAbs(1.353, 0.0005));
+  CHECK_THAT(drag_limit(corrected(3)), WithinRel(1, 1e-9));
+}
+
+TEST_CASE("Corrections add up a series that converges below c h = 1 and nowhere else") {
+  const double right = 1 / (1 + 0.9), wrong = 1 / (1 + 1.1);
+  CHECK_THAT(braked(corrected(300), 0.9), WithinAbs(right, 1e-12));
+  CHECK(std::abs(braked(corrected(300), 1.1) - wrong) > 1e6);
+  for (int n = 1; n <= 20; ++n) {
+    double sum = 0;
+    for (int power = 0; power <= n + 1; ++power) sum += std::pow(-0.9, power);
+    CHECK_THAT(braked(corrected(n), 0.9), WithinAbs(sum, 1e-13));
+    CHECK(drag_limit(corrected(n)) > 0.99);
+    CHECK(drag_limit(corrected(n)) < 1.36);
+  }
+}
+
+TEST_CASE("One correction draws the drone in as far as backward Euler does, to a centimetre") {
+  const auto end = [](auto step) {
+    return measure::after(step, drone, drone.start(), frame, 10 * turn).x.norm();
+  };
+  CHECK_THAT(end(corrected(1)), WithinAbs(end(backward_euler), 0.01));
+}
+
+TEST_CASE("The talk's predictor-corrector takes the steps of Heun's method") {
+  for (const double step : {frame, 0.5}) {
+    const auto mine = measure::after(slide, drone, drone.start(), step, 20);
+    const auto heun = measure::after(measure::heun, drone, drone.start(), step, 20);
+    CHECK((mine.x - heun.x).norm() < 1e-12 * heun.x.norm());
+    CHECK((mine.v - heun.v).norm() < 1e-12 * heun.v.norm());
+  }
+  State<double> mine{0, diving}, heun = mine;
+  mine = measure::after(slide, parachute, mine, 0.01, 20);
+  heun = measure::after(measure::heun, parachute, heun, 0.01, 20);
+  CHECK_THAT(mine.v, WithinRel(heun.v, 1e-12));
+  CHECK_THAT(mine.x, WithinRel(heun.x, 1e-12));
+}
+
+TEST_CASE("The talk's predictor-corrector has order two") {
+  const auto rows = measure::halvings(slide, drone, 1.0 / 15, 8.0, 4);
+  CHECK_THAT(rows.back().position_order, WithinAbs(2, 0.1));
+  CHECK_THAT(rows.back().velocity_order, WithinAbs(2, 0.1));
+}
+
+TEST_CASE("The talk's predictor-corrector has Euler's limit on drag and gains on every spring") {
+  CHECK_THAT(drag_limit(slide), WithinRel(2, 1e-9));
+  for (const double homega : {0.1, 0.5, 2.0}) {
+    CHECK(spectral_radius(slide, Spring<>{}, homega) > 1 + 1e-6);
+  }
+}
+
+TEST_CASE("In a second backward Euler takes half of a slow spring and all of a fast one") {
+  const auto left = [](const Spring<>& spring) {
+    const auto energy = [&](double x, double v) { return spring.energy(x, v); };
+    return 1 + measure::drift(backward_euler, spring, frame, 60, energy).last;
+  };
+  CHECK_THAT(left(swinging(1)), WithinAbs(0.52, 0.005));
+  CHECK_THAT(left(swinging(2)), WithinAbs(0.076, 0.001));
+  CHECK(left(Spring<>{.omega = suspension.omega}) < 0.002);
+}
+
+TEST_CASE("A second after a gentle blow the rope has two thirds of its energy, the chain none") {
+  const auto left = [](const auto& scene) { return shares(scene, gentle, 60, solved_once).back(); };
+  CHECK(left(chain) < 1e-12);
+  CHECK_THAT(left(rope), WithinAbs(0.68, 0.01));
+  CHECK_THAT(left(cloth), WithinAbs(0.085, 0.005));
+}
+
+TEST_CASE("In a hundred substeps a frame the rope keeps its energy to four per cent for a second") {
+  Struck s = struck(rope, gentle);
+  const double first = rope.energy(s.x, s.v), step = frame / 100;
+  double least = first, most = first;
+  for (int n = 0; n < 60 * 100; ++n) {
+    symplectic_euler(s.x, s.v, 0.0, step, rope);
+    // Half a kick later the velocity belongs to the time of the position.
+    const Eigen::VectorXd now = s.v + step / 2 * rope(s.x, s.v, 0.0);
+    least = std::min(least, rope.energy(s.x, now));
+    most = std::max(most, rope.energy(s.x, now));
+  }
+  CHECK(least > 0.96 * first);
+  CHECK(most < 1.04 * first);
+}
+
+TEST_CASE("Backward Euler has order one on the drone, in position and in velocity") {
+  const auto rows = measure::halvings(backward_euler, drone, 1.0 / 120, 8.0, 4);
+  CHECK_THAT(rows.back().position_order, WithinAbs(1, 0.1));
+  CHECK_THAT(rows.back().velocity_order, WithinAbs(1, 0.1));
+}
+
+TEST_CASE("On drag backward Euler errs as far as Euler, to the other side") {
+  const auto error = [](auto step) {
+    const auto end = measure::after(step, unit_brake, unit_brake.start(), 0.01, 100);
+    return end.v - unit_brake.exact(1).v;
+  };
+  CHECK(error(euler) < 0);
+  CHECK_THAT(error(backward_euler) / error(euler), WithinAbs(-1, 0.02));
+}
+
+TEST_CASE("Backward Euler's terminal speed in linear drag is right to rounding") {
+  const LinearDrag<> leaf{.c = 2};
+  for (const double step : {frame, 0.1, 1.0, 10.0}) {
+    CHECK_THAT(-measure::after(backward_euler, leaf, leaf.start(), step, 3000).v,
+               WithinRel(leaf.terminal_speed(), 1e-12));
+  }
+}
+
+TEST_CASE("Under a constant force backward Euler takes the steps of symplectic Euler") {
+  const LinearDrag<> jump{.c = 0, .v0 = 5};
+  for (const double step : {frame, 0.1, 1.0}) {
+    const auto end = measure::after(backward_euler, jump, jump.start(), step, 100);
+    const auto same = measure::after(symplectic_euler, jump, jump.start(), step, 100);
+    CHECK(end.x == same.x);
+    CHECK(end.v == same.v);
+    const double t = 100 * step;
+    CHECK_THAT(end.x - jump.exact(t).x, WithinRel(-jump.g * step * t / 2, 1e-9));
+  }
+}
+
+TEST_CASE("A step of backward Euler asks for the acceleration once and solves once") {
+  int solves = 0;
+  const measure::Counted counted{suspension};
+  const auto solve = [&](double, double, double, double p, double q, double& change) {
+    ++solves;
+    change = change / (1 - p * suspension.omega * suspension.omega - q * suspension.damping());
+    return true;
+  };
+  double x = 1, v = 0;
+  REQUIRE(integrate::backward_euler(x, v, 0.0, frame, counted, solve));
+  CHECK(counted.evaluations == 1);
+  CHECK(solves == 1);
+}
+
+TEST_CASE("At ten steps a second a parachute opens without throwing its diver, solved once") {
+  double x = 0, v = diving;
+  REQUIRE(integrate::backward_euler(x, v, 0.0, slow, parachute, solve_parachute));
+  CHECK(v < 0);
+  CHECK(v > diving);
+  CHECK_THAT(v, WithinAbs(-30.3, 0.05));
+}
+
+TEST_CASE("On a parachute each of Newton's iterations squares the error, and six are enough") {
+  const auto found = changes_of_parachute();
+  CHECK(found.size() == 6);
+  for (std::size_t n = 2; n < 5; ++n) {
+    // The error after an iteration is about k h over the slope times that before, squared.
+    const double factor = found[n] / (found[n - 1] * found[n - 1]);
+    CHECK(factor > 0.005);
+    CHECK(factor < 0.02);
+  }
+}
+
+TEST_CASE("A rope takes five or six of Newton's iterations, cloth after a hard blow eighteen") {
+  CHECK(changes(rope, gentle).size() == 5);
+  CHECK(changes(rope, hard).size() == 6);
+  CHECK(changes(cloth, hard).size() == 18);
+}
+
+TEST_CASE("On cloth the matrix is not quite the derivative, and each iteration gains a factor") {
+  const auto found = changes(cloth, hard);
+  for (std::size_t n = 10; n < 17; ++n) {
+    CHECK_THAT(found[n] / found[n - 1], WithinAbs(0.28, 0.02));
+  }
+}
+
+TEST_CASE("After a hard blow one solve a step lifts the rope's energy by half, Newton by nothing") {
+  const auto once = shares(rope, hard, 60, solved_once);
+  REQUIRE(once.size() == 61);
+  CHECK_THAT(*std::max_element(once.begin(), once.end()), WithinAbs(1.57, 0.02));
+  const auto end = shares(rope, hard, 60, to_the_end);
+  REQUIRE(end.size() == 61);
+  for (std::size_t n = 1; n < end.size(); ++n) CHECK(end[n] < end[n - 1]);
+  CHECK_THAT(end.back(), WithinAbs(0.47, 0.01));
+}
+
+TEST_CASE("The trapezoid rule has order two") {
+  const auto rows = measure::halvings(trapezoid, drone, 1.0 / 15, 8.0, 4);
+  CHECK_THAT(rows.back().position_order, WithinAbs(2, 0.1));
+  CHECK_THAT(rows.back().velocity_order, WithinAbs(2, 0.1));
+}
+
+TEST_CASE("The trapezoid rule keeps the energy of an undamped spring at every step size") {
+  for (const double homega : {0.1, 1.0, 10.0}) {
+    const Spring<> spring{.omega = 1};
+    const auto energy = [&](double x, double v) { return spring.energy(x, v); };
+    CHECK(measure::drift(trapezoid, spring, homega, 1000, energy).largest < 1e-11);
+  }
+}
+
+TEST_CASE("The trapezoid rule holds every damped spring at every step") {
+  for (const double zeta : {0.1, 1.0, 5.0}) {
+    for (const double homega : {0.01, 0.1, 1.0, 10.0, 1e3}) {
+      CHECK(spectral_radius(trapezoid, Spring<>{.zeta = zeta}, homega) < 1);
+    }
+  }
+}
+
+TEST_CASE("On the bar the trapezoid rule leaves 96 per cent of the swing in each step") {
+  CHECK_THAT(spectral_radius(trapezoid, bar, frame), WithinAbs(0.962, 0.0005));
+  CHECK_THAT(spectral_radius(backward_euler, bar, frame), WithinAbs(0.0985, 0.0005));
+  int turned = 0;
+  auto s = bar.start();
+  double before = s.v;
+  measure::run(trapezoid, bar, s, frame, 60, [&](double t, const auto& now) {
+    if (t > 0) turned += now.v * before < 0;
+    before = now.v;
+  });
+  CHECK(turned > 50);
+}
+
+TEST_CASE(
+    "With one solve a step the trapezoid rule lifts the rope's energy 19 times, cloth's a "
+    "million times") {
+  const auto of_rope = shares(rope, hard, 60, trapezoid_once);
+  REQUIRE(of_rope.size() == 61);
+  CHECK_THAT(of_rope.back(), WithinAbs(19, 1));
+  CHECK(shares(cloth, hard, 60, trapezoid_once).back() > 1e6);
+}
+
+TEST_CASE("Solved to the end the trapezoid rule keeps the rope's energy within a fifth") {
+  const auto left = shares(rope, hard, 60, trapezoid_to_the_end);
+  REQUIRE(left.size() == 61);
+  for (const double share : left) CHECK_THAT(share, WithinAbs(0.9, 0.11));
+}
+
+TEST_CASE("The soft constraint of Box2D is backward Euler on a spring") {
+  for (const double zeta : {0.0, 0.2, 1.0, 10.0}) {
+    for (const double omega : {1.0, 30.0, 600.0}) {
+      double x = 0.3, v = -2;
+      integrate::backward_euler_spring(x, v, frame, omega, zeta);
+      double stretch = 0.3, rate = -2;
+      soft_constraint(stretch, rate, frame, omega, zeta);
+      // Terms of the size of v and of omega x cancel.
+      const double size = 2 + omega * 0.3;
+      CHECK_THAT(rate, WithinAbs(v, 10 * rounding * size));
+      CHECK_THAT(stretch, WithinAbs(x, 10 * rounding * (0.3 + frame * size)));
+    }
+  }
+}
+
+TEST_CASE("A soft constraint adds half of h omega to a small damping ratio") {
+  for (const double homega : {0.01, 0.05, 0.1}) {
+    const auto got = moved(soft_step, {.omega = homega / frame}, frame);
+    CHECK_THAT(got.zeta, WithinRel(homega / 2, 0.01));
+  }
+}
+
+TEST_CASE("Asked for 5 Hz without damping a soft constraint gives 0.24 at 60 steps a second") {
+  CHECK_THAT(moved(soft_step, swinging(5), frame).zeta, WithinAbs(0.243, 0.001));
+  CHECK_THAT(moved(soft_step, swinging(5), 2 * frame).zeta, WithinAbs(0.42, 0.005));
+  CHECK_THAT(moved(soft_step, swinging(5), frame / 4).zeta, WithinAbs(0.065, 0.001));
+}
+
+TEST_CASE("The gyroscopic step of Bullet is one solve of backward Euler") {
+  const Thrown body;
+  auto s = body.start();
+  for (int n = 0; n < 600; ++n) {
+    const Eigen::Vector3d theirs = as_in_bullet(body, s.v, frame);
+    backward_euler(s.x, s.v, 0.0, frame, body);
+    CHECK((s.v - theirs).norm() < 1e-13 * theirs.norm());
+  }
+}
+
+TEST_CASE("Euler's gyroscopic torque spins a thrown body up until the numbers end") {
+  const Thrown body;
+  auto s = body.start();
+  const double first = body.energy(s.v);
+  double before = first;
+  for (int n = 0; n < 240; ++n) {
+    euler(s.x, s.v, 0.0, frame, body);
+    CHECK(body.energy(s.v) > (1 - 4 * rounding) * before);
+    before = body.energy(s.v);
+  }
+  CHECK(before > 10 * first);
+  s = measure::after(euler, body, s, frame, 60);
+  CHECK_FALSE(std::isfinite(body.energy(s.v)));
+}
+
+TEST_CASE("A thrown body tumbles under backward Euler and loses three tenths in a second") {
+  const Thrown body;
+  auto s = body.start();
+  const double first = body.energy(s.v), spin = body.momentum(s.v);
+  s = measure::after(backward_euler, body, s, frame, 60);
+  CHECK(s.v.y() < -0.8 * body.start().v.y());  // turned over
+  CHECK_THAT(body.energy(s.v) / first, WithinAbs(0.70, 0.01));
+  CHECK(body.momentum(s.v) < 0.9 * spin);
+  const auto truth = measure::after(measure::rk4, body, body.start(), frame / 20, 1200);
+  CHECK_THAT(body.energy(truth.v) / first, WithinAbs(1, 1e-6));
+  CHECK(truth.v.y() < 0);
+}
+
+TEST_CASE("The trapezoid rule keeps a thrown body's energy within one per cent") {
+  const Thrown body;
+  auto s = body.start();
+  const double first = body.energy(s.v);
+  for (int n = 0; n < 600; ++n) {
+    trapezoid(s.x, s.v, 0.0, frame, body);
+    CHECK_THAT(body.energy(s.v) / first, WithinAbs(1, 0.01));
+  }
+}
+
+TEST_CASE("To keep nine tenths of a spring of two swings for a second takes 1500 steps") {
+  const auto left = [](double rate) {
+    return std::pow(left_in_a_step(swinging(2).omega / rate), rate);
+  };
+  CHECK_THAT(left(1500), WithinAbs(0.9, 0.001));
+}
+
+TEST_CASE("Closed to a ring a chain of 108 leaves twice the entries in its factor") {
+  Sparse matrix = step_matrix_of(chain);
+  matrix.coeffRef(0, 107) = matrix.coeffRef(107, 0) = matrix.coeff(0, 1);
+  CHECK(factor_of(matrix).nonZeros() == 2 * 108 - 3);
+}

@@ -1,0 +1,27 @@
+eval NARROW ? canvas(400, 390) : canvas(620, 540)
+eval axis_names("x  [m]", "y  [m]")
+set size ratio -1
+set xrange [NARROW ? 1 : 3:13]
+set yrange [-0.6:9]
+set xtics 2
+set ytics 2
+set parametric
+set trange [-0.2:1.4]
+unset grid
+set label 1 "start" at 10.3,-0.1 left tc rgb "#000007"
+set label 2 NARROW ? "Euler" : "Euler ends here" at 10.3,7.7 left tc rgb "#000001"
+set label 3 NARROW ? "backward" : "backward Euler ends here" at 5.9,NARROW ? 4.7 : 4.5 right tc rgb "#000005"
+if (!NARROW) set label 3 "backward Euler\nends here" at 5.8,4.9 right tc rgb "#000005"
+set label 4 "truth" at 7.4,7.35 left tc rgb "#000007"
+set label 5 NARROW ? "velocity" : "its velocity" at 4.85,7.0 left tc rgb "#000005"
+if (NARROW) set label 5 "velocity" at 3.9,8.4 right tc rgb "#000005"
+s = 7.8615
+set arrow 1 from 10,0 to 10,7.854 ls EULER lw 1.6 filled size 0.25,20
+set arrow 2 from 10,0 to 6.1849,4.8576 ls BACKWARD_EULER lw 2.2 filled size 0.25,20
+set arrow 3 from 6.1849,4.8576 to 6.1849 - 3.8151*0.6,4.8576*1.6 ls BACKWARD_EULER lw 1.4 dt (4,3) filled size 0.25,20
+plot 10*cos(t), 10*sin(t) with lines ls EXACT, \
+     s*cos(t), s*sin(t) with lines ls CONTEXT, \
+     "+" every 1000 using (10):(0) with points ls CONTEXT pt 7 ps 0.9, \
+     "+" every 1000 using (7.0711):(7.0711) with points ls EXACT pt 7 ps 0.8, \
+     file("ends") every ::2::2 using 1:2 with points ls BACKWARD_EULER ps 0.9, \
+     file("ends") using 1:2:(sprintf("%.2f m from the tower", sqrt($1**2 + $2**2))) with labels hypertext point ls CONTEXT ps 0.5

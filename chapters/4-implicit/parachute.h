@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The skydiver of chapter 2 and her parachute, braked implicitly.
+#pragma once
+#include <cmath>
+#include <vector>
+
+#include "integrate/backward_euler.h"
+#include "scenes/quadratic_drag.h"
+
+/// A parachute that opens at once, made for 5 m/s.
+inline constexpr scenes::QuadraticDrag<> parachute{.k = 9.81 / (5 * 5)};
+inline constexpr double diving = -50;  ///< her speed when it opens [m/s]
+inline constexpr double slow = 0.1;    ///< ten steps a second [s]
+
+// [solve]
+/// The linear system of a single unknown is a division.
+inline constexpr auto solve_parachute = [](double, double v, double, double, double q,
+                                           double& change) {
+  change = change / (1 + q * (-2 * parachute.k * std::abs(v)));
+  return true;
+};
+// [solve]
+
+/// By how much each of Newton's iterations changes her velocity in the step in which it opens.
+inline std::vector<double> changes_of_parachute() {
+  std::vector<double> found;
+  const auto note = [&found](double change) {
+    found.push_back(std::abs(change));
+    return found.back();
+  };
+  double x = 0, v = diving;
+  const int iterations =
+      integrate::backward_euler_newton(x, v, 0.0, slow, parachute, solve_parachute, note, 1e-9);
+  if (iterations == 0) found.clear();
+  return found;
+}

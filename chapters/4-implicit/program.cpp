@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT-0
+// Chapter 4: implicit methods, from a bar that cannot be held to a body thrown into the air.
+#include <cmath>
+
+#include "bar.h"
+#include "blows.h"
+#include "measure/error.h"
+#include "measure/implicit_methods.h"
+#include "measure/linear_methods.h"
+#include "measure/path.h"
+#include "measure/record.h"
+#include "measure/stability.h"
+#include "scenes/linear_drag.h"
+#include "slide.h"
+#include "soft.h"
+#include "thrown.h"
+#include "work.h"
+
+using measure::backward_euler;
+using measure::backward_euler_spring;
+using measure::euler;
+using measure::Record;
+using measure::rk4;
+using measure::symplectic_euler;
+using measure::trapezoid;
+using measure::whole;
+
+namespace {
+
+void opening(Record& record) {
+  auto& table = record.table("bar", {{"frame", "", whole},
+                                     {"Euler", "m"},
+                                     {"symplectic Euler", "m"},
+                                     {"RK4", "m"},
+                                     {"backward Euler", "m"}});
+  // [bar]
+  const auto away = [](auto step, long frames) {
+    return std::abs(measure::after(step, bar, bar.start(), frame, frames).x);
+  };
+  for (long n = 0; n <= 10; ++n) {
+    table.add({double(n), away(euler, n), away(symplectic_euler, n), away(rk4, n),
+               away(backward_euler_spring, n)});
+  }
+  // [bar]
+  constexpr double light_year = 9.4607e15;  // m
+  record.number("bar-euler", away(euler, 10) / 1000, 2, "km");
+  record.number("bar-symplectic", away(symplectic_euler, 10) / light_year, 2, "light-years");
+  record.number("bar-rk4", away(rk4, 10) / light_year / 1e6, 2, "million light-years");
+  record.number("bar-backward", 1e9 * away(backward_euler_spring, 4), 2, "nm");
+  const auto rate = [](auto step) {
+    return std::ceil(1 / measure::stability_limit(step, bar, 1e-5, 1));
+  };
+  record.number("rate-euler", rate(euler), whole);
+  record.number("rate-symplectic", rate(symplectic_euler), whole);
+  record.number("rate-rk4", rate(rk4), whole);
+}
+
+void from_the_end(Record& record) {
+  auto& table = record.table("ends", {{"x", "m"}, {"y", "m"}});
+  auto s = drone.start();
+  table.add({s.x.x(), s.x.y()});
+  integrate::backward_euler_spring(s.x, s.v, 1.0, drone.omega, 0.0);
+  table.add({s.x.x(), s.x.y()});
+  const auto home = measure::after(backward_euler, drone, drone.start(), frame, 10 * turn);
+  record.number("drone-10", home.x.norm(), 3, "m");
+}
+
+void predictors(Record& record) {
+  auto& table =
+      record.table("corrections", {{"corrections", "", whole}, {"drag"}, {"undamped spring"}});
+  // [corrections]
+  for (int corrections = 1; corrections <= 20; ++corrections) {
+    const auto step = [corrections](auto& x, auto& v, auto t, auto h, auto&& a) {
+      integrate::predicted_euler(x, v, t, h, a, corrections);
+    };
+    const auto limit = [&](const auto& scene) {
+      return measure::stability_limit(step, scene, 1e-3, 10);
+    };
+    table.add({double(corrections), limit(scenes::LinearDrag<>{.c = 1, .g = 0}),
+               limit(scenes::Spring<>{.omega = 1})});
+  }
+  // [corrections]
+  record.number("limit-two", table.rows[1][1].value, 4);
+  const auto off = [](auto step) {
+    return measure::largest_error(step, drone, frame, turn).position;
+  };
+  record.number("slide-off", 1000 * off(slide), 2, "mm");
+  record.number("backward-off", 100 * off(backward_euler), 3, "cm");
+}
+
+void ringing(Record& record) {
+  measure::path(record, "ring-trapezoid", trapezoid, bar, frame, 0.6);
+  measure::path(record, "ring-backward", backward_euler, bar, frame, 0.6);
+  record.number("ring-left", 100 * measure::spectral_radius(trapezoid, bar, frame), 3, "%");
+  record.number("ring-true", 100 * std::exp(-bar.zeta * bar.omega * frame), 2, "%");
+  const double late = measure::spectral_radius(trapezoid, bar, frame);
+  record.number("ring-tenth", std::log(0.1) / std::log(late) * frame, 2, "s");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return measure::record(argc, argv, [](Record& record) {
+    opening(record);
+    from_the_end(record);
+    matrices(record);
+    costs(record);
+    predictors(record);
+    a_second(record);
+    hard_blow(record);
+    newton(record);
+    ringing(record);
+    soft_damping(record);
+    spins(record);
+  });
+}
