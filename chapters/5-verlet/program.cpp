@@ -33,10 +33,10 @@ void one_step(Record& record) {
 
 void starts(Record& record) {
   auto& table = record.table("starts", {{"steps per second", "", whole},
-                                        {"drone, x", "m"},
-                                        {"swing, x", "m"},
-                                        {"drone, x − hv", "m"},
-                                        {"drone, x − hv + h²a/2", "m"}});
+                                        {"drone x", "m"},
+                                        {"swing x", "m"},
+                                        {"drone x − hv", "m"},
+                                        {"drone x − hv + h²a/2", "m"}});
   for (int rate = 15; rate <= 960; rate *= 2) {
     const auto error = [&](auto step, const auto& scene, int seconds) {
       return measure::largest_error(step, scene, 1.0 / rate, rate * seconds).position;
@@ -75,8 +75,8 @@ void orders(Record& record) {
   auto& table = record.table("orders", {{"method"},
                                         {"position"},
                                         {"velocity"},
-                                        {"position, drag"},
-                                        {"velocity, drag"},
+                                        {"position with drag"},
+                                        {"velocity with drag"},
                                         {"ch below"}});
   const auto row = [&](const char* name, auto step) {
     const auto spring = measure::halvings(step, scenes::Spring<>{.omega = 3, .x0 = 0.4, .v0 = 1.3},
@@ -88,7 +88,7 @@ void orders(Record& record) {
                measure::stability_limit(step, linear, 0.1, 10.0)});
   };
   row("position Verlet", stormer_verlet);
-  row("the same, carrying a", measure::stormer_verlet_carried);
+  row("position Verlet carrying a", measure::stormer_verlet_carried);
   row("leapfrog", leapfrog);
   row("velocity Verlet", velocity_verlet);
   record.number("float-position", 1e6 * lost_digits(stormer_verlet), 2, "µm");

@@ -53,7 +53,7 @@ inline void ropes(measure::Record& record) {
                                          {"10 links", "%"},
                                          {"20 links", "%"},
                                          {"40 links", "%"},
-                                         {"20 links, substeps", "%"}});
+                                         {"20 links in substeps", "%"}});
   for (int k = 1; k <= 64; k *= 2) {
     table.add({double(k), 100 * hanging(10, frame, k), 100 * hanging(20, frame, k),
                100 * hanging(40, frame, k), 100 * hanging(20, frame / k, 1)});

@@ -17,7 +17,8 @@ inline void wheels(measure::Record& record) {
   record.number("wheel-1", straight.x.norm(), 3);
 
   auto& speeds = record.table(
-      "spin", {{"t", "s"}, {"direction", "turns/s"}, {"box", "turns/s"}, {"box, 8", "turns/s"}});
+      "spin",
+      {{"t", "s"}, {"direction", "turns/s"}, {"box", "turns/s"}, {"box in eight", "turns/s"}});
   Spoke spoke{frame};
   Box box(frame), often(frame / 8);
   double off = 0;
