@@ -1,7 +1,7 @@
 eval axis_names("frame", "length of the rope  [m]")
 set logscale y
 set xrange [0:9]
-set yrange [1:1e9]
+set yrange [1:1e10]
 set xtics 1
 set ytics ("1 m" 1, "1 km" 1e3, "10^3 km" 1e6, "10^6 km" 1e9)
 unset mytics

@@ -34,18 +34,13 @@ inline void jitter(measure::Record& record) {
     keep(plain, table);
     keep(corrected, right);
   }
-  const auto heights = [&](const std::string& name, auto step) {
-    double lowest = INFINITY, highest = 0;
-    for (std::size_t first = 0; first < 600; first += 60) {
-      lowest = std::min(lowest, top(step, jump, first));
-      highest = std::max(highest, top(step, jump, first));
-    }
-    record.number(name + "-lowest", lowest, 4, "m");
-    record.number(name + "-highest", highest, 4, "m");
-  };
-  heights("plain", plain);
-  heights("distance", distance_corrected);
-  heights("corrected", corrected);
+  double lowest = INFINITY, highest = 0;
+  for (std::size_t first = 0; first < 600; first += 60) {
+    lowest = std::min(lowest, top(plain, jump, first));
+    highest = std::max(highest, top(plain, jump, first));
+  }
+  record.number("plain-lowest", lowest, 3, "m");
+  record.number("plain-highest", highest, 3, "m");
   record.number("spring-gentle", widest(corrected, 2), 4, "m");
   record.number("spring-strong", widest(corrected, 20), 2, "m");
 

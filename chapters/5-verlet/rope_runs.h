@@ -23,12 +23,12 @@ inline void burst(measure::Record& record) {
   auto& table = record.table("burst", {{"frame", "", measure::whole}, {"springs", "m"}});
   auto s = springs.start();
   // [burst]
-  measure::run(measure::stormer_verlet, springs, s, frame, 8, [&](double t, const auto& now) {
+  const auto keep = [&](double t, const auto& now) {
     table.add({std::round(60 * t), length_of(now.x)});
-  });
+  };
+  measure::run(measure::stormer_verlet, springs, s, frame, 8, keep);
   // [burst]
   record.number("burst-5", table.rows[5][1].value, 2, "m");
-  record.number("burst-8", table.rows[8][1].value, 2, "m");
   auto& calm =
       record.table("calm", {{"frame", "", measure::whole}, {"springs", "m"}, {"links", "m"}});
   Rope rope = two_metres(20, {1, 0});
