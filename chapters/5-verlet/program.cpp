@@ -88,7 +88,7 @@ void orders(Record& record) {
                measure::stability_limit(step, linear, 0.1, 10.0)});
   };
   row("position Verlet", stormer_verlet);
-  row("position Verlet carrying a", measure::stormer_verlet_carried);
+  row("carrying a", measure::stormer_verlet_carried);
   row("leapfrog", leapfrog);
   row("velocity Verlet", velocity_verlet);
   record.number("float-position", 1e6 * lost_digits(stormer_verlet), 2, "µm");

@@ -1,16 +1,16 @@
 eval axis_names("iterations, or substeps, in a frame", "stretch of a hanging rope")
 set logscale xy
-set xrange [0.85:80]
-set yrange [0.005:200]
+set xrange [0.85:NARROW ? 350 : 170]
+set yrange [0.004:200]
 set xtics (1, 2, 4, 8, 16, 32, 64)
 set ytics ("0.01 %%" 0.01, "0.1 %%" 0.1, "1 %%" 1, "10 %%" 10, "100 %%" 100)
 unset mxtics
 unset mytics
 set lmargin NARROW ? 8 : 9
-set label 1 "40 links" at 1.9,110 left tc rgb "#00000a"
-set label 2 "20 links" at 1.9,27 left tc rgb "#00000b"
-set label 3 "10 links" at 1.15,2 left tc rgb "#00000c"
-set label 4 "20 links,\nsubsteps" at 5.4,0.16 right tc rgb "#00000b"
+set label 1 "40 links" at 74,1.6 left tc rgb "#00000a"
+set label 2 "20 links" at 74,0.34 left tc rgb "#00000b"
+set label 3 "10 links" at 74,0.04 left tc rgb "#00000c"
+set label 4 "20 links,\nsubsteps" at 7,0.12 right tc rgb "#00000b"
 tip = "%d: %.3g per cent"
 plot file("stretch") using 1:4 with linespoints ls FIRST, \
      file("stretch") using 1:3 with linespoints ls SECOND, \
