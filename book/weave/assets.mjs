@@ -19,7 +19,7 @@ export function copyAssets(book, out) {
   copyFileSync(join(dirname(require.resolve('minisearch')), '../umd/index.js'), join(out, 'minisearch.js'));
   copyFonts(join(out, 'fonts'));
   copyKatex(join(out, 'katex'));
-  for (const chapter of book.chapters.values()) copyData(chapter.data, join(out, 'data', chapter.name));
+  for (const chapter of book.programs.values()) copyData(chapter.data, join(out, 'data', chapter.name));
   copyData(book.config.cards, join(out, 'data', 'cards'));
   copyHeaders(book, join(out, 'headers'));
 }

@@ -10,20 +10,31 @@ import { createSnippets } from './snippets.mjs';
 import { readTables } from './tables.mjs';
 import { slug } from './text.mjs';
 
+// The pages before and after the chapters, book/NAME.md each.
+const BEFORE = ['index', 'preface'];
+const AFTER = ['talks', 'glossary', 'references'];
+
+// The folder of the program and the figures of the start page. The others have a number in front.
+const OPENING = 'front';
+
 export function readBook(config) {
   const problems = createProblems();
   const sources = findSources(config);
   const book = {
     config, problems,
-    chapters: new Map(), pages: [], labels: new Map(), references: new Map(), claims: new Map(),
+    chapters: new Map(), programs: new Map(), pages: [], labels: new Map(), references: new Map(), claims: new Map(),
     sources, cards: readCards(config.cards, problems),
     snippet: createSnippets(config.source, sources),
     short: path => relative(config.source, path),
   };
-  for (const chapter of config.chapters) book.chapters.set(chapter.name, readChapter(book, chapter));
+  for (const entry of config.chapters) {
+    const chapter = readChapter(book, entry);
+    book.programs.set(chapter.name, chapter);
+    if (chapter.number) book.chapters.set(chapter.name, chapter);
+  }
   readPages(book);
   book.title = book.pages[0].title;
-  for (const chapter of book.chapters.values()) registerClaims(book, chapter);
+  for (const chapter of book.programs.values()) registerClaims(book, chapter);
   return book;
 }
 
@@ -55,7 +66,7 @@ function readChapter(book, { name, folder, build }) {
     return [figure, { name: figure, script: `${folder}/${file}`, wide: drawn(''), narrow: drawn('-narrow') }];
   }));
   return {
-    name, folder, number: Number(name.split('-')[0]), href: `${name}.html`,
+    name, folder, number: Number(name.match(/^\d+/)), href: `${name}.html`,
     program: `${folder}/program.cpp`, command: book.short(program), data: join(build, 'data'),
     numbers: readNumbers(numbersFile), tables: readTables(join(build, 'data')), tests: claims.tests, figures,
   };
@@ -68,12 +79,16 @@ function readPages(book) {
     book.pages.push(page);
     return page;
   };
-  add('book/index.md', { name: 'index', href: 'index.html' });
+  const addAround = name => add(`book/${name}.md`, { name, href: `${name}.html` });
+  const [start] = BEFORE.map(addAround);
   for (const chapter of book.chapters.values()) {
-    chapter.page = add(`${chapter.folder}/chapter.md`, chapter);
+    chapter.page = add(`${chapter.folder}/chapter.md`, { ...chapter, owner: chapter.name });
     chapter.title = chapter.page.title;
   }
-  add('book/references.md', { name: 'references', href: 'references.html' });
+  AFTER.forEach(addAround);
+  const opening = book.programs.get(OPENING);
+  if (opening) Object.assign(opening, { page: start, title: 'The start page', href: start.href });
+  start.owner = OPENING;
 }
 
 function registerClaims(book, chapter) {

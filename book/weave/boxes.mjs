@@ -36,7 +36,7 @@ const BOXES = {
     const draw = (file, size) => adoptSvg(readFileSync(file, 'utf8'), { id: `${id}-${size}`, title: words, description: description || words });
     const svgs = `<div class="wide">${draw(figure.wide, 'wide')}</div>\n<div class="narrow">${draw(figure.narrow, 'narrow')}</div>`;
     return `<figure class="plot" id="${id}">${hold(svgs)}\n<figcaption>${startWith(`<b>Figure ${number}. ${escapeHtml(words.replace(/\.$/, ''))}.</b> `, html)}`
-      + `${figureLinks(book.chapters.get(page.name), figure, book)}</figcaption></figure>`;
+      + `${figureLinks(book.programs.get(page.owner), figure, book)}</figcaption></figure>`;
   },
 };
 

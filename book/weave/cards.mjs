@@ -59,10 +59,17 @@ ${note}</div>`;
 
 const line = row => `<div><dt>${variables(row.asked)}</dt><dd>${value(row)}</dd></div>`;
 
-export function value({ measured, digits, unit }, shown = Number(digits)) {
+export function value({ about, measured, digits, unit }, shown = Number(digits)) {
   const number = Number(measured.replace(/^([-+]?)inf$/, '$1Infinity'));
   if (Number.isNaN(number)) return escapeHtml(measured);
-  return numberHtml(number, shown) + (unit === '1' ? '' : `\u202f${unitHtml(unit)}`);
+  const written = /stable up to/i.test(about) ? roundedDown(number, shown) : number;
+  return numberHtml(written, shown) + (unit === '1' ? '' : `\u202f${unitHtml(unit)}`);
+}
+
+// A limit is rounded down, since a step as long as what is written must hold. What was found by halving may be a little short of 2.
+function roundedDown(limit, digits) {
+  const last = 10 ** (Math.floor(Math.log10(limit)) - digits + 1);
+  return Math.floor((limit * (1 + 1e-5)) / last) * last;
 }
 
 // What stands for a number in a line is set like a variable of a formula.

@@ -8,7 +8,7 @@ export function checkWhole(book) {
 }
 
 function checkFigureScripts(book) {
-  for (const chapter of book.chapters.values()) {
+  for (const chapter of book.programs.values()) {
     for (const figure of chapter.figures.values()) {
       if (!figure.used) book.problems.add(figure.script, 1, `no \\figure{${figure.name}, ...} in ${chapter.page.file} shows this figure; show it, or delete the script`);
     }

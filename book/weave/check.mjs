@@ -6,6 +6,7 @@ import { MARKS, NUMBERED, REFERS } from './marks.mjs';
 import { renderTex, substituteNumbers } from './math.mjs';
 import { didYouMean, nameOneOf } from './problems.mjs';
 import { tableFault } from './tables.mjs';
+import { introduction, italics } from './terms.mjs';
 
 export function checkBook(book) {
   collectLabels(book);
@@ -52,12 +53,7 @@ const CHECKS = {
   },
   math: ({ book, page, piece, report }) => { piece.html = formula(book, page, piece, false, report); },
   display: ({ book, page, piece, report }) => { piece.html = formula(book, page, piece, true, report); },
-  claim({ book, page, piece, report }) {
-    const [name] = piece.args;
-    piece.claim = book.claims.get(name);
-    if (piece.claim) piece.claim.cited.push({ page, piece });
-    else report(`no test bears the name of the claim "${name}".${didYouMean(name, book.claims.keys()) || ' Write the test, or give the sentence another proof.'}`);
-  },
+  claim, tested: claim,
   figref: reference, eqref: reference, tabref: reference, exerciseref: reference,
   lstref({ book, page, piece, report }) {
     const [path, tag] = piece.args;
@@ -80,6 +76,11 @@ const CHECKS = {
     piece.section = piece.target.page.sections.find(section => section.id === id);
     if (!piece.section) report(`${name} has no section "${id}".${nameOneOf(id, piece.target.page.sections.map(s => s.id))}`);
   },
+  term({ book, piece, report }) {
+    const [name] = piece.args;
+    piece.target = introduction(book, name);
+    if (!piece.target) report(`no chapter says *${name}* in italics, as where a term is introduced.${didYouMean(name, italics(book))}`);
+  },
   listing({ book, piece, report }) {
     const [path, tag, caption = ''] = piece.args;
     piece.snippet = book.snippet(path, tag);
@@ -89,11 +90,11 @@ const CHECKS = {
   },
   figure({ book, page, piece, report }) {
     const [name, title] = piece.args;
-    const figures = book.chapters.get(page.name)?.figures ?? new Map();
+    const { folder = '', figures = new Map() } = book.programs.get(page.owner) ?? {};
     piece.figure = figures.get(name);
     plainTitle(title, report);
     if (!piece.figure) {
-      report(`there is no ${page.folder}/${name}.gp that draws the figure "${name}".${didYouMean(name, figures.keys())}`);
+      report(`there is no ${folder && `${folder}/`}${name}.gp that draws the figure "${name}".${didYouMean(name, figures.keys())}`);
       return;
     }
     piece.figure.used = true;
@@ -109,13 +110,20 @@ const CHECKS = {
   },
   rows({ book, page, piece, report }) {
     const [name] = piece.args;
-    const tables = book.chapters.get(page.name)?.tables ?? new Map();
+    const tables = book.programs.get(page.owner)?.tables ?? new Map();
     piece.table = tables.get(name);
     if (!piece.table) report(`the program of this chapter writes no table "${name}".${nameOneOf(name, tables.keys())}`);
     const fault = piece.table && tableFault(piece.table);
     if (fault) report(fault);
   },
 };
+
+function claim({ book, page, piece, report }) {
+  const [name] = piece.args;
+  piece.claim = book.claims.get(name);
+  if (piece.claim) piece.claim.cited.push({ page, piece });
+  else report(`no test bears the name of the claim "${name}".${didYouMean(name, book.claims.keys()) || ' Write the test, or give the sentence another proof.'}`);
+}
 
 function reference({ book, piece, report }) {
   const kind = REFERS[piece.name];

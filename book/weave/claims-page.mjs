@@ -4,7 +4,7 @@ import { sourceHref } from './source-pages.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
 export function claimsPage(book) {
-  const chapters = [...book.chapters.values()].filter(chapter => chapter.tests.length);
+  const chapters = [...book.programs.values()].filter(chapter => chapter.tests.length);
   const total = book.claims.size;
   const body = `<p class="lead">Each sentence below is the name of a test that runs whenever the book is built. `
     + `If one of the ${total} fails, there is no book. A check mark in the text leads here, and from here to the test.</p>\n`
@@ -17,16 +17,18 @@ export function claimsPage(book) {
 
 function section(book, chapter) {
   const claims = chapter.tests.map(test => book.claims.get(test.name));
-  return `<h2 id="${chapter.name}"><span class="secno">${chapter.number}</span> ${escapeHtml(smarten(chapter.title))}</h2>\n`
+  return `<h2 id="${chapter.name}">${chapter.number ? `<span class="secno">${chapter.number}</span> ` : ''}${escapeHtml(smarten(chapter.title))}</h2>\n`
     + `<ul class="claims">\n${claims.map(item).join('\n')}\n</ul>`;
 }
 
+const placeOf = ({ number, name }) => (number ? `chapter ${number}` : `the ${name === 'index' ? 'start page' : name}`);
+
 function item({ test, cited }) {
   const places = cited.map(({ page, piece }, i) => {
-    const words = page.number ? `chapter ${page.number}` : page.title;
-    return `<a href="${page.href}#${piece.id}">${i ? 'and again' : `said in ${escapeHtml(words)}`}</a>`;
+    const words = i ? (page === cited[i - 1].page ? 'and again' : `and in ${placeOf(page)}`) : `said in ${placeOf(page)}`;
+    return `<a href="${page.href}#${piece.id}">${words}</a>`;
   });
   if (!places.length) places.push('not said in the text');
   return `<li id="${claimId(test.name)}"><span class="sentence">${escapeHtml(smarten(test.name))}</span>`
-    + `<span class="proof"><span class="passed">passed</span> <a href="${sourceHref(test.file)}#L${test.line}"><code>${escapeHtml(test.file)}:${test.line}</code></a> ${places.join(', ')}</span></li>`;
+    + `<span class="proof"><span class="passed">passed</span> <a href="${sourceHref(test.file)}#L${test.line}"><code>${escapeHtml(test.file)}:${test.line}</code></a> <span>${places.join(', ')}</span></span></li>`;
 }

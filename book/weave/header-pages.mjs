@@ -1,7 +1,7 @@
 // Headers that stand alone: a page for each, with how to take it and how to call what is in it, and lists of them.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { cardHtml, stepping, steps, value } from './cards.mjs';
+import { cardHtml, steps } from './cards.mjs';
 import { highlightLines } from './highlight.mjs';
 import { brief, details, entryHeading, fields, include, memberSection, signature, templateLine, where } from './reference-entries.mjs';
 import { sourceHref } from './source-pages.mjs';
@@ -44,8 +44,15 @@ function cardFor(book, member) {
 function take(book, header) {
   const lines = readFileSync(join(book.config.source, header.file), 'utf8').trimEnd().split('\n');
   const libraries = [...new Set(lines.map(line => line.match(/^#include <(\w+)\//)?.[1]).filter(Boolean))];
-  return `<p class="take">Take <a href="headers/${header.name}" download>${escapeHtml(header.name)}</a>, <a href="${sourceHref(header.file)}">${lines.length} lines</a>. `
-    + `It needs C++17${libraries.length ? ` and ${libraries.join(' and ')}` : ' and nothing else'}.</p>`;
+  return `<p class="take">Take <a href="headers/${header.name}" download>${escapeHtml(header.name)}</a>, <a href="${sourceHref(header.file)}">${lines.length} lines</a> `
+    + `under MIT-0, which owe you nothing. It needs C++17${libraries.length ? ` and ${libraries.join(' and ')}` : ' and nothing else'}.${vectors(header, libraries)}</p>`;
+}
+
+function vectors({ functions }, libraries) {
+  if (libraries.includes('Eigen')) return ' Its <code>Vec</code> is an Eigen vector of all unknowns.';
+  if (!functions.some(steps)) return '';
+  return ' A <code>Vec</code> is whatever has <code>Vec + Vec</code> and <code>h * Vec</code>: a number, <code>glm::vec3</code>, an Eigen vector, a struct of yours. '
+    + 'Bodies that pull at each other go into one <code>Vec</code>, and one call moves them all.';
 }
 
 // The first example starts with the line that brings the header in.
@@ -72,43 +79,4 @@ export function headerList(book, headers) {
     return `<dt>${entry(header)}</dt><dd>${brief(book, header)}<br><span class="inside">${inside.map(entry).join(', ')}</span></dd>`;
   });
   return `<dl class="summary">${items.join('\n')}</dl>`;
-}
-
-// What the list of methods says of each: the words over the column, those beside the value on a phone, the value.
-const COLUMNS = [
-  ['alone', 'order', row => `${row('order', 1)}${row('order-velocity', 1) === row('order', 1) ? '' : `, ${row('order-velocity', 1)}`}`],
-  ['with drag', 'order with drag', row => row('drag-order', 1)],
-  ['', 'evaluations', row => row('evaluations')],
-  ['drag, <i>ch</i>', 'drag: <i>ch</i> up to', row => row('drag-limit')],
-  ['spring, <i>hω</i>', 'spring: <i>hω</i> up to', row => row('spring-limit')],
-  ['', 'energy of a spring', row => row('energy')],
-];
-
-const HEAD = `<thead>
-<tr><th scope="col" rowspan="2">Method</th><th scope="colgroup" colspan="2">Order</th><th scope="col" rowspan="2">Evalu­ations</th><th scope="colgroup" colspan="2">Stable up to</th><th scope="col" rowspan="2">Energy</th></tr>
-<tr>${COLUMNS.filter(([head]) => head).map(([head]) => `<th scope="col">${head}</th>`).join('')}</tr>
-</thead>`;
-
-const ABOUT = `<p>Each is measured, and its page has the rest of the measurements. The order is that of the position; where the velocity has
-another, it stands behind. Evaluations of the acceleration are counted per step. Above its limit a step explodes: on drag, where the speed falls
-at the rate <i>c</i>, and on an undamped spring that swings with <i>ω</i>. The last column is what becomes of the energy of that spring.</p>`;
-
-// Each function that steps with what its card says, one table for each kind of thing that they are for.
-export function methodTables(book) {
-  const members = new Map(stepping(book.api).map(member => [member.name, member]));
-  const cards = [...book.cards.values()].filter(({ name }) => members.has(name));
-  const kinds = [...new Set(cards.map(card => card.suits))];
-  const table = kind => `<h3>For ${escapeHtml(kind)}</h3>\n<table class="methods">${HEAD}`
-    + `<tbody>\n${cards.filter(card => card.suits === kind).map(card => methodRow(book, card, members.get(card.name))).join('\n')}\n</tbody></table>`;
-  const beside = [...book.api.headers.values()].filter(header => !header.functions.some(steps));
-  return `${ABOUT}\n${kinds.map(table).join('\n')}\n${beside.length ? `<h3>Linear systems for the implicit methods</h3>\n${headerList(book, beside)}` : ''}`;
-}
-
-function methodRow(book, card, member) {
-  const row = (name, shown) => {
-    const found = card.rows.find(r => r.name === name);
-    return found ? value(found, shown) : '–';
-  };
-  const cells = COLUMNS.map(([, words, cell]) => `<td><span class="head">${words}</span> ${cell(row)}</td>`);
-  return `<tr><th scope="row"><a href="${member.href}"><code>${escapeHtml(member.name)}</code></a> <span>${brief(book, member)}</span></th>${cells.join('')}</tr>`;
 }

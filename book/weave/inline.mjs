@@ -27,6 +27,7 @@ const HTML = {
     const name = escapeHtml(smarten(claim.test.name));
     return `<a class="claim" id="${id}" href="claims.html#${claimId(claim.test.name)}" aria-label="Tested: ${name}" data-tip="Tested: ${name}"></a>`;
   },
+  tested: ({ claim, id }) => `<a class="tested" id="${id}" href="claims.html#${claimId(claim.test.name)}">${escapeHtml(smarten(claim.test.name))}</a>`,
   figref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
   tabref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
   exerciseref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
@@ -34,10 +35,13 @@ const HTML = {
   eqref: ({ target }, page) => `<a href="${address(target, page)}">(${target.piece.number})</a>`,
   citep: (piece, page, book) => `[${piece.args.map(key => `<a href="references.html#bib-${slug(key)}">${escapeHtml(book.references.get(key).piece.args[1])}</a>`).join('; ')}]`,
   bibitem: ({ args: [key, name] }) => `<span class="bibkey" id="bib-${slug(key)}">[${escapeHtml(name)}]</span>`,
+  term: ({ id, args: [name], target }) => `<dfn id="${id}">${escapeHtml(smarten(name))}</dfn> `
+    + `<a class="introduced" href="${target.page.href}${target.section ? `#${target.section.id}` : ''}" aria-label="${escapeHtml(smarten(name))}: ${place(target)}">${target.section?.number ?? target.page.number}</a>`,
   chapterref: ({ target }) => `<a href="${target.href}">Chapter ${target.number}, <em>${escapeHtml(smarten(target.title))}</em></a>`,
   sectionref: ({ target, section }, page) => `<a href="${target.page === page ? '' : target.href}#${section.id}">section ${section.number}</a>`,
 };
 
+const place = ({ page, section }) => (section ? `section ${section.number}` : `chapter ${page.number}`);
 const label = ({ piece }) => `${NUMBERED[piece.name]} ${piece.number}`;
 
 export function inlineText(piece) {
@@ -45,7 +49,7 @@ export function inlineText(piece) {
   if (piece.name === 'code') return piece.code;
   if (piece.name === 'character') return piece.character;
   if (piece.name === 'math') return mathText(piece.html);
-  if (piece.name === 'citep' || piece.name === 'bibitem') return piece.args.join(' ');
+  if (['citep', 'bibitem', 'term', 'tested'].includes(piece.name)) return piece.args.join(' ');
   return '';
 }
 

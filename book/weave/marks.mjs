@@ -3,6 +3,7 @@
 export const MARKS = {
   number: { takes: [1, 1], kind: 'inline', usage: '\\number{name}' },
   claim: { takes: [1, 1], kind: 'inline', usage: '\\claim{name of a test}', whole: true },
+  tested: { takes: [1, 1], kind: 'inline', usage: '\\tested{name of a test}', whole: true },
   figref: { takes: [1, 1], kind: 'inline', usage: '\\figref{name}' },
   eqref: { takes: [1, 1], kind: 'inline', usage: '\\eqref{name}' },
   tabref: { takes: [1, 1], kind: 'inline', usage: '\\tabref{name}' },
@@ -11,6 +12,7 @@ export const MARKS = {
   chapterref: { takes: [1, 1], kind: 'inline', usage: '\\chapterref{2-euler}' },
   sectionref: { takes: [2, 2], kind: 'inline', usage: '\\sectionref{2-euler, name-of-section}' },
   exerciseref: { takes: [1, 1], kind: 'inline', usage: '\\exerciseref{name}' },
+  term: { takes: [1, 1], kind: 'inline', usage: '\\term{a word of the glossary}' },
   bibitem: { takes: [2, 2], kind: 'inline', usage: '\\bibitem{key, Author year}' },
   listing: { takes: [2, 3], kind: 'block', usage: '\\listing{path, tag} or \\listing{path, tag, Caption}' },
   rows: { takes: [1, 1], kind: 'block', usage: '\\rows{table}' },

@@ -5,10 +5,10 @@ import { scan } from './scan.mjs';
 import { slug } from './text.mjs';
 import { forDoxygen } from './prose.mjs';
 
-export function readPage(path, { file, order, name, folder, number, href, problems }) {
-  const page = { file, order, name, folder, number, href, source: '', title: '', sections: [], pieces: [], doxygenText: '', lineMap: [1] };
+export function readPage(path, { file, order, name, owner, number, href, problems }) {
+  const page = { file, order, name, owner, number, href, source: '', title: '', sections: [], pieces: [], doxygenText: '', lineMap: [1] };
   if (!existsSync(path)) {
-    problems.add(file, 1, 'there is no such file; every chapter, the start page and the references have one');
+    problems.add(file, 1, 'there is no such file; each chapter has one, and each page around them');
     return page;
   }
   page.source = readFileSync(path, 'utf8');
@@ -75,7 +75,8 @@ function nameHeadings(page, problems) {
 function numberBoxes(page) {
   const count = {};
   for (const piece of page.pieces) {
-    if (piece.name === 'claim') piece.id = `cited-${count.claim = (count.claim ?? 0) + 1}`;
+    if (piece.name === 'term') piece.id = `term-${slug(piece.args[0])}`;
+    if (['claim', 'tested'].includes(piece.name)) piece.id = `cited-${count.claim = (count.claim ?? 0) + 1}`;
     if (piece.type === 'close' || piece.incomplete || !NUMBERED[piece.name]) continue;
     count[piece.name] = (count[piece.name] ?? 0) + 1;
     piece.number = page.number ? `${page.number}.${count[piece.name]}` : String(count[piece.name]);

@@ -1,7 +1,7 @@
 // The code reference: a landing page, a page per namespace, a page per struct or per header that stands alone.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { headerList, headerPages, methodTables } from './header-pages.mjs';
+import { headerList, headerPages } from './header-pages.mjs';
 import { headerPage } from './namespaces.mjs';
 import { brief, details, fields, include, memberSection, signature, summary, templateLine, where } from './reference-entries.mjs';
 import { escapeHtml } from './text.mjs';
@@ -34,12 +34,14 @@ function landing(book) {
   const namespaces = [...book.api.namespaces].sort((a, b) => hasHeaders(book, b) - hasHeaders(book, a));
   const groups = namespaces.map(({ name, title, compound }) =>
     `<h2 id="${name}"><a href="${compound.href}">${escapeHtml(title)}</a></h2>\n<p>${brief(book, compound)}</p>\n`
-    + (hasHeaders(book, { compound }) ? methodTables(book) : summary(book, mainEntries(book, compound))));
+    + (hasHeaders(book, { compound }) ? headers(book, compound) : summary(book, mainEntries(book, compound))));
   return {
     href: 'reference.html', title: 'Code reference', kind: 'api', body: groups.join('\n'),
     sections: namespaces.map(({ name, title }) => ({ id: name, title })),
   };
 }
+
+const headers = (book, compound) => `<p>Side by side, with what was measured of each: <a href="snippets.html">Snippets</a>.</p>\n${headerList(book, headersOf(book, compound))}`;
 
 const headersOf = (book, { name }) => [...book.api.headers.values()].filter(({ file }) => file.startsWith(`code/${name}/`));
 const hasHeaders = (book, { compound }) => headersOf(book, compound).length > 0;

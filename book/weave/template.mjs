@@ -36,13 +36,15 @@ ${onThisPage(page)}</div>
 
 function sideNav(book, page, name) {
   const link = (href, text, number = '') => `<li><a href="${href}"${current(page, href)}><span class="no">${number}</span><span>${text}</span></a></li>`;
-  const chapters = [...book.chapters.values()].map(c => link(c.href, escapeHtml(smarten(c.title)), c.number));
-  const more = [link('reference.html', 'Code reference'), link('claims.html', 'Claims'), link('references.html', 'References')];
+  const prose = ({ href, title, number }) => link(href, escapeHtml(smarten(title)), number);
+  const numbered = book.pages.findLastIndex(p => p.number) + 1;
+  const before = book.pages.slice(1, numbered), after = book.pages.slice(numbered);
+  const more = [link('snippets.html', 'Snippets'), ...after.map(prose), link('claims.html', 'Claims'), link('reference.html', 'Code reference')];
   return `<nav class="side" aria-label="Book">
 <div class="bar"><a class="brand" href="index.html">${name}</a><button type="button" class="menu" aria-expanded="false">Contents</button></div>
 <div class="search" role="search"><input type="search" placeholder="Search" aria-label="Search the book" aria-keyshortcuts="/" autocomplete="off"><kbd>/</kbd><ul hidden></ul></div>
 <ol class="toc">
-${chapters.join('\n')}
+${before.map(prose).join('\n')}
 </ol>
 <ol class="toc more">
 ${more.join('\n')}

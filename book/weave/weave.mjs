@@ -13,6 +13,7 @@ import { checkLinks } from './links.mjs';
 import { referencePages } from './reference-pages.mjs';
 import { renderPage } from './render.mjs';
 import { apiDocuments, chapterDocuments, claimDocuments, searchScript } from './search.mjs';
+import { snippetsPage } from './snippets-page.mjs';
 import { sourcePages } from './source-pages.mjs';
 import { printSummary, stopwatch } from './summary.mjs';
 import { pageHtml } from './template.mjs';
@@ -46,21 +47,19 @@ function giveUpOn({ problems, config }) {
 }
 
 function makePages(book, xml) {
-  const order = book.pages.filter(page => page.name !== 'references');
   const documents = [];
   const prose = book.pages.map(page => {
     const { html, sections } = renderPage(book, page, xml);
     documents.push(...chapterDocuments(page, page.title, sections));
     page.words = sections.reduce((sum, { text }) => sum + text.split(/\s+/).filter(Boolean).length, 0);
-    const at = order.indexOf(page);
     return {
       href: page.href, file: page.file, title: page.title, number: page.number, kind: page.number ? 'chapter' : page.name, body: html,
-      kicker: page.number ? `Chapter ${page.number}` : '', previous: at > 0 && order[at - 1], next: at >= 0 && order[at + 1],
+      kicker: page.number ? `Chapter ${page.number}` : '', previous: book.pages[page.order - 1], next: book.pages[page.order + 1],
       sections: sections.filter(s => s.id).map(({ id, title }) => ({ id, title })),
     };
   });
   documents.push(...apiDocuments(book), ...claimDocuments(book, claimId));
-  const made = [claimsPage(book), ...referencePages(book), ...sourcePages(book)].map(page => ({ ...page, file: page.kind === 'source' ? page.title : `page ${page.href}` }));
+  const made = [claimsPage(book), snippetsPage(book), ...referencePages(book), ...sourcePages(book)].map(page => ({ ...page, file: page.kind === 'source' ? page.title : `page ${page.href}` }));
   const pages = [...prose, ...made].map(page => ({ ...page, html: pageHtml(book, page) }));
   return { pages, documents };
 }

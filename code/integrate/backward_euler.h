@@ -54,7 +54,8 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve>
 [[nodiscard]] constexpr bool backward_euler(Vec& x, Vec& v, Time t, Real h,
                                             Acceleration&& acceleration, Solve&& solve) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   constexpr bool solves =
       std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
@@ -94,7 +95,8 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve, cl
                                                   Acceleration&& acceleration, Solve&& solve,
                                                   Norm&& norm, Real tolerance) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   constexpr bool solves =
       std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;

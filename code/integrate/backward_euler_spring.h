@@ -27,7 +27,8 @@ namespace integrate {
 /// @see Hairer and Wanner, Solving Ordinary Differential Equations II (1996), section IV.3
 template <class Vec, class Real>
 constexpr void backward_euler_spring(Vec& x, Vec& v, Real h, Real omega, Real zeta) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  constexpr bool fits =
+      std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && !std::is_integral_v<Real>;
   static_assert(fits, "h * x must be a Vec; h, omega and zeta no integers");
   if constexpr (fits) {
     // [move]

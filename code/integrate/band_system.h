@@ -34,7 +34,7 @@ namespace integrate {
 /// Elimination without pivoting, in a time that grows with the number of unknowns and no faster.
 /// The matrix need not be symmetric; it must not need pivoting, and that of a chain of springs does
 /// not.
-/// @tparam Width  how far the neighbours are: 1 for a chain, 5 for a rope in three dimensions
+/// @tparam Width  how far the neighbours are: 1 for a chain, 3 for a rope in a plane, 5 in space
 /// @tparam Jacobian  callable `(x, v, t, add)` that calls `add(i, j, dadx, dadv)` for every entry
 /// that is not zero: the derivative of acceleration i by position j [1/s^2] and by velocity j
 /// [1/s]; i and j count from 0

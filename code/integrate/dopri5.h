@@ -81,7 +81,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr Dopri5Error<Vec> dopri5(Vec& x, Vec& v, Vec& a, Time t, Real h,
                                   Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [move]
@@ -128,7 +129,8 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
 [[nodiscard]] bool dopri5_adaptive(Vec& x, Vec& v, Time t, Real duration, Real& h,
                                    Acceleration&& acceleration, Norm&& norm, Real tolerance) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");

@@ -28,7 +28,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr Vec leapfrog_start(const Vec& x, const Vec& v, Time t, Real h,
                              Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) return v + (h / Real(-2)) * acceleration(x, v, t);
 }
@@ -46,7 +47,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr Vec leapfrog_velocity(const Vec& x, const Vec& v_half, Time t, Real h,
                                 Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) return v_half + (h / Real(2)) * acceleration(x, v_half, t);
 }
@@ -69,7 +71,8 @@ constexpr Vec leapfrog_velocity(const Vec& x, const Vec& v_half, Time t, Real h,
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void leapfrog(Vec& x, Vec& v_half, Time t, Real h, Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [move]

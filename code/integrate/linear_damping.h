@@ -22,7 +22,7 @@ namespace integrate {
 /// Symplectic Euler with damping: the force, then the speed times 1 - c*h (PhysX, Jolt).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
-/// while h*omega < 2.
+/// while h*omega < 2. The factor is never below zero: from c*h = 1 on, the thing stands still.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -34,7 +34,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr void linear_damping_explicit_last(Vec& x, Vec& v, Time t, Real h, Real c,
                                             Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [explicit-last-move]
@@ -50,7 +51,7 @@ constexpr void linear_damping_explicit_last(Vec& x, Vec& v, Time t, Real h, Real
 /// Symplectic Euler with damping: the speed times 1 - c*h, then the force (Godot).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
-/// while h*omega < 2.
+/// while h*omega < 2. The factor is never below zero.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -62,7 +63,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr void linear_damping_explicit_first(Vec& x, Vec& v, Time t, Real h, Real c,
                                              Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [explicit-first-move]
@@ -90,7 +92,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr void linear_damping_implicit_last(Vec& x, Vec& v, Time t, Real h, Real c,
                                             Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [implicit-last-move]
@@ -118,7 +121,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr void linear_damping_implicit_first(Vec& x, Vec& v, Time t, Real h, Real c,
                                              Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [implicit-first-move]
@@ -146,7 +150,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 void linear_damping_exponential_last(Vec& x, Vec& v, Time t, Real h, Real c,
                                      Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [exponential-last-move]
@@ -174,7 +179,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 void linear_damping_exponential_first(Vec& x, Vec& v, Time t, Real h, Real c,
                                       Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [exponential-first-move]
@@ -201,7 +207,8 @@ void linear_damping_exponential_first(Vec& x, Vec& v, Time t, Real h, Real c,
 template <class Vec, class Time, class Real, class Acceleration>
 void linear_damping_exact(Vec& x, Vec& v, Time t, Real h, Real c, Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [exact-move]

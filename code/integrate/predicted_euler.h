@@ -32,7 +32,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr void predicted_euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration,
                                int corrections = 1) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [move]

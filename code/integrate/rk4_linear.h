@@ -17,8 +17,10 @@ namespace integrate {
 /// @see rk4_linear_start
 template <class Real>
 struct Rk4Linear {
-  Real xx, xv;  ///< position at the end, from position and velocity at the start
-  Real vx, vv;  ///< velocity at the end
+  Real xx;  ///< part of the old position in the new position
+  Real xv;  ///< part of the old velocity in the new position [s]
+  Real vx;  ///< part of the old position in the new velocity [1/s]
+  Real vv;  ///< part of the old velocity in the new velocity
 };
 
 // [start]
@@ -31,7 +33,7 @@ struct Rk4Linear {
 /// @param h  step size [s]; a negative step goes back in time
 template <class Real>
 constexpr Rk4Linear<Real> rk4_linear_start(Real k, Real c, Real h) {
-  static_assert(Real(0.5) > 0, "k, c and h must not be integers");
+  static_assert(!std::is_integral_v<Real>, "k, c and h must not be integers");
   Rk4Linear<Real> sum{Real(1), Real(0), Real(0), Real(1)};
   for (int n = 4; n >= 1; --n) {  // Horner: 1 + Z (1 + Z/2 (1 + Z/3 (1 + Z/4)))
     const Real part = h / Real(n);

@@ -38,7 +38,8 @@ namespace integrate {
 /// same order. The matrix must be symmetric and positive definite, which is checked: of a Jacobian
 /// that isn't symmetric, Eigen would read one half and give a wrong answer without a word.
 /// Unequal masses make it so; with the masses given, the rows are multiplied by them, and it is
-/// symmetric again.
+/// symmetric again. It holds Eigen's solver, which can be neither copied nor moved: make it where
+/// it will live.
 /// @tparam Jacobian  callable `(x, v, t, add)` that calls `add(i, j, dadx, dadv)` for every entry
 /// that is not zero: the derivative of acceleration i by position j [1/s^2] and by velocity j
 /// [1/s]; i and j count from 0

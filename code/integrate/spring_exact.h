@@ -39,7 +39,8 @@ namespace integrate {
 /// @see L. D. Landau and E. M. Lifshitz, Mechanics (1976), section 25
 template <class Vec, class Real>
 void spring_exact(Vec& x, Vec& v, Real h, Real omega, Real zeta) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  constexpr bool fits =
+      std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && !std::is_integral_v<Real>;
   static_assert(fits, "h * x must be a Vec; h, omega and zeta no integers");
   if constexpr (fits) {
     // [move]

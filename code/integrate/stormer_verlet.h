@@ -51,7 +51,8 @@ namespace integrate {
 /// @param h  step size [s]
 template <class Vec, class Real>
 constexpr Vec stormer_verlet_velocity(const Vec& x, const Vec& x_previous, Real h) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  constexpr bool fits =
+      std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && !std::is_integral_v<Real>;
   static_assert(fits, "h * x must be a Vec; h no integer");
   if constexpr (fits) {
     // [velocity-move]
@@ -73,7 +74,8 @@ constexpr Vec stormer_verlet_velocity(const Vec& x, const Vec& x_previous, Real 
 template <class Vec, class Real>
 constexpr Vec stormer_verlet_carried_velocity(const Vec& x, const Vec& x_previous, const Vec& a,
                                               Real h) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+  constexpr bool fits =
+      std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && !std::is_integral_v<Real>;
   static_assert(fits, "h * x must be a Vec; h no integer");
   if constexpr (fits) return (Real(1) / h) * (x + Real(-1) * x_previous) + (h / Real(2)) * a;
 }
@@ -93,7 +95,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr Vec stormer_verlet_start(const Vec& x, const Vec& v, Time t, Real h,
                                    Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [start-move]
@@ -120,7 +123,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr void stormer_verlet(Vec& x, Vec& x_previous, Time t, Real h,
                               Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [move]
@@ -151,7 +155,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr void stormer_verlet_carried(Vec& x, Vec& x_previous, Vec& a, Time t, Real h,
                                       Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [carried-move]
@@ -182,7 +187,8 @@ template <class Vec, class Time, class Real, class Acceleration>
 constexpr void stormer_verlet_uneven(Vec& x, Vec& x_previous, Time t, Real h, Real h_previous,
                                      Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [uneven-move]

@@ -47,7 +47,8 @@ constexpr Vec yoshida4_start(const Vec& x, const Vec& v, Time t, Acceleration&& 
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void yoshida4(Vec& x, Vec& v, Vec& a, Time t, Real h, Acceleration&& acceleration) {
   constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && Real(0.5) > 0;
+                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
+                        !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
   if constexpr (fits) {
     // [move]

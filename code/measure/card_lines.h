@@ -167,8 +167,8 @@ void fall(Card& card, const Step& step) {
   const scenes::LinearDrag<> vacuum{.c = 0};
   const double h = 0.1;
   const double depth = -after(step, vacuum, vacuum.start(), h, 10).x;
-  card.rows.push_back(
-      {"fall", "Ten steps of free fall", "depth over gh²", depth / (vacuum.g * h * h)});
+  card.rows.push_back({"fall", "Ten steps of free fall", "depth over gh², 50 if exact",
+                       depth / (vacuum.g * h * h)});
 }
 
 /// Adds the evaluations of the acceleration in one step.

@@ -72,7 +72,7 @@ constexpr scenes::Spring<> slack{.omega = 0.5e-6, .zeta = 1e6};
 
 template <class Step>
 Card on_springs(const std::string& method, const Step& step) {
-  Card card{method, "a damped spring", {}, {}, {}};
+  Card card{method, "one damped spring alone", {}, {}, {}};
   orders(card, step, undamped, "order", "undamped");
   orders(card, step, damped, "drag-order", "damped");
   evaluations(card, step, damped);
@@ -85,7 +85,12 @@ Card on_springs(const std::string& method, const Step& step) {
 
 template <class Step>
 Card damping(const std::string& method, const Step& step) {
-  Card card{method, "any acceleration, and linear damping apart from it", {}, {}, {}};
+  Card card{
+      method,
+      "any acceleration, with drag against the world apart from it: the engines' linear damping",
+      {},
+      {},
+      {}};
   orders(card, step, undamped, "order", "without damping");
   orders(card, step, damped, "drag-order", "on a damped spring");
   evaluations(card, step, damped);

@@ -2,6 +2,7 @@
 /// @file
 /// The implicit methods as objects that can be handed to run() and to the other measurements.
 #pragma once
+#include <limits>
 #include <stdexcept>
 #include <type_traits>
 
@@ -49,7 +50,7 @@ inline constexpr auto backward_euler = [](auto& x, auto& v, auto t, auto h, cons
 inline constexpr auto backward_euler_newton = [](auto& x, auto& v, auto t, auto h,
                                                  const auto& scene) {
   const auto size = [](const auto& y) { return decltype(h)(length(y)); };
-  const auto tolerance = decltype(h)(1e-13) * (1 + size(v));
+  const auto tolerance = 512 * std::numeric_limits<decltype(h)>::epsilon() * (1 + size(v));
   require_solved(
       integrate::backward_euler_newton(x, v, t, h, scene, solver_of(scene), size, tolerance) > 0);
 };
@@ -62,7 +63,7 @@ inline constexpr auto trapezoid = [](auto& x, auto& v, auto t, auto h, const aut
 /// integrate::trapezoid_newton on a scene with a `jacobian`; down to rounding.
 inline constexpr auto trapezoid_newton = [](auto& x, auto& v, auto t, auto h, const auto& scene) {
   const auto size = [](const auto& y) { return decltype(h)(length(y)); };
-  const auto tolerance = decltype(h)(1e-13) * (1 + size(v));
+  const auto tolerance = 512 * std::numeric_limits<decltype(h)>::epsilon() * (1 + size(v));
   require_solved(integrate::trapezoid_newton(x, v, t, h, scene, solver_of(scene), size, tolerance) >
                  0);
 };

@@ -11,9 +11,9 @@ namespace measure {
 template <class Vec>
 double length(const Vec& x) {
   if constexpr (std::is_arithmetic_v<Vec>) {
-    return std::abs(x);
+    return static_cast<double>(std::abs(x));
   } else {
-    return x.norm();
+    return static_cast<double>(x.norm());
   }
 }
 

@@ -1,6 +1,6 @@
 // The values that a tick label states, in base units: "10^{-3}", "0.5", "−π/2", "12 000", "10 cm", "1 m, 1 m/s".
 const UNITS = {
-  mm: 1e-3, cm: 1e-2, km: 1e3, µm: 1e-6, μm: 1e-6, nm: 1e-9, µs: 1e-6, μs: 1e-6, ns: 1e-9, ms: 1e-3, min: 60, kHz: 1e3, MHz: 1e6, kJ: 1e3, MJ: 1e6,
+  mm: 1e-3, cm: 1e-2, km: 1e3, µm: 1e-6, μm: 1e-6, nm: 1e-9, pm: 1e-12, µs: 1e-6, μs: 1e-6, ns: 1e-9, ms: 1e-3, min: 60, kHz: 1e3, MHz: 1e6, kJ: 1e3, MJ: 1e6,
   'mm/s': 1e-3, 'cm/s': 1e-2, 'km/s': 1e3, 'km/h': 1 / 3.6, '%': 0.01, '°': Math.PI / 180,
 };
 const RAISED = { '⁻': '-', '⁰': 0, '¹': 1, '²': 2, '³': 3, '⁴': 4, '⁵': 5, '⁶': 6, '⁷': 7, '⁸': 8, '⁹': 9 };

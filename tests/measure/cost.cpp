@@ -2,9 +2,13 @@
 #include "measure/cost.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <chrono>
 
 #include "measure/run.h"
 #include "scenes/pendulum.h"
+
+using Catch::Matchers::WithinRel;
 
 namespace {
 
@@ -14,6 +18,22 @@ constexpr auto asking = [](double& x, double& v, double t, double h, const auto&
   for (int n = 0; n < Evaluations; ++n) sum += acceleration(x, v + n, t);
   v = v + h * sum / Evaluations;
   x = x + h * v;
+};
+
+// A clock that stands still but for a nanosecond at each evaluation of the scene below.
+struct Ticking {
+  static inline long ticks = 0;
+
+  static std::chrono::time_point<std::chrono::steady_clock> now() {
+    return std::chrono::time_point<std::chrono::steady_clock>(std::chrono::nanoseconds(ticks));
+  }
+};
+
+struct TickingPendulum : scenes::Pendulum<> {
+  double operator()(double x, double v, double t) const {
+    ++Ticking::ticks;
+    return Pendulum::operator()(x, v, t);
+  }
 };
 
 }  // namespace
@@ -32,10 +52,11 @@ TEST_CASE("Counting does not change the answer") {
   CHECK(counted.evaluations == 1);
 }
 
-TEST_CASE("A step takes time, and a step of thirty evaluations takes more than one of one") {
-  const scenes::Pendulum<> pendulum;
-  const double once = measure::seconds_per_step(asking<1>, pendulum, 0.01);
-  CHECK(once > 1e-10);
-  CHECK(once < 1e-3);
-  CHECK(measure::seconds_per_step(asking<30>, pendulum, 0.01) > 3 * once);
+TEST_CASE("By a clock that ticks at each evaluation, a step takes as many ticks as it evaluates") {
+  const TickingPendulum pendulum;
+  const auto ticks = [&](auto step) {
+    return 1e9 * measure::seconds_per_step<Ticking>(step, pendulum, 0.01);
+  };
+  CHECK_THAT(ticks(asking<1>), WithinRel(1.0, 1e-12));
+  CHECK_THAT(ticks(asking<30>), WithinRel(30.0, 1e-12));
 }

@@ -64,6 +64,9 @@ template <int Line>
 struct two_arguments_too_many : Call<Line, double, double> {};
 
 template <int Line>
+struct step_after_acceleration : Call<Line, double, double> {};
+
+template <int Line>
 struct solve_of_one_argument : Call<Line, double, double> {
   struct Solve {
     bool operator()(double& change) const;

@@ -24,6 +24,7 @@ test('the same card on the page of the method and in a chapter', () => {
   line('evaluations of the acceleration', '1');
   line('time, on an orbit', '15\u202fns');
   line('drag, <i>ch</i>', '2.00');
+  line('spring with <i>ζ</i> = 0.5, <i>hω</i>', '0.912');
   line('undamped spring, <i>hω</i>', 'never');
   line('change per step', '\u22121.39\u00a0×\u00a010<sup>\u22126</sup>\u202f%');
   assert.equal(reference.match(/<p class="label">/g).length, 4);
@@ -31,13 +32,13 @@ test('the same card on the page of the method and in a chapter', () => {
 });
 
 test('the list of methods says what the cards say', () => {
-  const page = weaves(heun('heun', 'Vec& x, Vec& v', '///\n/// @code\n/// integrate::heun(x, integrate::heun_start(v));\n/// @endcode\n'), ...withCard('heun'))('reference.html');
+  const page = weaves(heun('heun', 'Vec& x, Vec& v', '///\n/// @code\n/// integrate::heun(x, integrate::heun_start(v));\n/// @endcode\n'), ...withCard('heun'))('snippets.html');
   const [, first, second] = page.split('<table class="methods">');
   const cells = table => [...table.matchAll(/<td><span class="head">.*?<\/span> (.*?)<\/td>/g)].map(([, cell]) => cell);
-  assert.match(page, /<h3>For any acceleration<\/h3>[\s\S]*<h3>For a spring<\/h3>/);
-  assert.deepEqual(cells(first), ['1', '1', '1', '2.00', 'never', 'grows']);
-  assert.deepEqual(cells(second), ['exact', '–', '–', '–', '–', '–']);
-  assert.match(second, /<a href="integrate-heun\.html#heun"><code>heun<\/code><\/a> <span>One step\.<\/span>/);
+  assert.match(page, /<h2 id="for-any-acceleration">For any acceleration<\/h2>[\s\S]*<h2 id="for-a-spring">For a spring<\/h2>/);
+  assert.deepEqual(cells(first), ['1', '1', '1', '2.00', 'never', '–', '–', 'grows <small>−1.39\u00a0×\u00a010<sup>−6</sup>\u202f% a step</small>']);
+  assert.deepEqual(cells(second), ['exact', '–', '–', '–', '–', '–', '–', '–']);
+  assert.match(second, /<a href="integrate-heun\.html#heun"><code>heun<\/code><\/a> <span>One step\. <a href="headers\/heun\.h" download>heun\.h<\/a><\/span>/);
 });
 
 test('the page of a header has its example, and leads to the file', () => {

@@ -49,7 +49,7 @@ test('bad use', () => {
 test('chapters without text, and Doxygen that is not there', () => {
   const half = sampleBook(['chapters/3-heun/notes.txt', '']).weave();
   assert.equal(half.status, 1);
-  assert.match(half.stderr, /^chapters\/3-heun\/chapter\.md:1: there is no such file; every chapter, the start page and the references have one$/m);
+  assert.match(half.stderr, /^chapters\/3-heun\/chapter\.md:1: there is no such file; each chapter has one, and each page around them$/m);
   const book = sampleBook();
   assert.match(book.weave('/no/doxygen').stderr, /^book\/Doxyfile\.in: cannot run \/no\/doxygen: /);
   assert.match(book.weave('/bin/false').stderr, /^book\/Doxyfile\.in: Doxygen failed: /);

@@ -1,0 +1,63 @@
+// The index of the snippets: every method with what its card says, side by side, and the file to take.
+import { stepping, steps, value } from './cards.mjs';
+import { headerList } from './header-pages.mjs';
+import { brief } from './reference-entries.mjs';
+import { escapeHtml, slug } from './text.mjs';
+
+// Of each column: the words over it, those beside the value on a phone, the value.
+const COLUMNS = [
+  ['alone', 'order', row => `${row('order', 1)}${row('order-velocity', 1) === row('order', 1) ? '' : `, ${row('order-velocity', 1)}`}`],
+  ['with drag', 'order with drag', row => row('drag-order', 1)],
+  ['', 'evaluations', row => row('evaluations')],
+  ['drag, <i>ch</i>', 'drag: <i>ch</i> up to', row => row('drag-limit')],
+  ['spring, <i>hω</i>', 'spring: <i>hω</i> up to', row => row('spring-limit')],
+  ['<i>ζ</i> = 0.1', 'with <i>ζ</i> = 0.1 up to', row => row('spring-limit-0.1')],
+  ['<i>ζ</i> = 1', 'with <i>ζ</i> = 1 up to', row => row('spring-limit-1')],
+  ['', 'energy of a spring', row => row('energy') + howMuch(row)],
+];
+
+const HEAD = `<thead>
+<tr><th scope="col" rowspan="2">Method</th><th scope="colgroup" colspan="2">Order</th><th scope="col" rowspan="2">Evalu­ations</th><th scope="colgroup" colspan="4">Stable up to</th><th scope="col" rowspan="2">Energy</th></tr>
+<tr>${COLUMNS.filter(([head]) => head).map(([head]) => `<th scope="col">${head}</th>`).join('')}</tr>
+</thead>`;
+
+const ABOUT = `<p class="lead">Every method of the book: one header each, to copy. The name leads to its page, with an example and the whole card.</p>
+<p>All of this is measured when the book is built. The order is that of the position; where the velocity has another, it stands behind. Evaluations
+of the acceleration are counted per step. A step of <i>h</i> seconds explodes above its limit: on drag, where the speed falls at the rate <i>c</i>, and
+on a spring that swings with <i>ω</i>, without a damper and with the damping ratio <i>ζ</i>. The last column is what becomes of the energy of an undamped
+spring, in steps of <i>hω</i> = 0.1: by how much it is off at most where it is kept, and else what a step does to it.</p>
+<p>A mass <i>m</i> on one spring of stiffness <i>k</i> swings with <i>ω</i> = √(<i>k</i>/<i>m</i>). In a rope of many, count with 2√(<i>k</i>/<i>m</i>), that of
+its shortest wave. All of this holds for forces that are linear: a rope that swings explodes under the trapezoid rule, whatever its row says, and not
+under backward Euler.</p>`;
+
+function howMuch(row) {
+  const [off, step] = [row('energy-off'), row('energy-step')];
+  if (off !== NONE) return ` <small>off by ${off}</small>`;
+  return step === NONE ? '' : ` <small>${step} a step</small>`;
+}
+
+const NONE = '–';
+
+// Each function that steps with what its card says, one table for each kind of thing that they are for.
+export function snippetsPage(book) {
+  const members = new Map(stepping(book.api).map(member => [member.name, member]));
+  const cards = [...book.cards.values()].filter(({ name }) => members.has(name));
+  const kinds = [...new Set(cards.map(card => card.suits))].map(kind => ({ id: `for-${slug(kind)}`, title: `For ${kind}`, cards: cards.filter(card => card.suits === kind) }));
+  const tables = kinds.map(({ id, title, cards: own }) => `<h2 id="${id}">${escapeHtml(title)}</h2>\n<table class="methods">${HEAD}`
+    + `<tbody>\n${own.map(card => methodRow(book, card, members.get(card.name))).join('\n')}\n</tbody></table>`);
+  const beside = [...book.api.headers.values()].filter(header => !header.functions.some(steps));
+  const systems = { id: 'linear-systems', title: 'Linear systems for the implicit methods' };
+  if (beside.length) tables.push(`<h2 id="${systems.id}">${systems.title}</h2>\n${headerList(book, beside)}`);
+  return { href: 'snippets.html', title: 'Snippets', kind: 'snippets', body: [ABOUT, ...tables].join('\n'), sections: [] };
+}
+
+function methodRow(book, card, member) {
+  const row = (name, shown) => {
+    const found = card.rows.find(r => r.name === name);
+    return found ? value(found, shown) : NONE;
+  };
+  const file = member.file.replace(/.*\//, '');
+  const cells = COLUMNS.map(([, words, cell]) => `<td><span class="head">${words}</span> ${cell(row)}</td>`);
+  return `<tr><th scope="row"><a href="${member.href}"><code>${escapeHtml(member.name)}</code></a> `
+    + `<span>${brief(book, member)} <a href="headers/${file}" download>${file}</a></span></th>${cells.join('')}</tr>`;
+}

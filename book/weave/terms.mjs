@@ -1,0 +1,18 @@
+// The terms of the book: a chapter that introduces one sets it in italics, and the glossary leads there.
+const ITALICS = /(?<![\\*])\*(?=[^\s*])([^*]+)(?<=[^\s\\*])\*(?!\*)/g;
+
+const plain = words => words.replace(/\s+/g, ' ').toLowerCase();
+const inItalics = page => [...page.source.matchAll(ITALICS)].map(({ index, 1: words }) => ({ index, words: plain(words) }));
+
+export const italics = book => [...book.chapters.values()].flatMap(({ page }) => inItalics(page).map(({ words }) => words));
+
+// The page and the section in which a chapter first says it in italics, or nothing.
+export function introduction(book, term) {
+  for (const { page } of book.chapters.values()) {
+    const found = inItalics(page).find(({ words }) => words === plain(term));
+    if (!found) continue;
+    const line = page.source.slice(0, found.index).split('\n').length;
+    return { page, section: page.sections.findLast(section => section.line < line) };
+  }
+  return null;
+}

@@ -1,0 +1,79 @@
+// The pages before and after the chapters: their order, a start page with a program of its own, the glossary, tests by name.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { CHAPTER, refuses, weaves } from './weaver.mjs';
+
+const INDEX = 'book/index.md', GLOSSARY = 'book/glossary.md', TALKS = 'book/talks.md';
+const svg = readFileSync(new URL('sample/built/2-euler/figures/spiral.svg', import.meta.url), 'utf8');
+const words = text => [GLOSSARY, '- \\term{after a dash} Behind it.\n', text];
+
+// A program for the start page, and what the page shows of it.
+const front = (text = '\\figure{race, A race}\nAfter \\number{turns}.\n\\endfigure') => [
+  [INDEX, '\\contents', `${text}\n\n\\contents`],
+  ['chapters/front/claims.cpp', '// test\nTEST_CASE("Nobody wins") {}\n'], ['chapters/front/race.gp', 'plot file("race")\n'],
+  ['built/front/figures/race.svg', svg], ['built/front/figures/race-narrow.svg', svg],
+  ['built/front/data/numbers.csv', 'name,value,unit,digits\nturns,20,,0\n'], ['built/front/data/race.csv', 't\n1\n'],
+  ['built/front/claims.xml', `<Catch2TestRun name="claims"><TestCase name="Nobody wins" filename="chapters/front/claims.cpp" line="2">
+    <OverallResult success="true" skips="0"/></TestCase></Catch2TestRun>\n`],
+];
+
+test('the pages follow each other, and stand in the menu', () => {
+  const read = weaves();
+  const order = ['index', 'preface', '2-euler', 'talks', 'glossary', 'references'];
+  order.forEach((name, i) => {
+    const page = read(`${name}.html`);
+    assert.equal(page.match(/<a rel="next" href="(.*?)\.html"/)?.[1], order[i + 1], name);
+    assert.equal(page.match(/<a rel="prev" href="(.*?)\.html"/)?.[1], order[i - 1], name);
+    const menu = [...page.match(/<ol class="toc">([\s\S]*?)<div class="tools">/)[1].matchAll(/href="(.*?)\.html"/g)].map(([, href]) => href);
+    assert.deepEqual(menu, ['preface', '2-euler', 'snippets', 'talks', 'glossary', 'references', 'claims', 'reference']);
+  });
+});
+
+test('a start page with a program of its own is no chapter', () => {
+  const read = weaves(...front());
+  const page = read('index.html');
+  assert.match(page, /<figure class="plot" id="figure-race">[\s\S]*<b>Figure 1\. A race\.<\/b> After <data class="number" value="20"[^>]*>20<\/data>/);
+  assert.match(page, /<a href="data\/front\/race\.csv">race\.csv<\/a>, <a href="source-chapters-front-race-gp\.html">/);
+  assert.equal(page.match(/<ol class="contents">([\s\S]*?)<\/ol>/)[1].match(/<li>/g).length, 1);
+  assert.equal(read('data/front/race.csv'), 't\n1\n');
+  assert.match(read('claims.html'), /<h2 id="front">The start page<\/h2>\n<ul class="claims">\n<li id="claim-nobody-wins">/);
+});
+
+test('what is wrong with the program of the start page is told there', () => refuses(
+  front('\\number{turn}\nand \\figure{rice, A race}\nSo.\n\\endfigure'),
+  [INDEX, '{turn}', 'unknown number "turn"; chapters/front/program.cpp writes none of that name. Did you mean "turns"?'],
+  [INDEX, 'rice', 'there is no chapters/front/rice.gp that draws the figure "rice". Did you mean "race"?'],
+  ['chapters/front/race.gp', '', 'no \\figure{race, ...} in book/index.md shows this figure; show it, or delete the script'],
+));
+
+test('a word of the glossary leads to where it is introduced', () => {
+  const read = weaves(words('- \\term{After a dash} Behind it.\n- \\term{step size} How far.\n'),
+    [CHAPTER, 'The energy grows', 'Its *step\nsize* matters. The energy grows']);
+  const page = read('glossary.html');
+  assert.match(page, /<dfn id="term-after-a-dash">After a dash<\/dfn> <a class="introduced" href="2-euler\.html#growth" aria-label="After a dash: section 2\.2">2\.2<\/a> Behind it\./);
+  assert.match(page, /<dfn id="term-step-size">step size<\/dfn> <a class="introduced" href="2-euler\.html#growth"/);
+});
+
+test('a word that no chapter introduces, and one that stands twice', () => {
+  refuses(
+    [words('- \\term{after a dsh} Behind it.\n- \\term{energy} Not in italics.\n')],
+    [GLOSSARY, 'dsh', 'no chapter says *after a dsh* in italics, as where a term is introduced. Did you mean "after a dash"?'],
+    [GLOSSARY, '{energy', 'no chapter says *energy* in italics, as where a term is introduced.'],
+  );
+  refuses(
+    [words('- \\term{after a dash} Behind it.\n- \\term{After a dash} Again.\n')],
+    [GLOSSARY, '\\term{After', 'the id "term-after-a-dash" stands twice in glossary.html; rename the section or box'],
+  );
+});
+
+test('a test by its name', () => {
+  const read = weaves([TALKS, 'What they say.', '\\tested{Euler gains energy on every step}']);
+  assert.match(read('talks.html'), /<a class="tested" id="cited-1" href="claims\.html#claim-euler-gains-energy-on-every-step">Euler gains energy on every step<\/a>/);
+  assert.match(read('claims.html'), /<a href="talks\.html#cited-1">and in the talks<\/a>/);
+});
+
+test('a test that nobody wrote', () => refuses(
+  [[TALKS, 'What they say.', '\\tested{Euler gains energy on each step}']],
+  [TALKS, '\\tested', 'no test bears the name of the claim "Euler gains energy on each step". Did you mean "Euler gains energy on every step"?'],
+));
