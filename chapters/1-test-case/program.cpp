@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "frames/fixed_step.h"
-#include "frames/uneven.h"
+#include "frames/recorded.h"
 #include "jump.h"
 #include "measure/order.h"
 #include "measure/record.h"
@@ -99,15 +99,15 @@ void order(Record& record) {
 }
 
 void uneven_frames(Record& record) {
-  auto& table = record.table("uneven", {{"game", "", whole}, {"t", "s"}, {"height", "m"}});
+  auto& table = record.table("uneven", {{"jump", "", whole}, {"t", "s"}, {"height", "m"}});
   double lowest = INFINITY, highest = 0;
-  for (std::uint32_t game = 1; game <= 10; ++game) {
+  for (std::size_t jumps = 0; jumps < 10; ++jumps) {
     // [uneven]
-    frames::Uneven frame{.seed = game};
+    frames::Playback frame{.at = 60 * jumps};
     auto s = jump.start();
     double top = 0;
     for (double t = 0, length; t < 1; t += length) {
-      table.add({double(game), t, s.x.y()});
+      table.add({double(jumps + 1), t, s.x.y()});
       top = std::max(top, s.x.y());
       length = frame.next();
       integrate::euler(s.x, s.v, t, length, jump);
@@ -116,8 +116,16 @@ void uneven_frames(Record& record) {
     lowest = std::min(lowest, top);
     highest = std::max(highest, top);
   }
-  record.number("uneven-lowest", lowest, 3, "m");
-  record.number("uneven-highest", highest, 3, "m");
+  using frames::recorded;
+  record.number("frames-recorded", double(recorded.size()), whole);
+  record.number("frames-late",
+                double(std::count_if(recorded.begin(), recorded.end(),
+                                     [](double length) { return length > 2.0 / 60; })),
+                whole);
+  record.number("frames-longest", 1000 * *std::max_element(recorded.begin(), recorded.end()), 3,
+                "ms");
+  record.number("uneven-lowest", lowest, 4, "m");
+  record.number("uneven-highest", highest, 4, "m");
 }
 
 void display(Record& record) {

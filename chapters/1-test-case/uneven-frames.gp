@@ -1,10 +1,12 @@
 eval axis_names("time  [s]", "height  [m]")
-set xrange [0.15:0.95]
-set yrange [0.75:1.5]
-set xtics 0.2,0.2
-set ytics 0.75,0.25
-set label 1 "ten games" at 0.56,1.42 center tc rgb "#000001"
-plot for [game=1:10] file("uneven") using ($1 == game ? $2 : NaN):3 with linespoints ls EULER lw 0.9 ps 0.3, \
+set xrange [0.3:0.75]
+set yrange [1.1:1.4]
+set xtics 0.3,0.1
+set ytics 1.1,0.1
+set label 1 "ten jumps" at 0.53,1.375 center tc rgb "#000001"
+set label 2 "ledge" at 0.31,1.342 left tc rgb "#000008"
+plot 1.33 with lines ls LIMIT, \
+     for [jump=1:10] file("uneven") using ($1 == jump ? $2 : NaN):3 with linespoints ls EULER lw 0.9 ps 0.4, \
      5*x - 9.81*x**2/2 with lines ls EXACT, \
-     for [game=1:10] file("uneven") every 5 using ($1 == game ? $2 : NaN):3:(sprintf("game %d: %.3f m at %.3f s", $1, $3, $2)) \
-       with labels hypertext point ls EULER ps 0.3
+     for [jump=1:10] file("uneven") every 5 using ($1 == jump ? $2 : NaN):3:(sprintf("jump %d: %.3f m at %.3f s", $1, $3, $2)) \
+       with labels hypertext point ls EULER ps 0.4

@@ -54,7 +54,11 @@ constexpr Vec stormer_verlet_velocity(const Vec& x, const Vec& x_previous, Real 
   constexpr bool fits =
       std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && !std::is_integral_v<Real>;
   static_assert(fits, "h * x must be a Vec; h no integer");
-  if constexpr (fits) return (Real(1) / h) * (x + Real(-1) * x_previous);
+  if constexpr (fits) {
+    // [velocity-move]
+    return (Real(1) / h) * (x + Real(-1) * x_previous);
+    // [velocity-move]
+  }
 }
 // [velocity]
 
@@ -94,7 +98,11 @@ constexpr Vec stormer_verlet_start(const Vec& x, const Vec& v, Time t, Real h,
                         std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
                         !std::is_integral_v<Real>;
   static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) return x + Real(-1) * h * v + (h * h / Real(2)) * acceleration(x, v, t);
+  if constexpr (fits) {
+    // [start-move]
+    return x + Real(-1) * h * v + (h * h / Real(2)) * acceleration(x, v, t);
+    // [start-move]
+  }
 }
 // [start]
 
@@ -121,7 +129,8 @@ constexpr void stormer_verlet(Vec& x, Vec& x_previous, Time t, Real h,
   if constexpr (fits) {
     // [move]
     const Vec v = stormer_verlet_velocity(x, x_previous, h);
-    const Vec x_next = Real(2) * x + Real(-1) * x_previous + (h * h) * acceleration(x, v, t);
+    const Vec a = acceleration(x, v, t);
+    const Vec x_next = Real(2) * x + Real(-1) * x_previous + (h * h) * a;
     x_previous = x;
     x = x_next;
     // [move]

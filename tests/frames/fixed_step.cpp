@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "frames/uneven.h"
+#include "frames/recorded.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -26,7 +26,7 @@ TEMPLATE_TEST_CASE("Every step starts where the one before ended", "", float, do
 }
 
 TEST_CASE("Steps and saved time add up to the time of uneven frames") {
-  frames::Uneven frame{.seed = 3};
+  frames::Playback frame;
   FixedStep<> clock;
   double total = 0;
   for (int n = 0; n < 10'000; ++n) {
@@ -56,27 +56,4 @@ TEST_CASE("A frame longer than the longest is cut, and the next frame is on time
   clock.frame(0.125, count);
   CHECK(steps == 3);
   CHECK(clock.saved == 0);
-}
-
-TEST_CASE("Uneven frames are mostly near a sixtieth of a second, and one in sixteen is a hitch") {
-  frames::Uneven frame;
-  int hitches = 0;
-  for (int n = 0; n < 16'000; ++n) {
-    const double length = frame.next();
-    const bool even = length >= 0.75 / 60 && length <= 1.25 / 60;
-    const bool hitch = length >= 0.05 && length <= 0.1;
-    REQUIRE((even || hitch));
-    hitches += hitch;
-  }
-  CHECK(hitches > 900);
-  CHECK(hitches < 1100);
-}
-
-TEST_CASE("The same seed gives the same frames") {
-  frames::Uneven one{.seed = 5}, same{.seed = 5}, other{.seed = 6};
-  for (int n = 0; n < 100; ++n) {
-    const double length = one.next();
-    CHECK(length == same.next());
-    CHECK(length != other.next());
-  }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // Position Verlet on steps that change: with the form for it, and with the one that takes no
 // notice.
-#include "frames/uneven.h"
+#include "frames/recorded.h"
 
 #include <algorithm>
 #include <catch2/catch_template_test_macros.hpp>
@@ -32,7 +32,7 @@ struct Alternating {
 struct Frames {
   static std::vector<double> steps(int finer) {
     std::vector<double> lengths;
-    frames::Uneven frames;
+    frames::Playback frames{.at = 60};
     for (int n = 0; n < 60; ++n)
       lengths.insert(lengths.end(), std::size_t(finer), frames.next() / finer);
     return lengths;

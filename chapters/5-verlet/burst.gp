@@ -1,0 +1,14 @@
+eval axis_names("frame", "length of the rope  [m]")
+set logscale y
+set xrange [0:9]
+set yrange [1:1e10]
+set xtics 1
+set ytics ("1 m" 1, "1 km" 1e3, "10^3 km" 1e6, "10^6 km" 1e9)
+unset mytics
+set lmargin 8.5
+set label 1 NARROW ? "springs, 60 Hz" : "springs, 60 steps a second" at 5.7,1e6 right tc rgb "#00000a"
+set label 2 NARROW ? "springs, 360 Hz,\nlinks, 60 Hz" : "springs, 360 steps a second,\nand links, 60 steps a second" at 8.9,NARROW ? 110 : 60 right tc rgb "#00000b"
+plot file("burst") using 1:($2 < 1e9 ? $2 : NaN) with linespoints ls FIRST, \
+     file("calm") using 1:2 with lines ls SECOND, \
+     file("calm") using 1:3 with lines ls THIRD dt (6,4), \
+     file("burst") using 1:($2 < 1e9 ? $2 : NaN):(sprintf("frame %d: %.3g m", $1, $2)) with labels hypertext point ls FIRST

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What becomes of two metres of rope.
+#pragma once
+#include <string>
+
+#include "measure/methods_with_memory.h"
+#include "measure/record.h"
+#include "measure/run.h"
+#include "rope.h"
+#include "toys.h"
+
+/// The length of the rope of springs [m].
+inline double length_of(const Eigen::VectorXd& x) {
+  double length = 0;
+  for (Eigen::Index i = 3; i < x.size(); i += 3) {
+    length += (x.segment<3>(i) - x.segment<3>(i - 3)).norm();
+  }
+  return length;
+}
+
+inline void burst(measure::Record& record) {
+  auto& table = record.table("burst", {{"frame", "", measure::whole}, {"springs", "m"}});
+  auto s = springs.start();
+  // [burst]
+  const auto keep = [&](double t, const auto& now) {
+    table.add({std::round(60 * t), length_of(now.x)});
+  };
+  measure::run(measure::stormer_verlet, springs, s, frame, 8, keep);
+  // [burst]
+  record.number("burst-5", table.rows[5][1].value, 2, "m");
+  auto& calm =
+      record.table("calm", {{"frame", "", measure::whole}, {"springs", "m"}, {"links", "m"}});
+  Rope rope = two_metres(20, {1, 0});
+  s = springs.start();
+  measure::run(measure::stormer_verlet, springs, s, frame / 6, 360, [&](double t, const auto& now) {
+    const double frames = 60 * t;
+    if (std::abs(frames - std::round(frames)) > 0.01) return;
+    calm.add({std::round(frames), length_of(now.x), 2 * (1 + stretch(rope))});
+    rope.step(frame, 8);
+  });
+}
+
+inline void ropes(measure::Record& record) {
+  using measure::whole;
+  auto& shapes = record.table("shapes", {{"iterations", "", whole}, {"x", "m"}, {"y", "m"}});
+  for (const int iterations : {1, 4, 16, 64}) {
+    Rope rope = two_metres(20, {1, 0});
+    for (int n = 0; n < 42; ++n) rope.step(frame, iterations);
+    for (const Vec& point : rope.x) shapes.add({double(iterations), point.x(), point.y()});
+  }
+  auto& table = record.table("stretch", {{"iterations", "", whole},
+                                         {"10 links", "%"},
+                                         {"20 links", "%"},
+                                         {"40 links", "%"},
+                                         {"20 links in substeps", "%"}});
+  for (int k = 1; k <= 64; k *= 2) {
+    table.add({double(k), 100 * hanging(10, frame, k), 100 * hanging(20, frame, k),
+               100 * hanging(40, frame, k), 100 * hanging(20, frame / k, 1)});
+  }
+  record.number("hangs-60", 100 * hanging(20, frame, 8), 2, "%");
+  record.number("hangs-30", 100 * hanging(20, 2 * frame, 8), 2, "%");
+  record.number("hangs-120", 100 * hanging(20, frame / 2, 8), 2, "%");
+  record.number("hangs-substeps", 100 * hanging(20, frame / 8, 1), 2, "%");
+  record.number("falls-8", 100 * falling(20, frame, 8), 2, "%");
+
+  auto& pendulum = record.table("pendulum", {{"t", "s"}, {"one step", "m"}, {"eight", "m"}});
+  Rope once = two_metres(1, {1, 0}), often = once;
+  double again = -2, again_often = -2;
+  for (int n = 0; n <= 600; ++n) {
+    pendulum.add({n * frame, once.x[1].y(), often.x[1].y()});
+    if (n > 480) again = std::max(again, once.x[1].y());
+    if (n > 480) again_often = std::max(again_often, often.x[1].y());
+    once.step(frame, 1);
+    for (int substep = 0; substep < 8; ++substep) often.step(frame / 8, 1);
+  }
+  record.number("pendulum-again", 2 + again, 2, "m");
+  record.number("pendulum-often", 2 + again_often, 2, "m");
+}
