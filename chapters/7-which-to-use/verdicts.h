@@ -16,7 +16,7 @@ inline constexpr scenes::LinearDrag<> skid{.c = 2, .g = 0, .v0 = 10};
 inline constexpr Ball toss{{.c = 0, .v0 = 10}};
 
 inline constexpr double minute = 60;  ///< the drone is watched for so long [s]
-inline constexpr double moment = 2;   ///< the skid and the toss, until they are nearly over [s]
+inline constexpr double moment = 2;   ///< the skid and the toss [s]
 // [kinds]
 
 // [words]
@@ -62,7 +62,7 @@ double longest_step(const Step& step, const Scene& scene) {
 
 inline void verdicts(measure::Record& record) {
   auto& table = record.table("verdicts", {{"method"},
-                                          {"force"},
+                                          {"force by"},
                                           {"a talk says"},
                                           {"off at 60 Hz", "%", 2},
                                           {"measured"},
@@ -73,9 +73,9 @@ inline void verdicts(measure::Record& record) {
     const Verdict found = verdict(step);
     const double spring = longest_step(step, scenes::Spring<>{});
     const double drag = longest_step(step, scenes::LinearDrag<>{.c = 1, .g = 0});
-    table.add({name, "of position", position, found.position, word(found.position), gained(step),
-               spring});
-    table.add({name, "of velocity", velocity, found.velocity, word(found.velocity), NAN, drag});
+    table.add(
+        {name, "position", position, found.position, word(found.position), gained(step), spring});
+    table.add({name, "velocity", velocity, found.velocity, word(found.velocity), NAN, drag});
     table.add({name, "constant", constant, found.constant, word(found.constant), NAN, INFINITY});
   };
   add("Euler", measure::euler, "lousy", "okay", "bad");

@@ -98,5 +98,9 @@ inline void all_work(measure::Record& record) {
   record.number("shuttle-240-verlet", 100 * off(measure::velocity_verlet, shuttle, frame / 4, 8), 2,
                 "cm");
   record.number("shuttle-240-rk4", 1e6 * off(measure::rk4, shuttle, frame, 8), 2, "µm");
+  record.number(
+      "rk4-nearer",
+      off(measure::symplectic_euler, shuttle, frame / 4, 8) / off(measure::rk4, shuttle, frame, 8),
+      2);
   work_time(record);
 }
