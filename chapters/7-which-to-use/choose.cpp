@@ -76,16 +76,10 @@ struct Number {
   const char* meaning;
 };
 
-std::string plain(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
-
 void require_in_range(const Number& number) {
   if (*number.value >= number.least && *number.value <= number.most) return;
   throw std::invalid_argument(std::string(number.option) + " must lie between " +
-                              plain(number.least) + " and " + plain(number.most));
+                              brief(number.least, 6) + " and " + brief(number.most, 6));
 }
 
 void require_fits(const CLI::App& app, const Choice& choice, const Parameters& parameters,

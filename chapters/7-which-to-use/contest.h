@@ -165,18 +165,18 @@ Contest contest(const Scene& scene, const Bounds& bounds) {
   return found;
 }
 
-/// A number in as few digits as tell what it is.
-inline std::string brief(double value) {
+/// A number in a few digits.
+inline std::string brief(double value, int digits = 2) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2g", value);
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
 }
 
 /// Why fewer steps did not do.
 inline std::string shortcoming(const Attempt& attempt, const Bounds& bounds) {
   if (!(attempt.error < 10)) return "explodes";
-  if (attempt.error > bounds.error) return "error " + brief(attempt.error);
-  return "energy off by " + brief(attempt.energy);
+  if (attempt.error > bounds.error) return "error " + brief(attempt.error, 3);
+  return "energy off by " + brief(attempt.energy, 3);
 }
 
 /// Why an entry did not win, or what it would not have done without.

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "measure/cost.h"
@@ -36,12 +36,16 @@ inline void libraries(measure::Record& record, const std::filesystem::path& spee
                                            {"called"},
                                            {"on " + measure::machine(), "ns", 3},
                                            {"by hand = 1", "", 3}});
+  const std::set<std::string> methods{"symplectic_euler", "velocity_verlet", "rk4"};
+  const std::set<std::string> called{"by hand",         "header, struct", "header, Vector2d",
+                                     "odeint, array",   "odeint, Eigen",  "GSL",
+                                     "SUNDIALS ERKStep"};
   std::ifstream file(speed);
   std::map<std::string, double> by_hand;
   for (std::string line; std::getline(file, line);) {
     const auto row = fields(line);
     if (row.size() < 4 || row[2] != "-O3 -march=native") continue;
-    if (row[0] != "symplectic_euler" && row[0] != "velocity_verlet" && row[0] != "rk4") continue;
+    if (!methods.contains(row[0]) || !called.contains(row[1])) continue;
     const double time = std::stod(row[3]);
     if (row[1] == "by hand") by_hand[row[0]] = time;
     table.add({"time", row[0], row[1], time, time / by_hand[row[0]]});

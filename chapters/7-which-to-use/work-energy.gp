@@ -15,7 +15,7 @@ plot for [i=1:9] file("work-energy") every ::at(i)::at(i)+3 using 3:4 with lines
      for [i=1:9] file("work-energy") every ::at(i)::at(i)+3 using 3:4:(sprintf("%s, %d steps a second: %.2g", strcol(1), $2, $4)) with labels hypertext point ls style(i), \
      file("work-energy") every ::at(1)+0::at(1)+0 using 3:4:(strcol(1)) with labels left offset -0.4,0.7 tc ls EULER, \
      file("work-energy") every ::at(2)+3::at(2)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0.4 tc ls SYMPLECTIC_EULER, \
-     file("work-energy") every ::at(3)+0::at(3)+0 using 3:4:(strcol(1)) with labels left offset -0.4,-1.4 tc ls VELOCITY_VERLET, \
+     file("work-energy") every ::at(3)+0::at(3)+0 using 3:4:(NARROW ? "Verlet" : strcol(1)) with labels left offset -0.4,(NARROW ? -1.6 : -1.4) tc ls VELOCITY_VERLET, \
      file("work-energy") every ::at(4)+3::at(4)+3 using 3:4:("Yoshida") with labels left offset 0.8,0.2 tc ls YOSHIDA4, \
      file("work-energy") every ::at(5)+3::at(5)+3 using 3:4:(strcol(1)) with labels left offset 0.2,-0.8 tc ls MIDPOINT, \
      file("work-energy") every ::at(6)+3::at(6)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0 tc ls RK4, \

@@ -14,8 +14,8 @@ style(i) = i == 1 ? EULER : i == 2 ? SYMPLECTIC_EULER : i == 3 ? VELOCITY_VERLET
 plot for [i=1:9] file("work-shuttle") every ::at(i)::at(i)+3 using 3:4 with linespoints ls style(i), \
      for [i=1:9] file("work-shuttle") every ::at(i)::at(i)+3 using 3:4:(sprintf("%s, %d steps a second: %.2g m", strcol(1), $2, $4)) with labels hypertext point ls style(i), \
      file("work-shuttle") every ::at(1)+0::at(1)+0 using 3:4:(strcol(1)) with labels left offset -0.4,0.7 tc ls EULER, \
-     file("work-shuttle") every ::at(2)+0::at(2)+0 using 3:4:(strcol(1)) with labels left offset -0.4,0.6 tc ls SYMPLECTIC_EULER, \
-     file("work-shuttle") every ::at(3)+0::at(3)+0 using 3:4:(strcol(1)) with labels left offset -0.4,-1.5 tc ls VELOCITY_VERLET, \
+     file("work-shuttle") every ::at(2)+0::at(2)+0 using 3:4:(NARROW ? "symplectic" : strcol(1)) with labels left offset -0.4,0.6 tc ls SYMPLECTIC_EULER, \
+     file("work-shuttle") every ::at(3)+0::at(3)+0 using 3:4:(NARROW ? "Verlet" : strcol(1)) with labels left offset -0.4,-1.5 tc ls VELOCITY_VERLET, \
      file("work-shuttle") every ::at(4)+3::at(4)+3 using 3:4:("Yoshida") with labels left offset 0.8,0 tc ls YOSHIDA4, \
      file("work-shuttle") every ::at(5)+3::at(5)+3 using 3:4:(strcol(1)) with labels left offset 0.6,-0.6 tc ls MIDPOINT, \
      file("work-shuttle") every ::at(6)+3::at(6)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0 tc ls RK4, \

@@ -15,7 +15,7 @@ plot for [i=1:9] file("work-suspension") every ::at(i)::at(i)+3 using 3:4 with l
      for [i=1:9] file("work-suspension") every ::at(i)::at(i)+3 using 3:4:(sprintf("%s, %d steps a second: %.2g m", strcol(1), $2, $4)) with labels hypertext point ls style(i), \
      file("work-suspension") every ::at(1)+0::at(1)+0 using 3:4:(strcol(1)) with labels left offset 1,0.2 tc ls EULER, \
      file("work-suspension") every ::at(2)+3::at(2)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0 tc ls SYMPLECTIC_EULER, \
-     file("work-suspension") every ::at(3)+0::at(3)+0 using 3:4:(strcol(1)) with labels left offset -0.4,-1.1 tc ls VELOCITY_VERLET, \
+     file("work-suspension") every ::at(3)+0::at(3)+0 using 3:4:(NARROW ? "Verlet" : strcol(1)) with labels left offset -0.4,(NARROW ? -2.3 : -2) tc ls VELOCITY_VERLET, \
      file("work-suspension") every ::at(4)+3::at(4)+3 using 3:4:("Yoshida") with labels left offset 0.8,0.35 tc ls YOSHIDA4, \
      file("work-suspension") every ::at(6)+3::at(6)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0 tc ls RK4, \
      file("work-suspension") every ::at(7)+3::at(7)+3 using 3:4:(strcol(1)) with labels right offset -0.6,-0.35 tc ls DOPRI5, \
