@@ -62,7 +62,6 @@ inline void level_again(measure::Record& record) {
       [&](const auto& method, const auto&, const auto&) { bills.add({method, alone[method]}); });
   record.number("millimetre-total", total_to_within(centimetre / 10), measure::whole);
   record.number("rk4-total", alone["RK4"], measure::whole);
-  record.number("prince-total", alone["Dormand–Prince"], measure::whole);
   record.number("verlet-total", alone["velocity Verlet"], measure::whole);
   record.number("symplectic-total", alone["symplectic Euler"], measure::whole);
 }
