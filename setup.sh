@@ -33,7 +33,8 @@ gnuplot-nox: figures
 nodejs npm ca-certificates: to weave the book
 $browser: to test the book in a browser
 lld-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32: live figures, C++ for the browser
-bubblewrap libseccomp-dev nlohmann-json3-dev libcli11-dev: the grader and its cage
+libcli11-dev: command lines, of the chooser of methods and of the grader
+bubblewrap libseccomp-dev nlohmann-json3-dev: the grader and its cage
 g++-aarch64-linux-gnu qemu-user: to see the same bits on 64-bit Arm
 git: to test a clean checkout"
 [ "$*" != peers ] || needs+="

@@ -2,7 +2,9 @@
 /// @file
 /// A weight on a rod, swinging as far as it likes.
 #pragma once
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "scenes/sine.h"
@@ -42,6 +44,19 @@ struct Pendulum {
   /// At rest, at the start angle.
   constexpr State<Vec> start() const { return {angle, Real(0)}; }
 
+  /// The state at any time, also before the start; a start near pi costs digits.
+  ///
+  /// Needs a start angle between -pi and pi.
+  /// @param t  time since the start [s]
+  /// @see NIST Digital Library of Mathematical Functions, section 22.20(ii)
+  State<Vec> exact(Real t) const {
+    const Real modulus = std::sin(angle / Real(2));
+    const Real phase = amplitude(std::remainder(t, period()));
+    const Real rate = std::sqrt(g / length);
+    return {Real(2) * std::asin(modulus * std::sin(phase)),
+            Real(2) * modulus * rate * std::cos(phase)};
+  }
+
   /// Energy per unit mass, which is conserved; zero when hanging at rest [J/kg].
   /// @param x  angle [rad]
   /// @param v  angular velocity [rad/s]
@@ -65,6 +80,27 @@ struct Pendulum {
       arithmetic = mean;
     }
     return Real(2) * std::numbers::pi_v<Real> * std::sqrt(length / g) / arithmetic;
+  }
+
+ private:
+  // Jacobi's amplitude a quarter of a swing ahead, where the pendulum is at rest: up the means
+  // until they meet, and down again by Landen's transformation.
+  Real amplitude(Real t) const {
+    constexpr int most = 16;
+    std::array<Real, most> ratio{};
+    Real arithmetic = 1;
+    Real geometric = std::cos(angle / Real(2));
+    int n = 0;
+    while (n < most && geometric < arithmetic) {
+      const Real mean = (arithmetic + geometric) / Real(2);
+      ratio[std::size_t(n++)] = (arithmetic - geometric) / (Real(2) * mean);
+      geometric = std::sqrt(arithmetic * geometric);
+      arithmetic = mean;
+    }
+    const Real quarter = std::numbers::pi_v<Real> / Real(2);
+    Real phase = std::ldexp(quarter + arithmetic * std::sqrt(g / length) * t, n);
+    while (n > 0) phase = (phase + std::asin(ratio[std::size_t(--n)] * std::sin(phase))) / Real(2);
+    return phase;
   }
 };
 

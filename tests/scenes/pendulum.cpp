@@ -4,6 +4,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
+#include "equation.h"
 #include "runge_kutta.h"
 
 using Catch::Matchers::WithinRel;
@@ -61,4 +62,36 @@ TEST_CASE("A pendulum's energy is its height and its speed") {
 TEST_CASE("A pendulum's acceleration can be a constant of the compiler") {
   constexpr double a = Pendulum<>{}(0.5, 0.0, 0.0);
   CHECK_THAT(a, WithinRel(-9.81 * 0.479425538604203, 1e-15));
+}
+
+TEST_CASE("A pendulum's exact solution obeys its equation") {
+  for (const Pendulum<>& pendulum :
+       {Pendulum<>{.g = 1.62, .length = 2.5, .angle = 3}, Pendulum<>{.angle = 0.01}}) {
+    const auto x = [&](long double t) -> long double { return pendulum.exact(double(t)).x; };
+    const auto v = [&](long double t) -> long double { return pendulum.exact(double(t)).v; };
+    for (const double t : {-7.0, -0.3, 0.2, 1.0, 4.0, 50.0}) {
+      const auto now = pendulum.exact(t);
+      // Roundings of numbers up to 8, at times up to 50, over differences of a thousandth.
+      CHECK(std::abs(equation::slope(x, t) - now.v) < 1e-10);
+      CHECK(std::abs(equation::slope(v, t) - pendulum(now.x, now.v, t)) < 1e-10);
+    }
+  }
+}
+
+TEST_CASE("A pendulum's exact solution goes where its equation takes it") {
+  const Pendulum<> pendulum;
+  CHECK_THAT(pendulum.exact(0).x, WithinRel(pendulum.angle, 1e-15));
+  CHECK(std::abs(pendulum.exact(0).v) < 1e-15);
+  CHECK_THAT(pendulum.exact(0.7).x, WithinRel(-0.47458050090535446433, 1e-14));
+  CHECK_THAT(pendulum.exact(0.7).v, WithinRel(-2.6174328222308211524, 1e-14));
+  CHECK_THAT(pendulum.exact(2).x, WithinRel(0.92079382715597145732, 1e-14));
+  CHECK_THAT(pendulum.exact(2).v, WithinRel(1.1283018575016757355, 1e-13));
+  CHECK_THAT(pendulum.exact(-2).v, WithinRel(-pendulum.exact(2).v, 1e-15));
+}
+
+TEST_CASE("A pendulum that starts to the other side mirrors the first, and one at rest stays") {
+  const Pendulum<> left{.angle = -1}, right{.angle = 1};
+  CHECK(left.exact(0.4).x == -right.exact(0.4).x);
+  CHECK(left.exact(0.4).v == -right.exact(0.4).v);
+  CHECK((Pendulum<>{.angle = 0}).exact(3).x == 0);
 }

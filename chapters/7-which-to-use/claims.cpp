@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: MIT-0
+// The claims of chapter 7. Each name is a sentence that the chapter says.
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "floor.h"
+#include "map.h"
+#include "particles.h"
+#include "solved.h"
+#include "verdicts.h"
+#include "wall.h"
+#include "work.h"
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+using measure::backward_euler;
+using measure::euler;
+using measure::rk4;
+using measure::symplectic_euler;
+using measure::velocity_verlet;
+
+namespace {
+
+/// The errors of one method on the six things at 60 Hz [cm].
+template <class Step>
+std::map<std::string, double> errors(const Step& step) {
+  std::map<std::string, double> found;
+  for_each_thing([&](const auto& name, const auto& scene, double seconds) {
+    found[name] = 100 * off(step, scene, frame, seconds);
+  });
+  return found;
+}
+
+/// The words for the three kinds of force, one after the other.
+template <class Step>
+std::string words(const Step& step) {
+  const Verdict found = verdict(step);
+  return word(found.position) + ", " + word(found.velocity) + ", " + word(found.constant);
+}
+
+/// The cheapest evaluations a second with which a method keeps all six within a centimetre.
+std::map<std::string, double> bills() {
+  std::map<std::string, double> found;
+  for_each_thing([&](const auto&, const auto& scene, double seconds) {
+    const Contest done = to_within(centimetre, scene, seconds);
+    found["chosen"] += taken(done).evaluations;
+    for (const Entry& entry : done.methods) {
+      if (header_of(entry.function) == "linear_damping.h") continue;  // not for all six
+      found[entry.method] += entry.good ? entry.evaluations : INFINITY;
+    }
+  });
+  return found;
+}
+
+/// The entry of one function.
+const Entry& entry_of(const Contest& contest, const std::string& function) {
+  return *std::find_if(contest.methods.begin(), contest.methods.end(),
+                       [&](const Entry& entry) { return entry.function == function; });
+}
+
+/// How far a spring has been after many steps; infinite from a million times the start on.
+template <class Step>
+double farthest(const Step& step, double homega, double zeta) {
+  double most = 0;
+  scenes::State<double> s{1, 0.5};
+  measure::run(step, spring_of(zeta), s, homega, 100'000, [&](double, const auto& now) {
+    if (!(std::abs(now.x) <= most)) most = std::abs(now.x);
+  });
+  return most < 1e6 ? most : INFINITY;
+}
+
+/// Whether another method, or fewer steps, would have met the bounds for less.
+template <class Scene>
+bool cheaper_exists(const Scene& scene, const Bounds& bounds, double evaluations) {
+  bool found = false;
+  for_each_entrant_on(scene, [&](const auto&, const auto&, const auto& step) {
+    for (long substeps = 1;; substeps *= 2) {
+      const double steps = bounds.hz * double(substeps);
+      if (steps * double(price(step, scene, 1 / steps)) >= evaluations) break;
+      found = found || attempt(step, scene, bounds, substeps).good(bounds);
+    }
+  });
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("No method keeps all six things within a centimetre at 60 steps a second") {
+  int methods = 0;
+  for_each_entrant([&](const auto& method, const auto&, const auto& step) {
+    INFO(method);
+    double worst = 0;
+    for (const auto& [thing, error] : errors(step)) worst = std::max(worst, error);
+    CHECK(worst > 1);
+    ++methods;
+  });
+  CHECK(methods == 13);
+}
+
+TEST_CASE("Only the two implicit methods hold the hatch at 60 steps a second") {
+  for_each_entrant([&](const auto& method, const auto&, const auto& step) {
+    INFO(method);
+    const std::string name = method;
+    CHECK(std::isfinite(errors(step)["hatch"]) ==
+          (name == "backward Euler" || name == "trapezoid"));
+  });
+  CHECK(errors(backward_euler)["hatch"] < 5);
+}
+
+TEST_CASE("Dormand-Prince keeps five of the six things within a micrometre") {
+  for (const auto& [thing, error] : errors(measure::dopri5)) {
+    INFO(thing);
+    if (thing == "hatch") {
+      CHECK(std::isinf(error));
+    } else {
+      CHECK(error < 1e-4);
+    }
+  }
+}
+
+TEST_CASE("Euler is lousy for forces of position, okay for velocity and bad for constant ones") {
+  CHECK(words(euler) == "lousy, okay, bad");
+}
+
+TEST_CASE("RK4 is great for forces of all three kinds") {
+  CHECK(words(rk4) == "great, great, great");
+}
+
+TEST_CASE("Backward Euler is lousy for forces of position, okay for velocity, bad for constant") {
+  CHECK(words(backward_euler) == "lousy, okay, bad");
+}
+
+TEST_CASE("Velocity Verlet is good for forces of position and of velocity and exact for constant") {
+  CHECK(words(velocity_verlet) == "good, good, great");
+  CHECK(verdict(velocity_verlet).constant < 1e-11);
+}
+
+TEST_CASE("Symplectic Euler is okay for forces of position, bad for velocity and constant ones") {
+  CHECK(words(symplectic_euler) == "okay, bad, bad");
+}
+
+TEST_CASE("On a skid backward Euler errs as far as Euler, to the other side") {
+  CHECK_THAT(verdict(backward_euler).velocity, WithinRel(verdict(euler).velocity, 0.05));
+  const double truth = skid.exact(0.5).x;
+  CHECK(measure::after(euler, skid, skid.start(), frame, 30).x > truth);
+  CHECK(measure::after(backward_euler, skid, skid.start(), frame, 30).x < truth);
+}
+
+TEST_CASE("On a skid symplectic Euler has the velocity of Euler, and a worse place") {
+  const auto start = skid.start();
+  const auto swapped = measure::after(symplectic_euler, skid, start, frame, 60);
+  CHECK(swapped.v == measure::after(euler, skid, start, frame, 60).v);
+  CHECK_THAT(verdict(symplectic_euler).velocity / verdict(euler).velocity, WithinAbs(5, 0.2));
+}
+
+TEST_CASE("What backward Euler is great for is the length of the step") {
+  constexpr scenes::LinearDrag<> brake{.c = 1, .g = 0};
+  CHECK(std::isinf(longest_step(backward_euler, brake)));
+  CHECK_THAT(longest_step(euler, brake), WithinAbs(2, 1e-9));
+  CHECK_THAT(longest_step(velocity_verlet, brake), WithinAbs(1, 1e-9));
+}
+
+TEST_CASE("Of the methods that ask once a step velocity Verlet is nearest on all four scenes") {
+  const auto check = [](const auto& scene, double seconds) {
+    const double least = off(velocity_verlet, scene, frame, seconds);
+    for_each_entrant([&](const auto& method, const auto&, const auto& step) {
+      INFO(method);
+      if (price(step, scene, frame) > 1) return;
+      CHECK(off(step, scene, frame, seconds) >
+            least * (1 - 1e-6));  // leapfrog's places are the same
+    });
+  };
+  check(suspension, 1);
+  check(leaf, 2);
+  check(lamp, 10);
+  check(shuttle, 8);
+}
+
+TEST_CASE("At 240 evaluations RK4's shuttle is 300 times nearer than Verlet's") {
+  const double best = off(rk4, shuttle, frame, 8);
+  CHECK_THAT(off(velocity_verlet, shuttle, frame / 4, 8) / best, WithinAbs(337, 5));
+  CHECK_THAT(off(symplectic_euler, shuttle, frame / 4, 8) / best, WithinAbs(4600, 50));
+}
+
+TEST_CASE("Twice the steps halve Euler's error, quarter Verlet's and leave a sixteenth of RK4's") {
+  const auto gain = [](const auto& step) {
+    return off(step, lamp, 1.0 / 960, 10) / off(step, lamp, 1.0 / 1920, 10);
+  };
+  CHECK_THAT(gain(symplectic_euler), WithinAbs(2, 0.05));
+  CHECK_THAT(gain(velocity_verlet), WithinAbs(4, 0.05));
+  CHECK_THAT(off(rk4, lamp, 1.0 / 120, 10) / off(rk4, lamp, 1.0 / 240, 10), WithinAbs(16, 1));
+}
+
+TEST_CASE("On the leaf symplectic Euler is five times as far off as Euler") {
+  CHECK_THAT(off(symplectic_euler, leaf, frame, 2) / off(euler, leaf, frame, 2), WithinAbs(5, 0.2));
+}
+
+TEST_CASE("On a damped spring Yoshida is no better than midpoint at the same rate per evaluation") {
+  CHECK_THAT(off(measure::yoshida4, suspension, 1.0 / 80, 1) /
+                 off(measure::midpoint, suspension, 1.0 / 120, 1),
+             WithinAbs(1.1, 0.15));
+}
+
+TEST_CASE("At equal price RK4's energy error passes velocity Verlet's after two hours") {
+  CHECK(energy_error(rk4, shuttle, frame) < energy_error(velocity_verlet, shuttle, frame / 4) / 90);
+  CHECK(energy_passes() > 120 * 60);
+  CHECK(energy_passes() < 130 * 60);
+}
+
+TEST_CASE("On the suspension velocity Verlet and RK4 meet at 120 evaluations a second") {
+  const auto error = [](const auto& step, double rate) {
+    return off(step, suspension, 1 / rate, 1);
+  };
+  CHECK_THAT(error(velocity_verlet, 120) / error(rk4, 30), WithinAbs(1, 0.1));
+  CHECK(error(velocity_verlet, 60) < error(rk4, 15) / 3);
+  CHECK(error(rk4, 60) < error(velocity_verlet, 240) / 3);
+  CHECK(error(measure::dopri5, 40) < error(rk4, 60));
+}
+
+TEST_CASE("Just inside the limits of the map a spring stays, just outside it explodes") {
+  int checked = 0;
+  for_each_map([&](const auto& method, const auto& step) {
+    for (const double zeta : {0.1, 0.5, 1.0, 2.0}) {
+      INFO(method << ", zeta " << zeta);
+      const double limit = stable_until(step, zeta);
+      CHECK(farthest(step, 0.98 * limit, zeta) < 100);
+      if (limit == widest) continue;
+      CHECK(std::isinf(farthest(step, 1.02 * limit, zeta)));
+      ++checked;
+    }
+  });
+  CHECK(checked == 34);
+}
+
+TEST_CASE("The eigenvalues know the limits that the formulas give") {
+  for (const double zeta : {0.2, 0.5, 1.0, 1.5}) {
+    const double root = std::sqrt(1 + zeta * zeta);
+    CHECK_THAT(stable_until(symplectic_euler, zeta), WithinAbs(2 * (root - zeta), 1e-8));
+    CHECK_THAT(stable_until(measure::linear_damping_implicit_last, zeta),
+               WithinAbs(std::min(widest, 2 * (root + zeta)), 1e-8));
+    if (zeta <= 1) CHECK_THAT(stable_until(euler, zeta), WithinAbs(2 * zeta, 1e-8));
+  }
+}
+
+TEST_CASE("Symplectic Euler is stable on a quarter of the map, and so is Euler") {
+  // The areas under their limits, of the map's 8; counted on 100 by 100 points.
+  const double swings = 2 * std::sqrt(5.0) + std::asinh(2.0) - 4;
+  const double damped = 1 + 3 - 2 * std::sqrt(3.0) + std::acosh(2.0);
+  CHECK_THAT(stable_share(symplectic_euler), WithinAbs(100 * swings / 8, 0.3));
+  CHECK_THAT(stable_share(euler), WithinAbs(100 * damped / 8, 0.3));
+}
+
+TEST_CASE("With drag divided symplectic Euler is stable on nine tenths of the map") {
+  CHECK_THAT(stable_share(measure::linear_damping_implicit_last), WithinAbs(90, 1));
+}
+
+TEST_CASE("Velocity Verlet with drag in the acceleration is stable on the least of the map") {
+  const double least = stable_share(velocity_verlet);
+  for_each_map([&](const auto& method, const auto& step) {
+    INFO(method);
+    CHECK(stable_share(step) >= least);
+  });
+  CHECK_THAT(least, WithinAbs(16, 1));
+}
+
+TEST_CASE("Backward Euler is stable on all of the map and true on an eighth of it") {
+  CHECK(stable_share(backward_euler) == 100);
+  CHECK_THAT(true_share(backward_euler), WithinAbs(12.5, 0.5));
+  CHECK_THAT(true_until(backward_euler, 0), WithinAbs(0.2, 0.01));
+}
+
+TEST_CASE("The exact step is stable and true on all of the map") {
+  CHECK(stable_share(measure::spring_exact) == 100);
+  CHECK(true_share(measure::spring_exact) == 100);
+}
+
+TEST_CASE("One exact step of a second ends where sixty of a frame do") {
+  const auto once = measure::after(measure::spring_exact, suspension, suspension.start(), 1.0, 1);
+  const auto often =
+      measure::after(measure::spring_exact, suspension, suspension.start(), frame, 60);
+  CHECK_THAT(once.x, WithinAbs(often.x, 1e-15));
+  CHECK_THAT(once.x, WithinAbs(suspension.exact(1).x, 1e-15));
+  const auto leap = measure::after(measure::constant_acceleration, jump, jump.start(), 1.0, 1);
+  CHECK_THAT(leap.x, WithinAbs(jump.exact(1).x, 1e-15));
+}
+
+TEST_CASE("In float RK4's shuttle is never nearer than ten micrometres") {
+  double least = INFINITY;
+  for (long rate = 30; rate <= 7680; rate *= 2) {
+    least = std::min(least, error_of_a_turn<float>(rk4, rate));
+  }
+  CHECK(least > 1e-5);
+  CHECK(least < 1e-4);
+  CHECK(error_of_a_turn<float>(rk4, 7680) > 100 * least);
+}
+
+TEST_CASE("At 60 steps a second float changes no more than a per cent for methods of order two") {
+  for (const long rate : {30L, 60L, 120L}) {
+    CHECK_THAT(error_of_a_turn<float>(velocity_verlet, rate),
+               WithinRel(error_of_a_turn<double>(velocity_verlet, rate), 0.01));
+    CHECK_THAT(error_of_a_turn<float>(symplectic_euler, rate),
+               WithinRel(error_of_a_turn<double>(symplectic_euler, rate), 0.01));
+  }
+}
+
+TEST_CASE("Packs move the particles to where structs do") {
+  auto structs = cloud(64);
+  auto packs = packed(structs);
+  for (int n = 0; n < 60; ++n) {
+    step_structs(structs, frame_of_float);
+    step_packs(packs, frame_of_float);
+  }
+  const auto expected = packed(structs);
+  double most = 0;
+  for (std::size_t n = 0; n < packs.size(); ++n) {
+    for (int i = 0; i < 4; ++i) {
+      most = std::max(most, double(std::abs(packs[n].x.a[i] - expected[n].x.a[i])));
+      most = std::max(most, double(std::abs(packs[n].x.d[i] - expected[n].x.d[i])));
+    }
+  }
+  // Sixty steps, each of which rounds a few numbers of size one.
+  CHECK(most <= 60 * 4 * double(std::numeric_limits<float>::epsilon()));
+}
+
+TEST_CASE("Sixteen steps in one visit are the sixteen steps, bit for bit") {
+  auto packs = packed(cloud(2048)), blocks = packs;
+  for (int n = 0; n < steps_a_visit; ++n) step_packs(packs, frame_of_float);
+  step_blocks(blocks, frame_of_float);
+  bool same = true;
+  for (std::size_t n = 0; n < packs.size(); ++n) {
+    for (int i = 0; i < 4; ++i) {
+      same = same && packs[n].x.a[i] == blocks[n].x.a[i] && packs[n].v.d[i] == blocks[n].v.d[i];
+    }
+  }
+  CHECK(same);
+}
+
+TEST_CASE("An implicit step is billed for its derivatives, an exact spring for nothing") {
+  CHECK(price(euler, shuttle, frame) == 1);
+  CHECK(price(velocity_verlet, shuttle, frame) == 1);
+  CHECK(price(measure::yoshida4, shuttle, frame) == 3);
+  CHECK(price(rk4, shuttle, frame) == 4);
+  CHECK(price(measure::dopri5, shuttle, frame) == 6);
+  CHECK(price(backward_euler, shuttle, frame) == 2);
+  CHECK(price(measure::trapezoid, shuttle, frame) == 3);
+  CHECK(price(measure::spring_exact, suspension, frame) == 0);
+}
+
+TEST_CASE("No method and no number of steps meets the bounds for less than the chosen one") {
+  const auto check = [](const auto& scene, const Bounds& bounds) {
+    const Contest found = contest(scene, bounds);
+    CHECK(found.methods[0].good);
+    CHECK(found.methods[0].last.good(bounds));
+    CHECK_FALSE(cheaper_exists(scene, bounds, found.methods[0].evaluations));
+  };
+  check(example, example_bounds);
+  check(shuttle, {.seconds = 8, .error = 0.001});
+  check(shuttle, {.seconds = 8, .error = 0.1, .energy = 1e-5});
+  check(lamp, {.seconds = 10, .error = 0.1});
+  check(leaf, {.seconds = 2, .error = 1e-6});
+}
+
+TEST_CASE("When nothing meets the bounds the nearest miss comes first") {
+  const Bounds bounds{.hz = 10, .seconds = 1, .error = 1e-18};
+  const Contest found = contest(shuttle, bounds);
+  for (const Entry& entry : found.methods) {
+    CHECK_FALSE(entry.good);
+    CHECK(miss(entry.last, bounds) >= miss(found.methods[0].last, bounds));
+  }
+}
+
+TEST_CASE("Chosen one by one the six things cost less than a third of the best single method") {
+  auto found = bills();
+  double best = INFINITY;
+  for (const auto& [method, bill] : found) {
+    if (method != "chosen") best = std::min(best, bill);
+  }
+  CHECK(found["chosen"] < best / 3);
+  CHECK(found["velocity Verlet"] == best);
+}
+
+TEST_CASE("Symplectic Euler for everything costs thirty times what the choice costs") {
+  auto found = bills();
+  CHECK(found["symplectic Euler"] > 30 * found["chosen"]);
+  CHECK(found["symplectic Euler"] < 35 * found["chosen"]);
+}
+
+TEST_CASE("With 1024 steps a frame neither Euler nor backward Euler keeps the shuttle to 1 cm") {
+  const Contest found = to_within(centimetre, shuttle, 8);
+  CHECK_FALSE(entry_of(found, "euler").good);
+  CHECK_FALSE(entry_of(found, "backward_euler").good);
+  CHECK(entry_of(found, "symplectic_euler").good);
+}
+
+TEST_CASE(
+    "On the example velocity Verlet and RK4 cost the same, and symplectic Euler 16 times it") {
+  const Contest found = contest(example, example_bounds);
+  const double least = entry_of(found, "velocity_verlet").evaluations;
+  CHECK(least == entry_of(found, "rk4").evaluations);
+  CHECK(found.methods[0].evaluations == least);
+  CHECK(entry_of(found, "symplectic_euler").evaluations == 16 * least);
+  CHECK(found.exact[0].evaluations == 0);
+}
+
+TEST_CASE(
+    "At 60 Hz symplectic Euler holds 19 swings a second, and RK4 27 for four times the price") {
+  CHECK_THAT(swings(symplectic_euler), WithinAbs(19.1, 0.05));
+  CHECK_THAT(swings(rk4), WithinAbs(27, 0.05));
+}
+
+TEST_CASE(
+    "The velocity that Störmer–Verlet shows has order one, that of velocity Verlet order two") {
+  const auto gain = [](const auto& step) {
+    const scenes::Pendulum<> swing = lamp;
+    return measure::largest_error(step, swing, 1.0 / 240, 2400).velocity /
+           measure::largest_error(step, swing, 1.0 / 480, 4800).velocity;
+  };
+  CHECK_THAT(gain(measure::stormer_verlet), WithinAbs(2, 0.05));
+  CHECK_THAT(gain(velocity_verlet), WithinAbs(4, 0.05));
+}
+
+TEST_CASE("Euler's jump is eight centimetres off, and the exact step asks as often") {
+  CHECK_THAT(errors(euler)["jump"], WithinAbs(8.2, 0.05));
+  CHECK(price(measure::constant_acceleration, jump, frame) == price(euler, jump, frame));
+}
+
+TEST_CASE("A swing twice a second to one per cent takes velocity Verlet 288 steps a second") {
+  constexpr scenes::Spring<> swing{.omega = 4 * std::numbers::pi};
+  CHECK_THAT(off(velocity_verlet, swing, 1.0 / 288, 10), WithinRel(0.01, 0.02));
+}
+
+TEST_CASE("Velocity Verlet with drag divided at the end has more room and only order one") {
+  const auto divided = [](auto& x, auto& v, auto, double h, const auto& spring) {
+    const auto pull = [&] { return -spring.omega * spring.omega * x; };
+    v = v + h / 2 * pull();
+    x = x + h * v;
+    v = (v + h / 2 * pull()) / (1 + h * spring.damping());
+  };
+  CHECK(stable_share(divided) > 3 * stable_share(velocity_verlet));
+  const double gain =
+      off(divided, suspension, 1.0 / 960, 1) / off(divided, suspension, 1.0 / 1920, 1);
+  CHECK_THAT(gain, WithinAbs(2, 0.1));
+}
+
+TEST_CASE("A millimetre costs less than twice what a centimetre does") {
+  CHECK(total_to_within(centimetre / 10) < 2 * total_to_within(centimetre));
+  CHECK(total_to_within(centimetre / 10) > total_to_within(centimetre));
+}

@@ -1,0 +1,21 @@
+eval NARROW ? canvas(400, 430) : canvas(720, 470)
+eval axis_names("steps per second", "largest error in one turn  [m]")
+set logscale xy
+set xrange [25:NARROW ? 12000 : 12000]
+set yrange [1e-13:100]
+set xtics (30, 120, 480, 1920, 7680)
+set ytics ("1 m" 1, "1 cm" 1e-2, "0.1 mm" 1e-4, "1 µm" 1e-6, "10 nm" 1e-8, "0.1 nm" 1e-10)
+unset mxtics
+unset mytics
+set lmargin NARROW ? 7.5 : 8
+set label 1 "symplectic Euler" at 500,NARROW ? 2 : 0.8 left tc rgb "#000002"
+set label 2 "velocity Verlet" at NARROW ? 28 : 30,0.012 left tc rgb "#000003"
+set label 3 "RK4 in float" at 1000,NARROW ? 1e-5 : 3e-5 left tc rgb "#000004"
+set label 4 "RK4 in double" at 1400,1e-10 right tc rgb "#000004"
+tip = "%d steps a second: %.2g m in double, %.2g m in float"
+plot file("floor") using 1:2 with lines ls SYMPLECTIC_EULER dt solid lw 1.2, file("floor") using 1:3 with linespoints ls SYMPLECTIC_EULER, \
+     file("floor") using 1:4 with lines ls VELOCITY_VERLET lw 1.2, file("floor") using 1:5 with linespoints ls VELOCITY_VERLET, \
+     file("floor") using 1:6 with lines ls RK4 lw 1.2, file("floor") using 1:7 with linespoints ls RK4, \
+     file("floor") using 1:3:(sprintf(tip, $1, $2, $3)) with labels hypertext point ls SYMPLECTIC_EULER, \
+     file("floor") using 1:5:(sprintf(tip, $1, $4, $5)) with labels hypertext point ls VELOCITY_VERLET, \
+     file("floor") using 1:7:(sprintf(tip, $1, $6, $7)) with labels hypertext point ls RK4

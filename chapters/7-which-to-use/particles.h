@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Up to a million particles: what their layout in memory costs.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "integrate/symplectic_euler.h"
+#include "level.h"
+#include "measure/record.h"
+
+// [lanes]
+/// Sixteen numbers side by side: a `Vec` like any other.
+struct Lanes {
+  using Four = float __attribute__((vector_size(16)));
+  Four a, b, c, d;
+
+  friend Lanes operator+(const Lanes& p, const Lanes& q) {
+    return {p.a + q.a, p.b + q.b, p.c + q.c, p.d + q.d};
+  }
+  friend Lanes operator*(float scale, const Lanes& p) {
+    return {scale * p.a, scale * p.b, scale * p.c, scale * p.d};
+  }
+};
+// [lanes]
+
+inline constexpr float frame_of_float = 1.0f / 60;  ///< [s]
+
+/// One particle, as most would write it.
+struct Particle {
+  Eigen::Vector3f x, v;
+};
+
+/// One coordinate of sixteen particles.
+struct Pack {
+  Lanes x, v;
+};
+
+/// A spark on a spring, in draught: the same for each coordinate.
+inline constexpr scenes::Spring<float> spark{.omega = 2, .zeta = 0.025f};
+
+/// One step for each particle in turn.
+inline void step_structs(std::vector<Particle>& particles, float h) {
+  for (Particle& p : particles) {
+    integrate::symplectic_euler(p.x, p.v, 0.0f, h, [](const auto& x, const auto& v, float t) {
+      return Eigen::Vector3f(spark(x, v, t));
+    });
+  }
+}
+
+/// One step for sixteen numbers at once.
+inline void step_packs(std::span<Pack> packs, float h) {
+  for (Pack& pack : packs) integrate::symplectic_euler(pack.x, pack.v, 0.0f, h, spark);
+}
+
+inline constexpr int steps_a_visit = 16;
+
+// [blocks]
+/// `steps_a_visit` steps for one block of packs, and only then the next block.
+inline void step_blocks(std::vector<Pack>& packs, float h) {
+  const std::span all(packs);
+  const std::size_t size = 64;  // packs: 8 KB, which stay in the nearest cache
+  for (std::size_t first = 0; first < all.size(); first += size) {
+    const auto block = all.subspan(first, std::min(size, all.size() - first));
+    for (int n = 0; n < steps_a_visit; ++n) step_packs(block, h);
+  }
+}
+// [blocks]
+
+/// Reads and writes the same memory, and hardly computes.
+inline void touch(std::vector<Pack>& packs, float) {
+  for (Pack& pack : packs) {
+    pack.x = 0.999f * pack.x;
+    pack.v = 0.999f * pack.v;
+  }
+}
+
+/// The coordinates of the particles, packed: all of the first axis, then of the second, the third.
+inline std::vector<Pack> packed(const std::vector<Particle>& particles) {
+  std::vector<Pack> packs;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    for (std::size_t first = 0; first < particles.size(); first += 16) {
+      std::array<float, 16> x{}, v{};
+      for (std::size_t i = 0; i < 16; ++i) {
+        x[i] = particles[first + i].x[axis];
+        v[i] = particles[first + i].v[axis];
+      }
+      packs.push_back({std::bit_cast<Lanes>(x), std::bit_cast<Lanes>(v)});
+    }
+  }
+  return packs;
+}
+
+/// Particles in a cloud, no two alike.
+inline std::vector<Particle> cloud(long count) {
+  std::vector<Particle> particles(static_cast<std::size_t>(count));
+  for (std::size_t n = 0; n < particles.size(); ++n) {
+    const float a = float(n % 1009) / 1009, b = float(n % 97) / 97;
+    particles[n] = {{a, b, a - b}, {b, -a, 1 - a}};
+  }
+  return particles;
+}
+
+/// Time of one step of one particle, the best of several runs [ns].
+template <class Particles, class Step>
+double nanoseconds(Particles& particles, long count, Step step, int steps = 1) {
+  using Clock = std::chrono::steady_clock;
+  const long passes = std::max(1L, 200'000 / count);
+  double best = INFINITY;
+  for (int round = 0; round < 9; ++round) {
+    const auto begin = Clock::now();
+    for (long pass = 0; pass < passes; ++pass) step(particles, frame_of_float / float(steps));
+    const std::chrono::duration<double, std::nano> elapsed = Clock::now() - begin;
+    best = std::min(best, elapsed.count() / double(passes * count * steps));
+  }
+  return best;
+}
+
+inline void memory_wall(measure::Record& record) {
+  auto& table = record.table("particles", {{"measured"},
+                                           {"particles", "", measure::whole},
+                                           {"on"},
+                                           {"structs", "ns", 2},
+                                           {"packs", "ns", 2},
+                                           {"memory alone", "ns", 2},
+                                           {"packs 16 times", "ns", 2}});
+  const std::string machine = measure::machine();
+  for (long count = 4'096; count <= 4'194'304; count *= 4) {
+    auto structs = cloud(count);
+    auto packs = packed(structs);
+    table.add({"time", double(count), machine, nanoseconds(structs, count, step_structs),
+               nanoseconds(packs, count, step_packs), nanoseconds(packs, count, touch),
+               nanoseconds(packs, count, step_blocks, steps_a_visit)});
+  }
+}

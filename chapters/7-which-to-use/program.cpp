@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT-0
+// Chapter 7: which to use. Every method on every scene, and what it costs.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "floor.h"
+#include "level.h"
+#include "map.h"
+#include "particles.h"
+#include "peers.h"
+#include "solved.h"
+#include "verdicts.h"
+#include "wall.h"
+#include "work.h"
+
+using measure::Record;
+
+namespace {
+
+// [one-for-all]
+void one_for_all(Record& record) {
+  auto& table = record.table("level", {{"method"},
+                                       {"jump", "cm", 2},
+                                       {"leaf", "cm", 2},
+                                       {"suspension", "cm", 2},
+                                       {"hatch", "cm", 2},
+                                       {"lamp", "cm", 2},
+                                       {"shuttle", "cm", 2}});
+  for_each_entrant([&](const auto& method, const auto&, const auto& step) {
+    std::vector<measure::Cell> row{method};
+    for_each_thing([&](const auto&, const auto& scene, double seconds) {
+      row.push_back(100 * off(step, scene, frame, seconds));
+    });
+    table.add(row);
+  });
+}
+// [one-for-all]
+
+void one_for_all_numbers(Record& record) {
+  const auto number = [&](const char* name, const auto& step, const auto& scene, double seconds,
+                          double unit, const char* of) {
+    record.number(name, unit * off(step, scene, frame, seconds), 2, of);
+  };
+  number("jump-euler", measure::euler, jump, 1, 100, "cm");
+  number("suspension-euler", measure::euler, suspension, 1, 100, "cm");
+  number("lamp-euler", measure::euler, lamp, 10, 1, "m");
+  number("leaf-symplectic", measure::symplectic_euler, leaf, 2, 100, "cm");
+  number("shuttle-symplectic", measure::symplectic_euler, shuttle, 8, 100, "cm");
+  number("shuttle-backward", measure::backward_euler, shuttle, 8, 1, "m");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // The benchmark writes into the same build, beside the chapters.
+  const std::string folder = argc == 2 ? argv[1] : "";
+  return measure::record(argc, argv, [&](Record& record) {
+    one_for_all(record);
+    one_for_all_numbers(record);
+    verdicts(record);
+    all_work(record);
+    stability_map(record);
+    floor_of_float(record);
+    memory_wall(record);
+    libraries(record, folder + "/../../../peers/speed.csv");
+    level_again(record);
+    example_choice(record);
+    wall(record);
+  });
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The level again, each thing with what the contest chooses for it, and one example in full.
+#pragma once
+#include <map>
+#include <string>
+
+#include "contest.h"
+#include "measure/record.h"
+
+inline constexpr double centimetre = 0.01;  ///< the largest error that the level may show [m]
+
+/// The contest for one thing of the level, to a distance [m].
+template <class Scene>
+Contest to_within(double distance, const Scene& scene, double seconds) {
+  Bounds bounds{.seconds = seconds};
+  bounds.error = distance / size_of(scene, bounds);
+  return contest(scene, bounds);
+}
+
+/// What the contest would take: the exact step, if there is one.
+inline const Entry& taken(const Contest& found) {
+  return found.exact.empty() ? found.methods.front() : found.exact.front();
+}
+
+/// Evaluations a second for the whole level, each thing with what the contest would take.
+inline double total_to_within(double distance) {
+  double total = 0;
+  for_each_thing([&](const auto&, const auto& scene, double seconds) {
+    total += taken(to_within(distance, scene, seconds)).evaluations;
+  });
+  return total;
+}
+
+// [solved]
+inline void level_again(measure::Record& record) {
+  auto& table = record.table("solved", {{"thing"},
+                                        {"take"},
+                                        {"header"},
+                                        {"steps a frame", "", measure::whole},
+                                        {"evaluations a second", "", measure::whole},
+                                        {"off", "cm", 2}});
+  double total = 0;
+  std::map<std::string, double> alone;
+  for_each_thing([&](const auto& name, const auto& scene, double seconds) {
+    const Contest found = to_within(centimetre, scene, seconds);
+    const Entry& best = taken(found);
+    total += best.evaluations;
+    table.add({name, best.method, header_of(best.function), double(best.last.substeps),
+               best.evaluations,
+               100 * best.last.error * size_of(scene, Bounds{.seconds = seconds})});
+    for (const Entry& entry : found.methods) {
+      alone[entry.method] += entry.good ? entry.evaluations : INFINITY;
+    }
+  });
+  // [solved]
+  record.number("chosen-total", total, measure::whole);
+  record.table("chosen", {{"evaluations a second", "", measure::whole}}).add({total});
+  auto& bills =
+      record.table("bills", {{"one method for all"}, {"evaluations a second", "", measure::whole}});
+  for_each_entrant(
+      [&](const auto& method, const auto&, const auto&) { bills.add({method, alone[method]}); });
+  record.number("millimetre-total", total_to_within(centimetre / 10), measure::whole);
+  record.number("rk4-total", alone["RK4"], measure::whole);
+  record.number("verlet-total", alone["velocity Verlet"], measure::whole);
+  record.number("symplectic-total", alone["symplectic Euler"], measure::whole);
+}
+
+/// What `choose --scene spring --omega 40 --zeta 0.1 --hz 60 --error 0.01` prints.
+inline constexpr scenes::Spring<> example{.omega = 40, .zeta = 0.1};
+inline constexpr Bounds example_bounds{.hz = 60, .error = 0.01};
+
+inline void example_choice(measure::Record& record) {
+  auto& table = record.table("choice", {{"function"},
+                                        {"steps a frame", "", measure::whole},
+                                        {"evaluations a second", "", measure::whole},
+                                        {"error", "", 2},
+                                        {"with fewer steps"}});
+  const Contest found = contest(example, example_bounds);
+  const auto add = [&](const Entry& entry) {
+    table.add({entry.function, double(entry.last.substeps), entry.evaluations, entry.last.error,
+               reason(entry, example_bounds)});
+  };
+  for (const Entry& entry : found.exact) add(entry);
+  for (const Entry& entry : found.methods) add(entry);
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The page for the wall: what to take for what moves, and how far it goes at sixty steps a second.
+#pragma once
+#include <numbers>
+#include <string>
+
+#include "contest.h"
+#include "measure/record.h"
+#include "verdicts.h"
+
+/// One swing a second.
+inline constexpr scenes::Spring<> clock_spring{.omega = 2 * std::numbers::pi};
+
+/// The most that the energy of a swing a second is off in a minute at 60 Hz [%].
+template <class Step>
+double energy_off(const Step& step) {
+  const auto energy = [](double x, double v) { return clock_spring.energy(x, v); };
+  return 100 * measure::drift(step, clock_spring, frame, 3600, energy).largest;
+}
+
+/// How often a spring may swing in a second before the method loses it at 60 Hz.
+template <class Step>
+double swings(const Step& step) {
+  return longest_step(step, scenes::Spring<>{}) / frame / (2 * std::numbers::pi);
+}
+
+inline void wall(measure::Record& record) {
+  auto& table = record.table("wall", {{"what moves"},
+                                      {"take"},
+                                      {"header"},
+                                      {"evaluations a step", "", measure::whole},
+                                      {"stable to at 60 Hz", "swings/s", 2},
+                                      {"energy off in a minute", "%", 2}});
+  const auto add = [&](const char* moves, const char* take, const std::string& function,
+                       const auto& step) {
+    table.add({moves, take, header_of(function), double(price(step, suspension, frame)),
+               swings(step), energy_off(step)});
+  };
+  table.add({"a constant force: jumps, shells, sparks", "the exact step", "constant_acceleration.h",
+             double(price(measure::constant_acceleration, jump, frame)), INFINITY, 0.0});
+  add("one spring: cameras, doors, recoil, suspensions", "the exact step", "spring_exact",
+      measure::spring_exact);
+  add("bodies with contacts, joints and springs", "symplectic Euler", "symplectic_euler",
+      measure::symplectic_euler);
+  add("the same with dampers or drag", "drag divided", "linear_damping_implicit_last",
+      measure::linear_damping_implicit_last);
+  add("ropes and cloth of particles, by constraints", "Störmer–Verlet", "stormer_verlet",
+      measure::stormer_verlet);
+  add("orbits and pendulums that never end; falls through air", "velocity Verlet",
+      "velocity_verlet", measure::velocity_verlet);
+  add("a path that must be right: previews, flight", "RK4", "rk4", measure::rk4);
+  add("what is too stiff for the frame", "backward Euler", "backward_euler",
+      measure::backward_euler);
+  add("answers to compare with, in tools", "Dormand–Prince", "dopri5", measure::dopri5);
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Speed against accuracy: what each method gets out of 30, 60, 120 and 240 steps a second.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "level.h"
+#include "measure/energy.h"
+#include "measure/record.h"
+
+inline constexpr int rates[] = {30, 60, 120, 240};  ///< steps a second
+inline constexpr double watched = 60;               ///< how long energy is watched [s]
+
+/// The largest relative change of the energy in a minute.
+template <class Step, class Scene>
+double energy_error(const Step& step, const Scene& scene, double h) {
+  const auto energy = [&](const auto& x, const auto& v) { return scene.energy(x, v); };
+  return measure::drift(step, scene, h, std::lround(watched / h), energy).largest;
+}
+
+// [work]
+/// One row for each method and rate: what it costs in a second of play, and what it is worth.
+template <class Scene>
+void work(measure::Record& record, const std::string& name, const Scene& scene, double seconds) {
+  auto& table = record.table("work-" + name, {{"method"},
+                                              {"steps per second", "", measure::whole},
+                                              {"evaluations per second", "", measure::whole},
+                                              {"largest error", "m"}});
+  for_each_entrant([&](const auto& method, const auto&, const auto& step) {
+    for (const int rate : rates) {
+      const double h = 1.0 / rate;
+      table.add({method, double(rate), double(rate * price(step, scene, h)),
+                 off(step, scene, h, seconds)});
+    }
+  });
+}
+// [work]
+
+/// The same for the energy of the shuttle.
+inline void work_energy(measure::Record& record) {
+  auto& table = record.table("work-energy", {{"method"},
+                                             {"steps per second", "", measure::whole},
+                                             {"evaluations per second", "", measure::whole},
+                                             {"energy error"}});
+  for_each_entrant([&](const auto& method, const auto&, const auto& step) {
+    for (const int rate : rates) {
+      const double h = 1.0 / rate;
+      table.add({method, double(rate), double(rate * price(step, shuttle, h)),
+                 energy_error(step, shuttle, h)});
+    }
+  });
+}
+
+/// The errors of the shuttle beside measured times, which differ from machine to machine.
+inline void work_time(measure::Record& record) {
+  auto& table = record.table("work-time", {{"measured"},
+                                           {"method"},
+                                           {"machine"},
+                                           {"steps per second", "", measure::whole},
+                                           {"time per second of play", "µs"},
+                                           {"largest error", "m"}});
+  const std::string machine = measure::machine();
+  for_each_entrant([&](const auto& method, const auto&, const auto& step) {
+    constexpr double finite = 1e-6;  // a step so short that nothing explodes while it is timed
+    const double seconds = measure::seconds_per_step(step, shuttle, finite);
+    for (const int rate : rates) {
+      table.add({"time", method, machine, double(rate), 1e6 * rate * seconds,
+                 off(step, shuttle, 1.0 / rate, 8)});
+    }
+  });
+}
+
+/// When RK4's energy error at 60 Hz passes that of velocity Verlet at 240 Hz, which costs as much
+/// [s].
+inline double energy_passes() {
+  const double sways = energy_error(measure::velocity_verlet, shuttle, frame / 4);
+  auto s = shuttle.start();
+  const double first = shuttle.energy(s.x, s.v);
+  double passed = INFINITY;
+  measure::run(measure::rk4, shuttle, s, frame, 3 * 3600 * 60, [&](double t, const auto& now) {
+    const double error = std::abs(shuttle.energy(now.x, now.v) / first - 1);
+    if (error > sways) passed = std::min(passed, t);
+  });
+  return passed;
+}
+
+inline void all_work(measure::Record& record) {
+  work(record, "suspension", suspension, 1);
+  work(record, "leaf", leaf, 2);
+  work(record, "lamp", lamp, 10);
+  work(record, "shuttle", shuttle, 8);
+  work_energy(record);
+  record.number("energy-passes", energy_passes() / 60, 3, "min");
+  record.number("shuttle-240-symplectic",
+                100 * off(measure::symplectic_euler, shuttle, frame / 4, 8), 2, "cm");
+  record.number("shuttle-240-verlet", 100 * off(measure::velocity_verlet, shuttle, frame / 4, 8), 2,
+                "cm");
+  record.number("shuttle-240-rk4", 1e6 * off(measure::rk4, shuttle, frame, 8), 2, "µm");
+  record.number(
+      "rk4-nearer",
+      off(measure::symplectic_euler, shuttle, frame / 4, 8) / off(measure::rk4, shuttle, frame, 8),
+      2);
+  work_time(record);
+}
