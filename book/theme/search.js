@@ -15,7 +15,7 @@
     index ??= Promise.all([load('minisearch.js'), load('search-index.js')]).then(() => {
       const search = new window.MiniSearch({
         fields: ['title', 'text'], storeFields: ['title', 'place', 'url', 'text'],
-        searchOptions: { boost: { title: 3 }, prefix: true, combineWith: 'AND', fuzzy: term => (term.length > 5 ? 0.15 : 0) },
+        searchOptions: { boost: { title: 3 }, prefix: true, combineWith: 'AND' },
       });
       search.addAll(window.BOOK_SEARCH);
       return search;
@@ -45,11 +45,17 @@
     return small;
   }
 
+  // What is written as typed comes first; only where nothing is, what is written nearly so.
+  function find(search, query) {
+    const hits = search.search(query);
+    return hits.length ? hits : search.search(query, { fuzzy: term => (term.length > 5 ? 0.15 : 0) });
+  }
+
   async function search() {
     const query = box.value.trim();
     list.hidden = query.length < 2;
     if (list.hidden) { list.replaceChildren(); return; }
-    const hits = (await openIndex()).search(query).slice(0, 12);
+    const hits = find(await openIndex(), query).slice(0, 12);
     if (query !== box.value.trim()) return;
     list.replaceChildren(...hits.map(hit => {
       const a = element('a');
