@@ -27,7 +27,8 @@ SECOND = 11
 THIRD = 12
 AREA = 13       # a faint fill
 GRID = 14
-# Kin of the methods above: the colour of the family, another dash and symbol. Yoshida's method has a colour of its own.
+# Kin of the methods above: the colour of the family, another dash and symbol. Yoshida's method and the trapezoid rule have
+# colours of their own.
 HEUN = 15
 STORMER_VERLET = 16
 LEAPFROG = 17
@@ -54,7 +55,7 @@ set style line HEUN             lc rgb "#000006" lw 2.2 dt (6,4) pt 10 ps 0.8
 set style line STORMER_VERLET   lc rgb "#000003" lw 2.2 dt (6,4) pt 8 ps 0.8
 set style line LEAPFROG         lc rgb "#000003" lw 2.2 dt (2,3) pt 1 ps 0.8
 set style line YOSHIDA4         lc rgb "#00000a" lw 2.2 pt 2 ps 0.8
-set style line TRAPEZOID        lc rgb "#000005" lw 2.2 dt (6,4) pt 14 ps 0.7
+set style line TRAPEZOID        lc rgb "#00000b" lw 2.2 dt (6,4) pt 14 ps 0.7
 set style line DOPRI5           lc rgb "#000004" lw 2.2 dt (6,4) pt 12 ps 0.8
 set style line PREDICTED_EULER  lc rgb "#000005" lw 2.2 dt (2,3) pt 3 ps 0.8
 

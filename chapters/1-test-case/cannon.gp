@@ -1,10 +1,10 @@
 eval axis_names("across  [m]", "height  [m]")
 set xrange [0:255]
-set yrange [-1.5:55]
+set yrange [-1.5:57]
 set xtics 50
 set ytics 0,10
-set label 1 "in a vacuum: a formula" at 122,NARROW ? 51 : 49.5 center tc rgb "#000007"
-set label 2 "in air: steps" at 100,12 left tc rgb "#00000b"
+set label 1 "in a vacuum: a formula" at 122,53 center tc rgb "#000007"
+set label 2 "in air: steps" at 104,14.5 left tc rgb "#00000b"
 plot 30.0/40*x - 9.81/2*(x/40.0)**2 with lines ls EXACT, \
      file("cannon-in-air") using 2:3 with lines ls SECOND, \
      file("cannon") using 2:3 with points ls EXACT pt 7 ps 0.7, \

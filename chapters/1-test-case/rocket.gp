@@ -4,8 +4,8 @@ set yrange [0:100]
 set xtics 1
 set ytics 25
 set label 1 "true" at 3.2,75 right tc rgb "#000007"
-set label 2 NARROW ? "Euler" : "ten Euler steps" at NARROW ? 2.75 : 3.05,NARROW ? 18 : 30 left tc rgb "#000001"
-set label 3 NARROW ? "constant" : "constant acceleration" at NARROW ? 3.3 : 1.9,NARROW ? 36 : 4 left tc rgb "#00000b"
+set label 2 NARROW ? "Euler" : "ten Euler steps" at NARROW ? 2.75 : 1.9,NARROW ? 18 : 4 left tc rgb "#000001"
+set label 3 NARROW ? "constant" : "constant acceleration" at 4.1,NARROW ? 36 : 31 right tc rgb "#00000b"
 plot file("rocket") using 1:3 with lines ls SECOND, \
      file("rocket") using 1:2 with lines ls EXACT, \
      file("rocket-euler") using 1:2 with linespoints ls EULER, \

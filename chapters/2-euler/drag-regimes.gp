@@ -4,8 +4,8 @@ set yrange [-2.2:13]
 set xtics 0,3
 set ytics 0,5
 set label 1 "{/:Italic ch} = 0.5" at NARROW ? 6.4 : 0.5,NARROW ? 3.2 : 1.7 left tc rgb "#000001"
-set label 2 "1.5" at NARROW ? 1.15 : 2.3,NARROW ? 7.6 : 6.3 left tc rgb "#00000a"
-set label 3 "2.1" at NARROW ? 5.4 : 5.5,11.6 left tc rgb "#00000c"
+set label 2 "1.5" at NARROW ? 1.65 : 2.3,NARROW ? 6.9 : 6.3 left tc rgb "#00000a"
+set label 3 "2.1" at NARROW ? 5.75 : 5.5,NARROW ? 12.2 : 11.6 left tc rgb "#00000c"
 if (!NARROW) set label 4 "true" at 7.2,4 left tc rgb "#000007"
 names(i) = word("drag-5 drag-15 drag-21", i)
 ch(i) = word("0.5 1.5 2.1", i)

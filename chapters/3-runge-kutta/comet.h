@@ -15,7 +15,8 @@
 // [comet]
 inline constexpr double year = 20;  ///< of the comet [s]
 
-/// Comes round once in twenty seconds, on an orbit of 200 m that is 3 m from its sun at one end.
+/// Comes round once in twenty seconds, on an ellipse 200 m from end to end that is 3 m from its sun
+/// at one.
 inline const scenes::Orbit<> comet{
     .eccentricity = 0.97,
     .semi_major = 100,

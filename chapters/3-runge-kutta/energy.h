@@ -31,12 +31,12 @@ inline void energy(measure::Record& record) {
 
   auto& minute =
       record.table("minute", {{"t", "s"}, {"2 Hz"}, {"3 Hz"}, {"4 Hz"}, {"6 Hz"}, {"8 Hz"}});
-  for (int t = 0; t <= 60; t += 2) {
-    std::vector<measure::Cell> row{double(t)};
+  for (int halves = 0; halves <= 120; ++halves) {
+    std::vector<measure::Cell> row{halves / 2.0};
     for (const int swings : {2, 3, 4, 6, 8}) {
       const auto spring = swinging(swings);
       const auto spring_energy = [&](double x, double v) { return spring.energy(x, v); };
-      row.push_back(1 + measure::drift(measure::rk4, spring, h, 60 * t, spring_energy).last);
+      row.push_back(1 + measure::drift(measure::rk4, spring, h, 30 * halves, spring_energy).last);
     }
     minute.add(row);
   }

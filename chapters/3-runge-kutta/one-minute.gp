@@ -11,5 +11,5 @@ set label 5 "6 Hz" at 26,0.33 left tc rgb "#000004"
 set label 6 "8 Hz" at NARROW ? 12 : 11,0.13 left tc rgb "#000004"
 plot 1 with lines ls EXACT, \
      for [i=1:5] file("minute") using 1:(column(i + 1)) with lines ls RK4 lw 1.8, \
-     for [i=1:5] file("minute") every 3 using 1:(column(i + 1)):(sprintf("%s swings a second, after %.0f s: %.4f", swings(i), $1, column(i + 1))) \
+     for [i=1:5] file("minute") every 12 using 1:(column(i + 1)):(sprintf("%s swings a second, after %.0f s: %.4f", swings(i), $1, column(i + 1))) \
        with labels hypertext point ls RK4 ps 0.4

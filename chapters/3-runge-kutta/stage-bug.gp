@@ -2,7 +2,7 @@ eval axis_names("steps per second", "largest error in one turn  [m]")
 set logscale xy
 set xrange [0.85:160]
 set yrange [2e-10:8]
-set xtics (1, 4, 16, 64)
+set xtics (1, 2, 8, 32, 128)
 set ytics ("1 nm" 1e-9, "1 µm" 1e-6, "1 mm" 1e-3, "1 m" 1)
 set lmargin NARROW ? 7.5 : 8
 unset mxtics

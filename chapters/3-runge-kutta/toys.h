@@ -18,7 +18,7 @@ inline constexpr scenes::Spring<> door{.omega = 10, .zeta = 5, .x0 = 1};
 inline constexpr scenes::Rocket<> rocket{.burn_time = 3.7103};
 inline constexpr double rocket_time = 6;  ///< how long it is watched [s]
 
-/// The drone on an ellipse, once round in eight seconds as before.
+/// The drone on an ellipse, pulled as by a sun, once round in eight seconds as before.
 inline const scenes::Orbit<> ellipse{
     .eccentricity = 0.6, .semi_major = 10, .mu = 1000 * drone.omega * drone.omega};
 

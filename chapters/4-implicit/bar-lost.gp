@@ -9,8 +9,10 @@ unset mytics
 set label 1 "RK4" at 5.6,NARROW ? 1e16 : 5e15 right tc rgb "#000004"
 set label 2 NARROW ? "symplectic" : "symplectic Euler" at 10.1,1e9 right tc rgb "#000002"
 set label 3 "Euler" at 10.1,NARROW ? 1 : 1e2 right tc rgb "#000001"
-set label 4 "backward Euler" at 5.2,NARROW ? 3e-5 : 1e-6 left tc rgb "#000005"
-plot file("bar") using 1:2 with linespoints ls EULER, \
+set label 4 NARROW ? "backward" : "backward Euler" at NARROW ? 1.2 : 0.4,NARROW ? 1e-11 : 1e-9 left tc rgb "#000005"
+set label 5 "true swing" at 6.2,1e-4 left tc rgb "#000007"
+plot 1e-3*exp(-x) with lines ls EXACT, \
+     file("bar") using 1:2 with linespoints ls EULER, \
      file("bar") using 1:3 with linespoints ls SYMPLECTIC_EULER, \
      file("bar") using 1:4 with linespoints ls RK4, \
      file("bar") using 1:5 with linespoints ls BACKWARD_EULER, \

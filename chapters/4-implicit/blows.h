@@ -24,6 +24,21 @@ inline constexpr auto trapezoid_to_the_end = [](Struck& s, const auto& scene, au
   return integrate::trapezoid_newton(s.x, s.v, 0.0, frame, scene, system, largest, tolerance) > 0;
 };
 
+/// Iterations of Newton's method in a step of the trapezoid rule, on average; 0 if one failed.
+template <class Scene>
+double solves_of_trapezoid(const Scene& scene, double speed, int steps) {
+  Struck s = struck(scene, speed);
+  auto system = system_of(scene);
+  long sum = 0;
+  for (int n = 0; n < steps; ++n) {
+    const int solves =
+        integrate::trapezoid_newton(s.x, s.v, 0.0, frame, scene, system, largest, tolerance);
+    if (solves == 0) return 0;
+    sum += solves;
+  }
+  return double(sum) / steps;
+}
+
 /// A gentle blow, and what a second leaves of it.
 inline void a_second(measure::Record& record) {
   auto& table = record.table("second", {{"t", "s"}, {"chain"}, {"rope"}, {"cloth"}, {"1 Hz"}});
@@ -57,6 +72,7 @@ inline void hard_blow(measure::Record& record) {
   record.number("blow-once", *std::max_element(once.begin(), once.end()), 3);
   record.number("blow-end", end[60], 2);
   record.number("blow-trapezoid", trap[60], 2);
+  record.number("trapezoid-solves", solves_of_trapezoid(rope, hard, 60), 2);
   const auto cloth_trap = shares(cloth, hard, 60, trapezoid_once);
   record.number("blow-trapezoid-cloth", cloth_trap.back(), 2);
 }

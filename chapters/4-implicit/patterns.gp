@@ -12,7 +12,7 @@ x0(n) = NARROW ? (n % 2)*wide : n*wide
 y0(n) = NARROW ? (n < 2 ? 0 : 135) : 0
 set xrange [-4:(NARROW ? 2 : 4)*wide - 10]
 set yrange [(NARROW ? 265 : 132):-4]
-array what = ["chain", "rope", "cloth", "cloth, eliminated"]
+array what = ["chain", "rope", "cloth", "factor of the cloth"]
 do for [n=0:3] {
   set object n + 1 rectangle from x0(n) - 2,y0(n) - 2 to x0(n) + 110,y0(n) + 110 lw 0.6 fs empty border lc rgb "#000009"
   set label n + 1 what[n + 1] at x0(n) + 54,y0(n) + 121 center tc rgb "#000007"

@@ -1,14 +1,15 @@
 eval axis_names("time  [s]", "stretch of the bar  [mm]")
-set xrange [0:0.6]
+set xrange [0:1]
 set yrange [-1.1:1.25]
-set xtics 0.1
+set xtics 0.2
 set ytics 0.5
-set label 1 "trapezoid" at 0.16,1.0 left tc rgb "#000005"
-set label 2 "backward Euler is at rest" at 0.59,-0.72 right tc rgb "#000005"
+set label 1 "trapezoid" at 0.3,0.95 left tc rgb "#00000b"
+set label 2 NARROW ? "backward Euler" : "backward Euler is at rest" at 0.99,-0.9 right tc rgb "#000005"
+set arrow 2 from 0.92,-0.8 to 0.92,-0.05 nohead lc rgb "#000005"
 set label 3 "true" at 0.012,1.1 left tc rgb "#000007"
 true(t) = t < 0.11 ? exp(-60*t)*cos(596.99*t) : NaN
 set samples 2000
 plot true(x) with lines ls EXACT lw 0.8 dt solid, \
-     file("ring-trapezoid") using 1:(1000*$2) with linespoints ls TRAPEZOID lw 1.2 ps 0.55, \
+     file("ring-trapezoid") using 1:(1000*$2) with linespoints ls TRAPEZOID lw 1 ps 0.5, \
      file("ring-backward") using 1:(1000*$2) with linespoints ls BACKWARD_EULER ps 0.4, \
      file("ring-trapezoid") every 3 using 1:(1000*$2):(sprintf("trapezoid, %.3f s: %.2f mm", $1, 1000*$2)) with labels hypertext point ls TRAPEZOID ps 0.55

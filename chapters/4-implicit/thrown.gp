@@ -5,7 +5,7 @@ set xtics 2
 set ytics 1
 set label 1 "Euler" at 2.75,3.3 left tc rgb "#000001"
 set label 2 "backward Euler" at 4.2,0.47 left tc rgb "#000005"
-set label 3 "trapezoid" at 7.4,1.17 left tc rgb "#000005"
+set label 3 "trapezoid" at 7.4,1.17 left tc rgb "#00000b"
 set label 4 "true" at 5.2,1.17 left tc rgb "#000007"
 plot 1 with lines ls EXACT, \
      file("spin") using 1:($2 < 5 ? $2 : NaN) with lines ls EULER, \

@@ -29,8 +29,7 @@ Sparse step_matrix_of(const Scene& scene) {
   return matrix;
 }
 
-/// The part below the diagonal of what elimination leaves of a matrix, in an order that leaves
-/// little.
+/// The factor of a matrix below its diagonal, by elimination in an order that fills in little.
 inline Sparse factor_of(const Sparse& matrix) {
   return Eigen::SimplicialLDLT<Sparse>(matrix).matrixL().nestedExpression();
 }

@@ -27,9 +27,11 @@ do for [i=1:8] {
   name = word(names, i)
   # Who has left or crashed has no last turn; where there are few turns, each is drawn like a last one.
   from = i == 1 || i == 5 || i == 6 ? 0 : 152
+  # Euler's shuttle comes back much later, from far outside.
+  until = i == 1 ? 4 : 1000
   plot 10*cos(t) - 5, 10*sqrt(0.75)*sin(t) with lines ls EXACT, \
-       file(name) using 2:3 with lines ls style[i] lw 0.5 dt solid, \
-       file(name) using (i == 3 || $1 > from ? $2 : NaN):3 with lines ls style[i] lw (i == 3 ? 0.5 : 1.8) dt solid, \
+       file(name) using ($1 < until ? $2 : NaN):3 with lines ls style[i] lw 0.5 dt solid, \
+       file(name) using (i == 3 || $1 > from && $1 < until ? $2 : NaN):3 with lines ls style[i] lw (i == 3 ? 0.5 : 1.8) dt solid, \
        "+" every 1000 using (5):(0) with points ls EXACT pt 7 ps 0.45
 }
 unset multiplot

@@ -2,6 +2,8 @@
 // The cards of all methods, each as a table with the name of its function.
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "measure/card.h"
 #include "measure/cost.h"
@@ -21,6 +23,21 @@ std::vector<double> nanoseconds(const std::vector<measure::Card>& cards) {
   return best;
 }
 
+// What a reader of the card should know about its lines.
+std::string note(const measure::Card& card) {
+  const auto& rows = card.rows;
+  const bool limits = std::any_of(rows.begin(), rows.end(), [](const measure::CardRow& row) {
+    return row.name.find("limit") != std::string::npos;
+  });
+  std::string words = limits ? "Limits are rounded down. " : "";
+  if (card.seconds_per_step) {
+    words += "The time is the best of many runs on " + measure::machine() +
+             ", in turn with the other methods: in double, on one thread, compiled like the "
+             "other programs of the book.";
+  }
+  return words.substr(0, words.find_last_not_of(' ') + 1);
+}
+
 void write(measure::Record& record, const measure::Card& card, double nanoseconds) {
   measure::Table& table = record.table(
       card.method, {{"name"}, {"about"}, {"asked"}, {"measured"}, {"digits"}, {"unit"}});
@@ -28,13 +45,12 @@ void write(measure::Record& record, const measure::Card& card, double nanosecond
   for (const auto& [name, about, asked, measured, digits, unit] : card.rows) {
     table.add({name, about, asked, measured, double(digits), unit});
   }
-  if (!card.seconds_per_step) return;
-  table.add({"time", "Cost of a step", "time, on " + card.timed_on, nanoseconds, 2, "ns"});
-  table.add({"note", "card", "note",
-             "The time is the best of many runs on " + measure::machine() +
-                 ", in turn with the other methods: in double, on one thread, compiled like the "
-                 "other programs of the book.",
-             measure::whole, "1"});
+  if (card.seconds_per_step) {
+    table.add({"time", "Cost of a step", "time, on " + card.timed_on, nanoseconds, 2, "ns"});
+  }
+  if (const std::string words = note(card); !words.empty()) {
+    table.add({"note", "card", "note", words, measure::whole, "1"});
+  }
 }
 
 }  // namespace

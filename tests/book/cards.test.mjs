@@ -34,6 +34,15 @@ test('the card of a method says the same on each page', () => {
   }
 });
 
+test('a card with limits says that they are rounded down', () => {
+  for (const page of pages) {
+    const $ = parse(page);
+    $('.card').each((_, card) => {
+      if (/stable up to/i.test($(card).find('.parts').text())) assert.match($(card).find('.note').text(), /^Limits are rounded down\./, page);
+    });
+  }
+});
+
 test('the list of methods leads to each card and agrees with it', () => {
   const $ = parse('snippets.html');
   const rows = $('.methods tbody tr').get().map(row => ({
