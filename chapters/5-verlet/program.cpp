@@ -73,10 +73,10 @@ void moments(Record& record) {
 
 void orders(Record& record) {
   auto& table = record.table("orders", {{"method"},
-                                        {"pos."},
-                                        {"vel."},
-                                        {"pos., drag"},
-                                        {"vel., drag"},
+                                        {"position"},
+                                        {"velocity"},
+                                        {"position with drag"},
+                                        {"velocity with drag"},
                                         {"ch below"}});
   const auto row = [&](const char* name, auto step) {
     const auto spring = measure::halvings(step, scenes::Spring<>{.omega = 3, .x0 = 0.4, .v0 = 1.3},
