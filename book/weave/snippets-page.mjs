@@ -33,7 +33,8 @@ and one that is struck hard gains some energy under backward Euler with one solv
 function howMuch(row) {
   const [off, step] = [row('energy-off'), row('energy-step')];
   if (off !== NONE) return ` <small>off by ${off}</small>`;
-  return step === NONE ? '' : ` <small>${step.replace(/^(\D*)−/, '$1')} a step</small>`; // "falls" says it
+  const size = row('energy') === 'falls' ? step.replace(/^(\D*)−/, '$1') : step;
+  return step === NONE ? '' : ` <small>${size} a step</small>`;
 }
 
 const NONE = '–';
