@@ -25,15 +25,16 @@ const ABOUT = `<p class="lead">Every method of the book: one header each, to cop
 <p>All of this is measured when the book is built. The order is that of the position; where the velocity has another, it stands behind. Evaluations
 of the acceleration are counted per step. A step of <i>h</i> seconds explodes above its limit: on drag, where the speed falls at the rate <i>c</i>, and
 on a spring that swings with <i>ω</i>, without a damper and with the damping ratio <i>ζ</i>. The last column is what becomes of the energy of an undamped
-spring, in steps of <i>hω</i> = 0.1: by how much it is off at most where it is kept, and else what a step does to it.</p>
+spring, in steps of <i>hω</i> = 0.1: by how much it is off at most where it is kept, and else what a step does to it. Limits are rounded down.</p>
 <p>A mass <i>m</i> on one spring of stiffness <i>k</i> swings with <i>ω</i> = √(<i>k</i>/<i>m</i>). In a rope of many, count with 2√(<i>k</i>/<i>m</i>), that of
-its shortest wave. All of this holds for forces that are linear: a rope that swings explodes under the trapezoid rule, whatever its row says, and not
-under backward Euler.</p>`;
+its shortest wave. All of this holds for forces that are linear. A rope that swings explodes under the trapezoid rule with one solve, whatever its row says,
+and one that is struck hard gains some energy under backward Euler with one solve.</p>`;
 
 function howMuch(row) {
   const [off, step] = [row('energy-off'), row('energy-step')];
   if (off !== NONE) return ` <small>off by ${off}</small>`;
-  return step === NONE ? '' : ` <small>${step} a step</small>`;
+  const size = row('energy') === 'falls' ? step.replace(/^(\D*)−/, '$1') : step;
+  return step === NONE ? '' : ` <small>${size} a step</small>`;
 }
 
 const NONE = '–';

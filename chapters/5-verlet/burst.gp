@@ -7,7 +7,8 @@ set ytics ("1 m" 1, "1 km" 1e3, "10^3 km" 1e6, "10^6 km" 1e9)
 unset mytics
 set lmargin 8.5
 set label 1 NARROW ? "springs, 60 Hz" : "springs, 60 steps a second" at 5.7,1e6 right tc rgb "#00000a"
-set label 2 NARROW ? "springs, 360 Hz,\nlinks, 60 Hz" : "springs, 360 steps a second,\nand links, 60 steps a second" at 8.9,NARROW ? 110 : 60 right tc rgb "#00000b"
+set label 2 NARROW ? "springs, 360 Hz" : "springs, 360 steps a second" at 8.9,NARROW ? 90 : 80 right tc rgb "#00000b"
+set label 3 NARROW ? "links, 60 Hz" : "links, 60 steps a second" at 8.9,NARROW ? 12 : 17 right tc rgb "#00000c"
 plot file("burst") using 1:($2 < 1e9 ? $2 : NaN) with linespoints ls FIRST, \
      file("calm") using 1:2 with lines ls SECOND, \
      file("calm") using 1:3 with lines ls THIRD dt (6,4), \

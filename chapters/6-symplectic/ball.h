@@ -42,7 +42,7 @@ inline void bounces(measure::Record& record) {
   const auto follow = [&](const std::string& name, auto step) {
     auto& table = record.table(name, {{"t", "s"}, {"height", "m"}});
     auto s = dropped;
-    measure::run(on_a_floor(step), falling, s, frame, 480,
+    measure::run(on_a_floor(step), falling, s, frame, 930,
                  [&](double t, const auto& now) { table.add({t, now.x}); });
     record.number(name + "-top", top_after(step, frame, 10), 3, "m");
   };

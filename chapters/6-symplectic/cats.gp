@@ -6,8 +6,11 @@ set yrange [-1.65:1.55]
 set xtics 1
 set ytics 1
 set label 1 "start" at 1,0.5 center tc rgb "#000007"
-set label 2 "Euler" at -1.05,1.36 center tc rgb "#000001"
-set label 3 "symplectic Euler" at 0.3,0.75 left tc rgb "#000002"
+set label 2 "Euler" at NARROW ? -1.5 : -1.2,1.36 center tc rgb "#000001"
+set label 3 NARROW ? "symplectic\nEuler" : "symplectic Euler" at -0.45,NARROW ? 0.35 : 0.3 left tc rgb "#000002"
+set label 4 "6 steps" at NARROW ? 0.1 : 0.15,-0.5 center tc rgb "#000007"
+set label 5 "12" at -0.58,-0.35 left tc rgb "#000007"
+set label 6 "18" at 0.12,0.95 left tc rgb "#000007"
 first(i) = 1 + 461*i
 last(i) = 461*(i + 1)
 plot for [i=0:3] file("cat-symplectic") every ::first(i)::last(i) using 2:3 with filledcurves closed ls AREA, \

@@ -148,19 +148,21 @@ TEST_CASE("Symplectic Euler keeps the shadow energy of a spring to rounding") {
 }
 
 TEST_CASE("A spring's energy stays between 1 / (1 + h omega / 2) and 1 / (1 - h omega / 2)") {
-  for (const double homega : {0.1, 1.0 / 3, 1.5}) {
-    const double h = homega / suspension.omega;
-    const double full = suspension.energy(suspension.x0, 0);
-    double least = INFINITY, most = 0;
-    auto s = suspension.start();
-    measure::run(symplectic_euler, suspension, s, h, 100'000, [&](double, const auto& now) {
-      least = std::min(least, suspension.energy(now.x, now.v) / full);
-      most = std::max(most, suspension.energy(now.x, now.v) / full);
-    });
-    CHECK_THAT(least, WithinRel(1 / (1 + homega / 2), 1e-3));
-    CHECK_THAT(most, WithinRel(1 / (1 - homega / 2), 1e-3));
-    CHECK(least > (1 - 1e-11) / (1 + homega / 2));
-    CHECK(most < (1 + 1e-11) / (1 - homega / 2));
+  for (const State<double> start : {State<double>{0.1, 0}, State<double>{0, 2}}) {
+    for (const double homega : {0.1, 1.0 / 3, 1.5}) {
+      const double h = homega / suspension.omega;
+      const double full = suspension.energy(start.x, start.v);
+      double least = INFINITY, most = 0;
+      auto s = start;
+      measure::run(symplectic_euler, suspension, s, h, 100'000, [&](double, const auto& now) {
+        least = std::min(least, suspension.energy(now.x, now.v) / full);
+        most = std::max(most, suspension.energy(now.x, now.v) / full);
+      });
+      CHECK_THAT(least, WithinRel(1 / (1 + homega / 2), 1e-3));
+      CHECK_THAT(most, WithinRel(1 / (1 - homega / 2), 1e-3));
+      CHECK(least > (1 - 1e-11) / (1 + homega / 2));
+      CHECK(most < (1 + 1e-11) / (1 - homega / 2));
+    }
   }
 }
 
@@ -280,7 +282,7 @@ TEST_CASE("Symplectic Euler keeps the angular momentum of an orbit to rounding")
 }
 
 TEST_CASE("After a thousand turns the shuttle is on an ellipse of the size that it began with") {
-  auto s = measure::after(symplectic_euler, shuttle, shuttle.start(), tick, 120'000);
+  auto s = measure::after(symplectic_euler, shuttle, shuttle.start(), tick, 130'000);
   double near = INFINITY, far = 0;
   measure::run(symplectic_euler, shuttle, s, tick, 240, [&](double, const auto& now) {
     near = std::min(near, now.x.norm());
@@ -291,7 +293,7 @@ TEST_CASE("After a thousand turns the shuttle is on an ellipse of the size that 
 }
 
 TEST_CASE("The shuttle's ellipse turns by about a degree in a turn at 15 steps a second") {
-  CHECK_THAT(turning(symplectic_euler, tick, 60), WithinAbs(-0.95, 0.05));
+  CHECK_THAT(turning(symplectic_euler, tick, 60), WithinAbs(-1.02, 0.01));
 }
 
 TEST_CASE("Four times the steps turn the ellipse a sixteenth as far") {
@@ -384,6 +386,7 @@ TEST_CASE("Drag that comes after the move lets things fall as fast as drag that 
 
 TEST_CASE("Ten steps of free fall tell velocity first from the exact step and position first") {
   CHECK_THAT(fingerprint(symplectic_euler), WithinRel(55, 1e-12));
+  CHECK_THAT(fingerprint(measure::backward_euler_newton), WithinRel(55, 1e-9));
   CHECK_THAT(fingerprint(measure::velocity_verlet), WithinRel(50, 1e-12));
   CHECK_THAT(fingerprint(measure::rk4), WithinRel(50, 1e-12));
   CHECK_THAT(fingerprint(position_first), WithinRel(45, 1e-12));
@@ -502,6 +505,15 @@ TEST_CASE(
   CHECK(nearest < 0.1 * rk4);
   CHECK(nearest < 0.2 * off(measure::trapezoid_newton, h));
   CHECK(nearest < 0.2 * off(measure::yoshida4, 3 * h));
+}
+
+TEST_CASE(
+    "After five centuries the trapezoid rule's Jupiter is twelve times nearer than Verlet's") {
+  const double h = all_days / evaluations;
+  const auto off = [truth = true_end(), h](auto step) {
+    return fate(step, h, truth, [](double, double) {}).jupiter_off;
+  };
+  CHECK_THAT(off(measure::velocity_verlet) / off(measure::trapezoid_newton), WithinAbs(12, 0.5));
 }
 
 TEST_CASE(

@@ -11,7 +11,8 @@ set trange [0:2*pi]
 far(k) = 0.1/sqrt(2 - k)
 near(k) = 0.1/sqrt(2 + k)
 set label 1 "{/:Italic h}ω = 0.67" at -0.07,0.19 right tc rgb "#000002"
-set label 2 "1.5" at 0.17,0.04 left tc rgb "#000002"
+set label 2 "1.5" at 0.26,-0.05 left tc rgb "#000002"
+set arrow 1 from 0.25,-0.03 to 0.155,0.095 nohead ls CONTEXT
 set label 3 "1.9" at 0.32,0.13 left tc rgb "#000002"
 set label 4 "2.1" at 0.23,0.44 right tc rgb "#000008"
 along(t) = (t/pi - 1)/2

@@ -24,27 +24,32 @@ inline Eigen::Vector2d to_pericentre(const Eigen::Vector2d& x, const Eigen::Vect
       .normalized();
 }
 
+/// From one direction to another [rad].
+inline double angle(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+}
+
 /// How far the ellipse turns in one turn of the shuttle, on average over some of them [degrees].
 template <class Step>
 double turning(Step step, double h, int turns) {
-  const long steps = std::lround(shuttle_turn / h);
+  constexpr double once = 2 * std::numbers::pi;
   Eigen::Vector2d first = Eigen::Vector2d::Zero(), last = Eigen::Vector2d::Zero();
   auto s = shuttle.start();
-  long n = 0;
-  measure::run(step, shuttle, s, h, steps * (turns + 1), [&](double, const auto& now) {
-    const Eigen::Vector2d direction = to_pericentre(now.x, now.v);
-    if (n < steps) first += direction;
-    if (n >= turns * steps && n < (turns + 1) * steps) last += direction;
-    ++n;
-  });
-  const double angle = std::atan2(first.x() * last.y() - first.y() * last.x(), first.dot(last));
-  return angle * 180 / std::numbers::pi / turns;
+  for (double flown = 0; flown < (turns + 1) * once;) {
+    const Eigen::Vector2d direction = to_pericentre(s.x, s.v);
+    if (flown < once) first += direction;
+    if (flown >= turns * once) last += direction;
+    const Eigen::Vector2d before = s.x;
+    step(s.x, s.v, 0.0, h, shuttle);
+    flown += angle(before, s.x);  // a turn may take longer than it should
+  }
+  return angle(first, last) * 180 / std::numbers::pi / turns;
 }
 
 inline void orbit(measure::Record& record) {
   auto& table = record.table("turning", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
   auto s = shuttle.start();
-  measure::run(measure::symplectic_euler, shuttle, s, tick, 62 * 120,
+  measure::run(measure::symplectic_euler, shuttle, s, tick, 60 * 130,
                [&](double t, const auto& now) { table.add({t, now.x.x(), now.x.y()}); });
   record.number("turning-15", -turning(measure::symplectic_euler, tick, 60), 3, "°");
   record.number("turning-60", -turning(measure::symplectic_euler, tick / 4, 60), 3, "°");

@@ -14,10 +14,10 @@
 namespace integrate {
 
 // [step]
-/// One step of implicit Euler on a damped spring, x'' = -omega^2 x - 2 zeta omega x'.
+/// One step of implicit Euler on a damped spring.
 ///
 /// Order 1, no evaluation of the acceleration, stable on drag for every h, on an undamped spring
-/// for every h.
+/// for every h. The spring is `x'' = -omega^2 x - 2 zeta omega x'`.
 ///
 /// @param x  position from where the spring is at rest, advanced in place
 /// @param v  velocity, advanced in place

@@ -24,12 +24,12 @@
 namespace integrate {
 
 // [step]
-/// The damped spring x'' = -omega^2 x - 2 zeta omega x', moved on by any time without error.
+/// A damped spring, moved on by any time without error.
 ///
 /// Exact for any h, no evaluation of the acceleration, stable on drag for every h, on an undamped
 /// spring for every h. It is what "smooth damp" should be: `x` is the way left to the target. One
 /// formula serves a spring that swings (zeta < 1), one that creeps, and what lies between, without
-/// loss of digits.
+/// loss of digits. The spring is `x'' = -omega^2 x - 2 zeta omega x'`.
 ///
 /// @param x  position from where the spring is at rest, advanced in place
 /// @param v  velocity, advanced in place

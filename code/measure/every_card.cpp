@@ -85,12 +85,7 @@ Card on_springs(const std::string& method, const Step& step) {
 
 template <class Step>
 Card damping(const std::string& method, const Step& step) {
-  Card card{
-      method,
-      "any acceleration, with drag against the world apart from it: the engines' linear damping",
-      {},
-      {},
-      {}};
+  Card card{method, "any acceleration, with the engines’ linear damping", {}, {}, {}};
   orders(card, step, undamped, "order", "without damping");
   orders(card, step, damped, "drag-order", "on a damped spring");
   evaluations(card, step, damped);
