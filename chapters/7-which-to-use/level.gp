@@ -6,8 +6,8 @@ set yrange [0.4:6.6]
 set lmargin NARROW ? 9 : 11
 set tmargin NARROW ? 7.4 : 5
 unset mxtics
-set xtics ("exact" 0.001, "0.01" 0.01, "0.1" 0.1, "1" 1, "10" 10, "100" 100, "1000" 1000, "10^{4}" 1e4, "gone" 1e5)
-if (NARROW) set xtics ("exact" 0.001, "0.1" 0.1, "1" 1, "10" 10, "1000" 1000, "gone" 1e5)
+set xtics ("< 10 µm" 0.001, "0.01" 0.01, "0.1" 0.1, "1" 1, "10" 10, "100" 100, "1000" 1000, "10^{4}" 1e4, "gone" 1e5)
+if (NARROW) set xtics ("< 10 µm" 0.001, "0.1" 0.1, "1" 1, "10" 10, "1000" 1000, "gone" 1e5)
 set ytics ("jump" 6, "leaf" 5, "suspension" 4, "hatch" 3, "lamp" 2, "shuttle" 1) scale 0
 unset key
 clip(j) = strcol(j) eq "inf" ? 1e5 : column(j) < 1e-3 ? 1e-3 : column(j)
@@ -21,7 +21,7 @@ across = NARROW ? 2 : 3
 do for [i=1:9] {
   at = (i - 1) % across
   set label i plain(i) at graph (NARROW ? -0.05 : 0.02) + at*(NARROW ? 0.58 : 0.35), graph (NARROW ? 1.36 : 1.22) - 0.075*((i - 1)/across) \
-    left offset 1,0 point ls style(i) tc ls style(i)
+    left offset 1,-0.35 point ls style(i) tc ls style(i)
 }
 set arrow 1 from 1,0.4 to 1,6.6 nohead ls LIMIT
 plot for [i=1:9] for [j=2:7] file("level") every ::row(i)::row(i) using (clip(j)):(place(i, j)) with points ls style(i) notitle, \

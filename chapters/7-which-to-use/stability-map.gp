@@ -32,7 +32,8 @@ do for [r=0:down-1] {
   set label 120+r "2" at left(k)-0.38,low(k)+1.88 left tc rgb "#000007"
 }
 tip = "%s, ζ = %.2f: stable to hω = %.2f, true to %.2f"
+limit(k) = column(2*k+2) < 4 ? left(k) + column(2*k+2) : NaN  # the edge is no limit, and the last three have none
 plot for [k=0:11] file("map") using (left(k)+column(2*k+2)):(low(k)+$1) with filledcurves x1=left(k) ls style(k) fs transparent solid 0.22 noborder, \
      for [k=0:11] file("map") using (left(k)+column(2*k+3)):(low(k)+$1) with filledcurves x1=left(k) ls style(k) fs transparent solid 0.6 noborder, \
-     for [k=0:11] file("map") using (left(k)+column(2*k+2)):(low(k)+$1) with lines ls style(k) lw 1.2 dt solid, \
+     for [k=0:8] file("map") using (limit(k)):(low(k)+$1) with lines ls style(k) lw 1.2 dt solid, \
      for [k=0:11] file("map") every 5 using (left(k)+column(2*k+2)):(low(k)+$1):(sprintf(tip, plain(k), $1, column(2*k+2), column(2*k+3))) with labels hypertext point ls style(k) ps 0.3
