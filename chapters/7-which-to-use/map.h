@@ -22,7 +22,7 @@ void for_each_map(Visit visit) {
   visit("Euler", measure::euler);
   visit("midpoint", measure::midpoint);
   visit("RK4", measure::rk4);
-  visit("Dormand–Prince", measure::dopri5);
+  visit("Dormand-Prince", measure::dopri5);
   visit("symplectic Euler", measure::symplectic_euler);
   visit("drag divided", measure::linear_damping_implicit_last);
   visit("velocity Verlet", measure::velocity_verlet);

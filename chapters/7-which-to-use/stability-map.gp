@@ -13,7 +13,7 @@ unset grid
 left(k) = 4.75*(k % across)
 low(k) = 2.85*(down - 1 - k/across)
 style(k) = k == 0 ? EULER : k == 1 ? MIDPOINT : k == 2 ? RK4 : k == 3 ? DOPRI5 : k < 6 ? SYMPLECTIC_EULER : k == 6 ? VELOCITY_VERLET : k == 7 ? YOSHIDA4 : k == 8 ? PREDICTED_EULER : k == 9 ? TRAPEZOID : k == 10 ? BACKWARD_EULER : EXACT
-name(k) = word("Euler midpoint RK4 Dormand–Prince symplectic_Euler drag_divided velocity_Verlet Yoshida_4 predicted_Euler trapezoid backward_Euler exact_step", k + 1)
+name(k) = word("Euler midpoint RK4 Dormand-Prince symplectic_Euler drag_divided velocity_Verlet Yoshida_4 predicted_Euler trapezoid backward_Euler exact_step", k + 1)
 plain(k) = k == 4 ? "symplectic Euler" : k == 5 ? "drag divided" : k == 6 ? "velocity Verlet" : k == 7 ? "Yoshida 4" : k == 8 ? "predicted Euler" : k == 10 ? "backward Euler" : k == 11 ? "exact step" : name(k)
 colour(k) = k == 3 ? 4 : k == 4 || k == 5 ? 2 : k == 6 ? 3 : k == 7 ? 10 : k == 8 || k == 9 || k == 10 ? 5 : k == 11 ? 7 : k == 1 ? 6 : k == 2 ? 4 : 1
 do for [k=0:11] {

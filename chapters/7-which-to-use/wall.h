@@ -55,5 +55,5 @@ inline void wall(measure::Record& record) {
   add("a path that must be right: previews, flight", "RK4", "rk4", measure::rk4);
   add("what is too stiff for the frame", "backward Euler", "backward_euler",
       measure::backward_euler);
-  add("answers to compare with, in tools", "Dormand–Prince", "dopri5", measure::dopri5);
+  add("answers to compare with, in tools", "Dormand-Prince", "dopri5", measure::dopri5);
 }
