@@ -15,6 +15,6 @@ style(i) = i == 0 ? EULER : i == 1 ? SYMPLECTIC_EULER : i == 2 ? LEAPFROG : i ==
 paid(i) = strcol(2) eq "inf" ? 40000 : $2
 words = "%s: %s"
 plot for [i=0:12] file("bills") every ::i+1::i+1 using (0):(i+1):(100):(strcol(2) eq "inf" ? 100 : $2):(i+0.7):(i+1.3) with boxxyerror ls style(i) dt solid fs transparent solid 0.35 noborder, \
-     for [i=0:12] file("bills") every ::i+1::i+1 using (110):(i+1):(strcol(2) eq "inf" ? strcol(1).": never, not with 1024 steps a frame" : strcol(1).": ".strcol(2)) with labels left tc ls EXACT, \
+     for [i=0:12] file("bills") every ::i+1::i+1 using (110):(i+1):(strcol(2) eq "inf" ? strcol(1).(NARROW ? ": not with 1024 steps" : ": not with 1024 steps a frame") : strcol(1).": ".strcol(2)) with labels left tc ls EXACT, \
      file("chosen") every ::1::1 using (0):(0):(100):1:(-0.3):(0.3) with boxxyerror ls EXACT dt solid fs transparent solid 0.35 noborder, \
      file("chosen") every ::1::1 using (110):(0):("chosen for each: ".strcol(1)) with labels left tc ls EXACT

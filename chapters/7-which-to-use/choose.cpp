@@ -2,6 +2,7 @@
 // Prints the cheapest method and step for a scene, from measurement.
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
@@ -20,7 +21,8 @@ constexpr const char* scenes_about =
     "--angle),\n  drag (--drag), ball (a constant force).\n"
     "Prices: evaluations of the acceleration in a second of play. The derivatives that an implicit "
     "method\n  asks for cost as much again; solving its equations is not counted.\n"
-    "Exit code: 0 found, 1 nothing meets the bounds, 2 bad input.";
+    "Exit code: 0 found, 1 nothing meets the bounds, 2 bad input.\n"
+    "Example: choose --scene spring --omega 40 --zeta 0.1 --hz 60 --error 0.01";
 
 /// The scene's parameters.
 struct Parameters {
@@ -49,6 +51,7 @@ constexpr Choice choice(const char* name, std::array<const char*, 2> takes) {
           [](const Parameters& p, const Bounds& bounds) { return contest(Make(p), bounds); }};
 }
 
+// [scenes]
 constexpr std::array choices{
     choice<[](const Parameters& p) { return scenes::Spring<>{.omega = p.omega, .zeta = p.zeta}; }>(
         "spring", {"--omega", "--zeta"}),
@@ -58,6 +61,7 @@ constexpr std::array choices{
                                                                                   {"--drag", ""}),
     choice<[](const Parameters&) { return jump; }>("ball", {"", ""}),
 };
+// [scenes]
 
 const Choice& choice_of(const std::string& name) {
   std::string known;
@@ -75,6 +79,19 @@ struct Number {
   double least, most;
   const char* meaning;
 };
+
+std::string meaning_and_default(const Number& number) {
+  const bool any = std::isinf(*number.value);
+  return std::string(number.meaning) + " (default " + (any ? "any" : brief(*number.value)) + ")";
+}
+
+void require_known(const CLI::App& app) {
+  if (app.remaining_size() == 0) return;
+  const std::string first = app.remaining().front();
+  const bool option = first.starts_with("-");
+  throw std::invalid_argument((option ? "there is no option " : "an option must come before ") +
+                              first);
+}
 
 void require_in_range(const Number& number) {
   if (*number.value >= number.least && *number.value <= number.most) return;
@@ -101,10 +118,10 @@ void require_fits(const CLI::App& app, const Choice& choice, const Parameters& p
   }
 }
 
-void print(const Entry& entry, const Bounds& bounds) {
-  std::printf("%-30s %6ld %10.0f  %-8s %-8s %s\n", entry.function.c_str(), entry.last.substeps,
-              entry.evaluations, brief(entry.last.error).c_str(), brief(entry.last.energy).c_str(),
-              reason(entry, bounds).c_str());
+void print(const Entry& entry, const Bounds& bounds, bool keeps_energy) {
+  std::printf("%-30s %11ld %10.0f  %-8s %-8s %s\n", entry.function.c_str(), entry.last.substeps,
+              entry.evaluations, brief(entry.last.error).c_str(),
+              keeps_energy ? brief(entry.last.energy).c_str() : "-", reason(entry, bounds).c_str());
 }
 
 void print_choice(const Entry& entry) {
@@ -133,9 +150,9 @@ int print(const Contest& found, const Bounds& bounds) {
                               : "Nothing meets the bounds. The nearest:");
     print_choice(best);
   }
-  std::printf("%-30s %6s %10s  %-8s %-8s %s\n", "", "steps", "evals/s", "error", "energy",
+  std::printf("%-30s %11s %10s  %-8s %-8s %s\n", "", "steps/frame", "evals/s", "error", "energy",
               "with fewer steps");
-  for (const Entry& entry : found.methods) print(entry, bounds);
+  for (const Entry& entry : found.methods) print(entry, bounds, found.keeps_energy);
   return exact || best.good ? 0 : 1;
 }
 
@@ -145,23 +162,28 @@ int choose(int argc, char** argv) {
   std::string scene;
   Parameters parameters;
   Bounds bounds;
-  app.add_option("--scene", scene, "What moves")->required();
+  app.allow_extras();  // so that what is wrong is told before what is missing
+  app.add_option("--scene", scene, "What moves; required");
   const std::array numbers{
-      Number{"--omega", &parameters.omega, 1e-3, 1e3, "Frequency [rad/s]; 10"},
-      Number{"--zeta", &parameters.zeta, 0, 100, "Damping ratio; 0"},
-      Number{"--eccentricity", &parameters.eccentricity, 0, 0.99, "Of the orbit; 0.5"},
-      Number{"--angle", &parameters.angle, 1e-3, 3.1, "At which the pendulum starts [rad]; 1"},
-      Number{"--drag", &parameters.drag, 1e-3, 1e3, "Drag per mass [1/s]; 1"},
-      Number{"--hz", &bounds.hz, 1, 1e4, "Frames a second; 60"},
-      Number{"--seconds", &bounds.seconds, 1e-3, 1e4, "How long it is watched; 10"},
-      Number{"--error", &bounds.error, 1e-15, 1, "Largest error, as a share of the motion; 0.01"},
-      Number{"--energy", &bounds.energy, 1e-15, 1, "Largest relative change of the energy; any"}};
-  for (const Number& number : numbers) app.add_option(number.option, *number.value, number.meaning);
+      Number{"--omega", &parameters.omega, 1e-3, 1e3, "Frequency [rad/s]"},
+      Number{"--zeta", &parameters.zeta, 0, 100, "Damping ratio"},
+      Number{"--eccentricity", &parameters.eccentricity, 0, 0.99, "Of the orbit"},
+      Number{"--angle", &parameters.angle, 1e-3, 3.1, "At which the pendulum starts [rad]"},
+      Number{"--drag", &parameters.drag, 1e-3, 1e3, "Drag per mass [1/s]"},
+      Number{"--hz", &bounds.hz, 1, 1e4, "Frames a second"},
+      Number{"--seconds", &bounds.seconds, 1e-3, 1e4, "How long it is watched [s]"},
+      Number{"--error", &bounds.error, 1e-15, 1, "Largest error, as a share of the motion"},
+      Number{"--energy", &bounds.energy, 1e-15, 1, "Largest relative change of the energy"}};
+  for (const Number& number : numbers) {
+    app.add_option(number.option, *number.value, meaning_and_default(number));
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   }
+  require_known(app);
+  if (scene.empty()) throw std::invalid_argument("--scene is required");
   for (const Number& number : numbers) {
     if (app.count(number.option) > 0) require_in_range(number);
   }

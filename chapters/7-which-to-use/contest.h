@@ -121,13 +121,28 @@ Entry enter(const std::string& method, const std::string& function, const Step& 
 }
 // [enter]
 
+/// A number in a few digits.
+inline std::string brief(double value, int digits = 2) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+/// An error without what is only rounding.
+inline double without_rounding(double error) {
+  return error < 1e-11 ? 0 : std::stod(brief(error, 6));
+}
+
 /// Good before not good, then cheap before dear, then right before nearly right; the nearest miss
-/// first among those that are not good.
+/// first among those that are not good. Of equals velocity Verlet, which has place and velocity at
+/// the same time.
 inline bool better(const Entry& a, const Entry& b, const Bounds& bounds) {
   if (a.good != b.good) return a.good;
   if (!a.good) return miss(a.last, bounds) < miss(b.last, bounds);
   if (a.evaluations != b.evaluations) return a.evaluations < b.evaluations;
-  return a.last.error < b.last.error;
+  const double one = without_rounding(a.last.error), other = without_rounding(b.last.error);
+  if (one != other) return one < other;
+  return a.function == "velocity_verlet" && b.function != "velocity_verlet";
 }
 
 /// Calls `visit` with the exact step of a scene that has one.
@@ -148,11 +163,13 @@ void with_exact_step(const Ball&, Visit visit) {
 struct Contest {
   std::vector<Entry> exact;    ///< the exact step, if there is one
   std::vector<Entry> methods;  ///< what works with other forces added, too
+  bool keeps_energy = false;   ///< whether the scene's energy ought to stay what it is
 };
 
 template <class Scene>
 Contest contest(const Scene& scene, const Bounds& bounds) {
   Contest found;
+  found.keeps_energy = keeps_energy(scene);
   const auto into = [&](std::vector<Entry>& entries) {
     return [&](const auto& method, const auto& function, const auto& step) {
       entries.push_back(enter(method, function, step, scene, bounds));
@@ -165,18 +182,18 @@ Contest contest(const Scene& scene, const Bounds& bounds) {
   return found;
 }
 
-/// A number in a few digits.
-inline std::string brief(double value, int digits = 2) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
+/// A number above a bound, in as many digits as show that it is above, three at least.
+inline std::string above(double value, double bound) {
+  int digits = 3;
+  while (digits < 17 && std::stod(brief(value, digits)) <= bound) ++digits;
+  return brief(value, digits);
 }
 
 /// Why fewer steps did not do.
 inline std::string shortcoming(const Attempt& attempt, const Bounds& bounds) {
   if (!(attempt.error < 10)) return "explodes";
-  if (attempt.error > bounds.error) return "error " + brief(attempt.error, 3);
-  return "energy off by " + brief(attempt.energy, 3);
+  if (attempt.error > bounds.error) return "error " + above(attempt.error, bounds.error);
+  return "energy off by " + above(attempt.energy, bounds.energy);
 }
 
 /// Why an entry did not win, or what it would not have done without.

@@ -26,7 +26,7 @@ void for_each_entrant(Visit visit) {
   visit("midpoint", "midpoint", measure::midpoint);
   visit("Heun", "heun", measure::heun);
   visit("RK4", "rk4", measure::rk4);
-  visit("Dormand–Prince", "dopri5", measure::dopri5);
+  visit("Dormand-Prince", "dopri5", measure::dopri5);
   visit("predicted Euler", "predicted_euler", measure::predicted_euler<1>);
   visit("backward Euler", "backward_euler", measure::backward_euler);
   visit("trapezoid", "trapezoid", measure::trapezoid);

@@ -9,7 +9,7 @@ unset mxtics
 unset mytics
 set lmargin NARROW ? 7.5 : 8
 set label 1 "symplectic Euler" at 500,NARROW ? 2 : 0.8 left tc rgb "#000002"
-set label 2 "velocity Verlet" at NARROW ? 28 : 30,0.012 left tc rgb "#000003"
+set label 2 NARROW ? "Verlet" : "velocity Verlet" at NARROW ? 28 : 30,0.012 left tc rgb "#000003"
 set label 3 "RK4 in float" at 1000,NARROW ? 1e-5 : 3e-5 left tc rgb "#000004"
 set label 4 "RK4 in double" at 760,3e-11 right tc rgb "#000004"
 tip = "%d steps a second: %.2g m in double, %.2g m in float"

@@ -49,6 +49,10 @@ inline void floor_of_float(measure::Record& record) {
                error_of_a_turn<double>(measure::rk4, rate),
                error_of_a_turn<float>(measure::rk4, rate)});
   }
+  const double rounded = error_of_a_turn<float>(measure::velocity_verlet, 240);
+  record.number(
+      "float-verlet-240",
+      100 * std::abs(rounded / error_of_a_turn<double>(measure::velocity_verlet, 240) - 1), 1, "%");
   const auto best =
       std::min_element(table.rows.begin(), table.rows.end(),
                        [](const auto& a, const auto& b) { return a[6].value < b[6].value; });

@@ -22,7 +22,7 @@ void for_each_map(Visit visit) {
   visit("Euler", measure::euler);
   visit("midpoint", measure::midpoint);
   visit("RK4", measure::rk4);
-  visit("Dormand–Prince", measure::dopri5);
+  visit("Dormand-Prince", measure::dopri5);
   visit("symplectic Euler", measure::symplectic_euler);
   visit("drag divided", measure::linear_damping_implicit_last);
   visit("velocity Verlet", measure::velocity_verlet);
@@ -148,6 +148,7 @@ inline void stability_map(measure::Record& record) {
   });
   record.number("map-euler", stable_share(measure::euler), 2, "%");
   record.number("map-symplectic", stable_share(measure::symplectic_euler), 2, "%");
+  record.number("map-verlet", stable_share(measure::velocity_verlet), 2, "%");
   record.number("map-divided", stable_share(measure::linear_damping_implicit_last), 2, "%");
   record.number("true-backward", true_share(measure::backward_euler), 2, "%");
 }

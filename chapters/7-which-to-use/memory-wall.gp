@@ -4,12 +4,12 @@ set xrange [3000:6.5e6]
 set yrange [0:*]
 set xtics ("4096" 4096, "65 536" 65536, "10^{6}" 1e6, "4×10^{6}" 4e6)
 unset mxtics
-if (!NARROW) set label 4 "grey: memory alone" at graph 0.99,0.05 right tc rgb "#000009"
+set label 4 "grey: memory alone" at graph 0.99,NARROW ? 0.5 : 0.05 right tc rgb "#000009"
 set x2range [0:1]
 set y2range [0:1]
 tip = "%d particles: %.2f ns"
 plot file("particles") using 2:4 with linespoints ls FIRST, \
-     file("particles") using 2:6 with linespoints ls CONTEXT, \
+     file("particles") using 2:6 with linespoints ls CONTEXT lw 3, \
      file("particles") using 2:5 with linespoints ls SECOND, \
      file("particles") using 2:7 with linespoints ls THIRD, \
      file("particles") using 2:4:(sprintf(tip, $2, $4)) with labels hypertext point ls FIRST, \

@@ -48,6 +48,8 @@ void one_for_all_numbers(Record& record) {
   number("leaf-symplectic", measure::symplectic_euler, leaf, 2, 100, "cm");
   number("shuttle-symplectic", measure::symplectic_euler, shuttle, 8, 100, "cm");
   number("shuttle-backward", measure::backward_euler, shuttle, 8, 1, "m");
+  number("hatch-backward", measure::backward_euler, hatch, 1, 100, "cm");
+  number("hatch-divided", measure::linear_damping_implicit_last, hatch, 1, 100, "cm");
 }
 
 }  // namespace

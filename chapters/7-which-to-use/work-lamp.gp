@@ -5,7 +5,7 @@ set xrange [25:NARROW ? 5000 : 3600]
 set xtics (30, 60, 120, 240, 480, 960)
 if (NARROW) set xtics (30, 120, 480)
 set yrange [1e-12:100]
-set ytics ("1 m" 1, "1 cm" 1e-2, "1 µm" 1e-6, "1 nm" 1e-9)
+set ytics ("1 m" 1, "1 mm" 1e-3, "1 µm" 1e-6, "1 nm" 1e-9, "1 pm" 1e-12)
 unset mxtics
 unset mytics
 set lmargin NARROW ? 7.5 : 8
@@ -15,7 +15,7 @@ plot for [i=1:9] file("work-lamp") every ::at(i)::at(i)+3 using 3:4 with linespo
      for [i=1:9] file("work-lamp") every ::at(i)::at(i)+3 using 3:4:(sprintf("%s, %d steps a second: %.2g m", strcol(1), $2, $4)) with labels hypertext point ls style(i), \
      file("work-lamp") every ::at(1)+0::at(1)+0 using 3:4:(strcol(1)) with labels left offset -0.4,0.7 tc ls EULER, \
      file("work-lamp") every ::at(2)+3::at(2)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0.4 tc ls SYMPLECTIC_EULER, \
-     file("work-lamp") every ::at(3)+3::at(3)+3 using 3:4:(strcol(1)) with labels left offset 0.4,-0.8 tc ls VELOCITY_VERLET, \
+     file("work-lamp") every ::at(3)+(NARROW ? 0 : 3)::at(3)+(NARROW ? 0 : 3) using 3:4:(NARROW ? "Verlet" : strcol(1)) with labels left offset (NARROW ? -0.4 : 0.4),(NARROW ? -1.4 : -0.8) tc ls VELOCITY_VERLET, \
      file("work-lamp") every ::at(4)+3::at(4)+3 using 3:4:("Yoshida") with labels left offset 0.8,0.2 tc ls YOSHIDA4, \
      file("work-lamp") every ::at(5)+3::at(5)+3 using 3:4:(strcol(1)) with labels left offset 0.2,-0.8 tc ls MIDPOINT, \
      file("work-lamp") every ::at(6)+3::at(6)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0 tc ls RK4, \

@@ -5,7 +5,7 @@ set xrange [25:NARROW ? 5000 : 3600]
 set xtics (30, 60, 120, 240, 480, 960)
 if (NARROW) set xtics (30, 120, 480)
 set yrange [1e-15:10]
-set ytics ("1 m" 1, "1 cm" 1e-2, "1 µm" 1e-6, "1 nm" 1e-9, "1 pm" 1e-12)
+set ytics ("1 m" 1, "1 mm" 1e-3, "1 µm" 1e-6, "1 nm" 1e-9, "1 pm" 1e-12)
 unset mxtics
 unset mytics
 set lmargin NARROW ? 7.5 : 8
@@ -13,7 +13,7 @@ at(i) = 1 + 4*int(word("0 1 4 5 6 8 9 11 12", i))
 style(i) = i == 1 ? EULER : i == 2 ? SYMPLECTIC_EULER : i == 3 ? VELOCITY_VERLET : i == 4 ? YOSHIDA4 : i == 5 ? MIDPOINT : i == 6 ? RK4 : i == 7 ? DOPRI5 : i == 8 ? BACKWARD_EULER : TRAPEZOID
 plot for [i=1:9] file("work-leaf") every ::at(i)::at(i)+3 using 3:4 with linespoints ls style(i), \
      for [i=1:9] file("work-leaf") every ::at(i)::at(i)+3 using 3:4:(sprintf("%s, %d steps a second: %.2g m", strcol(1), $2, $4)) with labels hypertext point ls style(i), \
-     file("work-leaf") every ::at(1)+3::at(1)+3 using 3:4:(strcol(1)) with labels left offset 0.8,-0.2 tc ls EULER, \
+     file("work-leaf") every ::at(1)+(NARROW ? 1 : 3)::at(1)+(NARROW ? 1 : 3) using 3:4:(strcol(1)) with labels left offset (NARROW ? -1.6 : 0.8),(NARROW ? -0.8 : -0.2) tc ls EULER, \
      file("work-leaf") every ::at(2)+3::at(2)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0.4 tc ls SYMPLECTIC_EULER, \
      file("work-leaf") every ::at(3)+0::at(3)+0 using 3:4:(NARROW ? "Verlet" : strcol(1)) with labels left offset -0.4,-1.5 tc ls VELOCITY_VERLET, \
      file("work-leaf") every ::at(4)+3::at(4)+3 using 3:4:("Yoshida") with labels left offset 0.8,0.2 tc ls YOSHIDA4, \

@@ -11,12 +11,14 @@ unset mytics
 set lmargin NARROW ? 7.5 : 8
 at(i) = 1 + 4*int(word("0 1 4 5 6 8 9 11 12", i))
 style(i) = i == 1 ? EULER : i == 2 ? SYMPLECTIC_EULER : i == 3 ? VELOCITY_VERLET : i == 4 ? YOSHIDA4 : i == 5 ? MIDPOINT : i == 6 ? RK4 : i == 7 ? DOPRI5 : i == 8 ? BACKWARD_EULER : TRAPEZOID
+aside = NARROW ? "left offset 1.4,-2" : "right offset -0.6,-0.9"
 plot for [i=1:9] file("work-suspension") every ::at(i)::at(i)+3 using 3:4 with linespoints ls style(i), \
      for [i=1:9] file("work-suspension") every ::at(i)::at(i)+3 using 3:4:(sprintf("%s, %d steps a second: %.2g m", strcol(1), $2, $4)) with labels hypertext point ls style(i), \
      file("work-suspension") every ::at(1)+0::at(1)+0 using 3:4:(strcol(1)) with labels left offset 1,0.2 tc ls EULER, \
      file("work-suspension") every ::at(2)+3::at(2)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0 tc ls SYMPLECTIC_EULER, \
      file("work-suspension") every ::at(3)+0::at(3)+0 using 3:4:(NARROW ? "Verlet" : strcol(1)) with labels left offset -0.4,(NARROW ? -2.3 : -2) tc ls VELOCITY_VERLET, \
      file("work-suspension") every ::at(4)+3::at(4)+3 using 3:4:("Yoshida") with labels left offset 0.8,0.35 tc ls YOSHIDA4, \
+     file("work-suspension") every ::at(5)+3::at(5)+3 using 3:4:(strcol(1)) with labels @aside tc ls MIDPOINT, \
      file("work-suspension") every ::at(6)+3::at(6)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0 tc ls RK4, \
      file("work-suspension") every ::at(7)+3::at(7)+3 using 3:4:(strcol(1)) with labels right offset -0.6,-0.35 tc ls DOPRI5, \
      file("work-suspension") every ::at(8)+3::at(8)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0.1 tc ls BACKWARD_EULER, \

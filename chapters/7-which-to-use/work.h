@@ -92,6 +92,10 @@ inline void all_work(measure::Record& record) {
   work(record, "lamp", lamp, 10);
   work(record, "shuttle", shuttle, 8);
   work_energy(record);
+  record.number("energy-nearer",
+                energy_error(measure::velocity_verlet, shuttle, frame / 4) /
+                    energy_error(measure::rk4, shuttle, frame),
+                2);
   record.number("energy-passes", energy_passes() / 60, 3, "min");
   record.number("shuttle-240-symplectic",
                 100 * off(measure::symplectic_euler, shuttle, frame / 4, 8), 2, "cm");
