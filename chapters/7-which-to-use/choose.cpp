@@ -29,12 +29,24 @@ struct Parameters {
   double omega = 10, zeta = 0, eccentricity = 0.5, angle = 1, drag = 1;
 };
 
+scenes::Spring<> damped_spring_of(const Parameters& p) {
+  return {.omega = p.omega, .zeta = p.zeta};
+}
+
 scenes::Orbit<> orbit_of(const Parameters& p) {
   return {.eccentricity = p.eccentricity, .semi_major = 1, .mu = p.omega * p.omega};
 }
 
 scenes::Pendulum<> pendulum_of(const Parameters& p) {
   return {.g = p.omega * p.omega, .length = 1, .angle = p.angle};
+}
+
+scenes::LinearDrag<> drag_of(const Parameters& p) {
+  return {.c = p.drag};
+}
+
+Ball ball_of(const Parameters&) {
+  return jump;
 }
 
 /// One scene that can be asked for.
@@ -53,13 +65,11 @@ constexpr Choice choice(const char* name, std::array<const char*, 2> takes) {
 
 // [scenes]
 constexpr std::array choices{
-    choice<[](const Parameters& p) { return scenes::Spring<>{.omega = p.omega, .zeta = p.zeta}; }>(
-        "spring", {"--omega", "--zeta"}),
+    choice<damped_spring_of>("spring", {"--omega", "--zeta"}),
     choice<orbit_of>("orbit", {"--omega", "--eccentricity"}),
     choice<pendulum_of>("pendulum", {"--omega", "--angle"}),
-    choice<[](const Parameters& p) { return scenes::LinearDrag<>{.c = p.drag}; }>("drag",
-                                                                                  {"--drag", ""}),
-    choice<[](const Parameters&) { return jump; }>("ball", {"", ""}),
+    choice<drag_of>("drag", {"--drag", ""}),
+    choice<ball_of>("ball", {"", ""}),
 };
 // [scenes]
 
