@@ -135,14 +135,17 @@ inline double without_rounding(double error) {
 
 /// Good before not good, then cheap before dear, then right before nearly right; the nearest miss
 /// first among those that are not good. Of equals velocity Verlet, which has place and velocity at
-/// the same time.
+/// the same time, and else by the alphabet.
 inline bool better(const Entry& a, const Entry& b, const Bounds& bounds) {
   if (a.good != b.good) return a.good;
-  if (!a.good) return miss(a.last, bounds) < miss(b.last, bounds);
+  const double missed = miss(a.last, bounds), other_missed = miss(b.last, bounds);
+  if (!a.good && missed != other_missed) return missed < other_missed;
   if (a.evaluations != b.evaluations) return a.evaluations < b.evaluations;
   const double one = without_rounding(a.last.error), other = without_rounding(b.last.error);
   if (one != other) return one < other;
-  return a.function == "velocity_verlet" && b.function != "velocity_verlet";
+  const bool verlet = a.function == "velocity_verlet",
+             other_verlet = b.function == "velocity_verlet";
+  return verlet != other_verlet ? verlet : a.function < b.function;
 }
 
 /// Calls `visit` with the exact step of a scene that has one.
@@ -177,8 +180,8 @@ Contest contest(const Scene& scene, const Bounds& bounds) {
   };
   with_exact_step(scene, into(found.exact));
   for_each_entrant_on(scene, into(found.methods));
-  std::stable_sort(found.methods.begin(), found.methods.end(),
-                   [&](const Entry& a, const Entry& b) { return better(a, b, bounds); });
+  std::sort(found.methods.begin(), found.methods.end(),
+            [&](const Entry& a, const Entry& b) { return better(a, b, bounds); });
   return found;
 }
 
