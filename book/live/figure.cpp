@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT-0
+#include "figure.h"
+
+#include <algorithm>
+
+namespace live {
+
+void Figure::advance(int steps) {
+  for (int n = 0; n < steps; ++n) step();
+  show_state();
+}
+
+void Figure::put(const char* name, std::span<const double> values, bool reproducible) {
+  const auto same_name = [name](const Shown& s) { return std::string_view(s.name) == name; };
+  auto found = std::find_if(shown_.begin(), shown_.end(), same_name);
+  if (found == shown_.end()) found = shown_.insert(found, Shown{name, {}, reproducible});
+  found->values.assign(values.begin(), values.end());
+}
+
+}  // namespace live

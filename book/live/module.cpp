@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT-0
+// What the page may call. An instance of the module holds one figure: choose() it first.
+#include <cstdint>
+
+#include "fingerprint.h"
+
+#define EXPORT(type, name) extern "C" __attribute__((export_name(#name))) type name
+
+namespace {
+
+std::unique_ptr<live::Figure> figure;
+std::vector<live::Setting> settings;
+
+const live::Setting& setting(int i) {
+  return settings[std::size_t(i)];
+}
+const live::Shown& shown(int i) {
+  return figure->shown()[std::size_t(i)];
+}
+
+}  // namespace
+
+EXPORT(int, figure_count)() {
+  return int(live::figures().size());
+}
+EXPORT(const char*, figure_name)(int i) {
+  return live::figures()[std::size_t(i)].name;
+}
+EXPORT(void, choose)(int i) {
+  figure = live::figures()[std::size_t(i)].make();
+  settings = figure->settings();
+}
+
+EXPORT(int, setting_count)() {
+  return int(settings.size());
+}
+EXPORT(const char*, setting_name)(int i) {
+  return setting(i).name;
+}
+EXPORT(void, set)(int i, double value) {
+  *setting(i).value = value;
+}
+EXPORT(int, choice_count)(int i) {
+  return int(setting(i).choices.size());
+}
+EXPORT(const char*, choice_name)(int i, int j) {
+  return setting(i).choices[std::size_t(j)];
+}
+
+EXPORT(void, start)() {
+  figure->start();
+}
+EXPORT(void, advance)(int steps) {
+  figure->advance(steps);
+}
+EXPORT(int, shown_count)() {
+  return int(figure->shown().size());
+}
+EXPORT(const char*, shown_name)(int i) {
+  return shown(i).name;
+}
+EXPORT(int, shown_size)(int i) {
+  return int(shown(i).values.size());
+}
+EXPORT(const double*, shown_values)(int i) {
+  return shown(i).values.data();
+}
+
+EXPORT(std::uint64_t, fingerprint)(int steps) {
+  return live::fingerprint(*figure, steps);
+}

@@ -1,0 +1,53 @@
+// The compiled figures: text and numbers in and out of the WebAssembly module.
+(function () {
+  'use strict';
+  const Live = globalThis.Live ??= {};
+
+  // Base64, since a page on disk can load a script and nothing else.
+  Live.compile = base64 => WebAssembly.compile(Uint8Array.from(atob(base64), c => c.charCodeAt(0)));
+
+  // One figure in an instance, and so in a memory, of its own.
+  Live.open = async function (compiled, name) {
+    const { exports: module } = await WebAssembly.instantiate(compiled, {});
+    module._initialize();
+    const text = at => {
+      const bytes = new Uint8Array(module.memory.buffer, at);
+      return String.fromCharCode(...bytes.subarray(0, bytes.indexOf(0)));
+    };
+    const list = (count, at) => Array.from({ length: count }, (_, i) => text(at(i)));
+    const place = (names, wanted, what) => {
+      const i = names.indexOf(wanted);
+      if (i < 0) throw new Error(`${name}: there is no ${what} "${wanted}", only ${names.join(', ')}`);
+      return i;
+    };
+
+    const figures = list(module.figure_count(), module.figure_name);
+    module.choose(place(figures, name, 'figure'));
+    const settings = list(module.setting_count(), module.setting_name);
+    const choices = settings.map((_, i) => list(module.choice_count(i), j => module.choice_name(i, j)));
+    let memory, shown, numbers;
+
+    // The names stay from start to start; where the values lie may change.
+    function look() {
+      shown ??= list(module.shown_count(), module.shown_name);
+      if (memory !== module.memory.buffer) numbers = new Float64Array(memory = module.memory.buffer);
+      const state = {};
+      shown.forEach((of, i) => {
+        const at = module.shown_values(i) / 8, size = module.shown_size(i);
+        state[of] = size === 1 ? numbers[at] : numbers.slice(at, at + size);
+      });
+      return state;
+    }
+
+    return {
+      settings: Object.fromEntries(settings.map((setting, i) => [setting, choices[i]])),
+      set(setting, value) {
+        const i = place(settings, setting, 'setting');
+        module.set(i, choices[i].length ? place(choices[i], value, setting) : value);
+      },
+      start() { module.start(); shown = undefined; return look(); },
+      advance(steps) { module.advance(steps); return look(); },
+      fingerprint: steps => BigInt.asUintN(64, module.fingerprint(steps)).toString(16).padStart(16, '0'),
+    };
+  };
+})();

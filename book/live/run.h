@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// A run of one method out of several, chosen while the page is open.
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "measure/run.h"
+
+namespace live {
+
+/// A method under the name that its header and the page have for it.
+template <class Step>
+struct Method {
+  const char* name;
+  Step step;
+};
+
+/// The names of some methods, for a setting to choose from.
+template <class... Steps>
+std::vector<const char*> names(const std::tuple<Method<Steps>...>& methods) {
+  return std::apply([](const auto&... method) { return std::vector{method.name...}; }, methods);
+}
+
+/// A run of some method on some scene, one step at a time.
+template <class Vec>
+class Run {
+ public:
+  virtual ~Run() = default;
+  virtual void step() = 0;
+
+  double h;                ///< step size [s]
+  long steps = 0;          ///< taken so far
+  scenes::State<Vec> now;  ///< the state after them
+
+  /// The time of the state, with one rounding however long the run is [s].
+  double t() const { return double(steps) * h; }
+
+ protected:
+  Run(double step_size, const scenes::State<Vec>& start) : h(step_size), now(start) {}
+};
+
+/// A run of one method on one scene.
+template <class Vec, class Scene, class Step>
+class RunOf final : public Run<Vec> {
+ public:
+  RunOf(Step step, const Scene& scene, const scenes::State<Vec>& start, double step_size)
+      : Run<Vec>(step_size, start),
+        step_(step),
+        scene_(scene),
+        kept_(measure::start(step, start, step_size, scene)) {}
+
+  void step() override {
+    measure::advance(step_, kept_, this->t(), this->h, scene_);
+    ++this->steps;
+    this->now = measure::seen(step_, kept_, this->t(), this->h, scene_);
+  }
+
+ private:
+  Step step_;
+  Scene scene_;
+  decltype(measure::start(std::declval<const Step&>(), std::declval<const scenes::State<Vec>&>(),
+                          0.0, std::declval<const Scene&>())) kept_;
+};
+
+/// Starts a run with one of several methods.
+/// @param methods  to choose from
+/// @param which  the place of the chosen one in the list
+/// @param scene  the acceleration; the run keeps a copy
+/// @param start  where it begins, at time zero
+/// @param h  step size [s]
+template <class Vec, class Scene, class... Steps>
+std::unique_ptr<Run<Vec>> start_run(const std::tuple<Method<Steps>...>& methods, double which,
+                                    const Scene& scene, const scenes::State<Vec>& start, double h) {
+  std::unique_ptr<Run<Vec>> run;
+  std::size_t place = 0;
+  const auto start_if_chosen = [&]<class Step>(const Method<Step>& method) {
+    if (place++ == static_cast<std::size_t>(which)) {
+      run = std::make_unique<RunOf<Vec, Scene, Step>>(method.step, scene, start, h);
+    }
+  };
+  std::apply([&](const auto&... method) { (start_if_chosen(method), ...); }, methods);
+  return run;
+}
+
+}  // namespace live

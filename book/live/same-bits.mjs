@@ -1,0 +1,29 @@
+// Compares the runs of the native program with those of the module in Node:  node same-bits.mjs PROGRAM MODULE TABLE
+// Prints the table of fingerprints, and writes it where all are the same.
+import { execFileSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import './page/module.js';
+import { STEPS, cases, question } from './cases.mjs';
+
+const [program, module, table] = process.argv.slice(2);
+const runs = cases();
+const native = execFileSync(program, { input: runs.map(question).join('\n'), encoding: 'utf8' }).trim().split('\n');
+const compiled = await WebAssembly.compile(readFileSync(module));
+const lines = [];
+let different = 0;
+for (const [i, { figure, settings }] of runs.entries()) {
+  const opened = await globalThis.Live.open(compiled, figure);
+  for (const [name, value] of Object.entries(settings)) opened.set(name, value);
+  const node = opened.fingerprint(STEPS);
+  if (node !== native[i]) ++different;
+  const words = Object.entries(settings).map(([name, value]) => `${name}=${Number(value) ? Number(Number(value).toPrecision(4)) : value}`);
+  lines.push(`${figure.padEnd(14)} ${words.join(' ').padEnd(44)} ${native[i]} ${node} ${node === native[i] ? 'same' : 'DIFFERENT'}`);
+}
+const head = `${'figure'.padEnd(14)} ${'settings'.padEnd(44)} ${'native'.padEnd(16)} ${'Node'.padEnd(16)}`;
+const text = `Fingerprints of ${STEPS} steps\n${head}\n${lines.join('\n')}\n`;
+process.stdout.write(text);
+if (different) {
+  console.error(`${different} of ${runs.length} runs have other bits in the page than here; see design of the flags in book/live/CMakeLists.txt`);
+  process.exit(1);
+}
+writeFileSync(table, text);
