@@ -3,6 +3,7 @@ import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFi
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { LIVE_SCRIPTS, colourRules } from './live.mjs';
 
 const require = createRequire(import.meta.url);
 const theme = fileURLToPath(new URL('../theme/', import.meta.url));
@@ -17,11 +18,26 @@ const FONTS = [
 export function copyAssets(book, out) {
   for (const file of ['book.css', 'book.js', 'search.js']) copyFileSync(join(theme, file), join(out, file));
   copyFileSync(join(dirname(require.resolve('minisearch')), '../umd/index.js'), join(out, 'minisearch.js'));
+  if (book.config.live) copyLive(book, join(out, 'live'));
   copyFonts(join(out, 'fonts'));
   copyKatex(join(out, 'katex'));
   for (const chapter of book.programs.values()) copyData(chapter.data, join(out, 'data', chapter.name));
   copyData(book.config.cards, join(out, 'data', 'cards'));
   copyHeaders(book, join(out, 'headers'));
+}
+
+// The module stands in a script, in Base64, since a page on disk can load a script and nothing else.
+function copyLive({ config, live }, folder) {
+  mkdirSync(folder, { recursive: true });
+  const own = file => join(config.source, 'book/live', file);
+  const uplot = dirname(require.resolve('uplot'));
+  copyFileSync(join(uplot, 'uPlot.iife.min.js'), join(folder, 'uplot.js'));
+  copyFileSync(join(uplot, 'uPlot.min.css'), join(folder, 'uplot.css'));
+  writeFileSync(join(folder, 'live.css'), colourRules(config.source) + readFileSync(own('page/live.css'), 'utf8'));
+  writeFileSync(join(folder, 'compiled.js'), `(globalThis.Live ??= {}).compiled = "${readFileSync(config.live).toString('base64')}";\n`
+    + `globalThis.Live.descriptions = ${JSON.stringify(Object.fromEntries(live))};\n`);
+  for (const script of LIVE_SCRIPTS) copyFileSync(own(`page/${script}.js`), join(folder, `${script}.js`));
+  for (const name of live.keys()) copyFileSync(own(`figures/${name}.js`), join(folder, `${name}.js`));
 }
 
 function copyFonts(folder) {

@@ -3,6 +3,7 @@ import { existsSync, readdirSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { readCards } from './cards.mjs';
 import { readClaims } from './claims.mjs';
+import { readLive } from './live.mjs';
 import { readNumbers } from './numbers.mjs';
 import { readPage } from './page.mjs';
 import { createProblems } from './problems.mjs';
@@ -23,7 +24,7 @@ export function readBook(config) {
   const book = {
     config, problems,
     chapters: new Map(), programs: new Map(), pages: [], labels: new Map(), references: new Map(), claims: new Map(),
-    sources, cards: readCards(config.cards, problems),
+    sources, cards: readCards(config.cards, problems), live: readLive(config.source, problems),
     snippet: createSnippets(config.source, sources),
     short: path => relative(config.source, path),
   };
@@ -49,7 +50,7 @@ function findSources({ source, chapters }) {
       else if (/\.(h|hpp|cpp|gp)$/.test(entry.name)) found.add(path);
     }
   };
-  for (const folder of ['code', ...chapters.map(chapter => chapter.folder), 'book/theme']) walk(folder);
+  for (const folder of ['code', ...chapters.map(chapter => chapter.folder), 'book/theme', 'book/live']) walk(folder);
   return found;
 }
 

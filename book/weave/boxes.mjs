@@ -2,6 +2,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { inlineText } from './inline.mjs';
+import { liveHtml, liveSource } from './live.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { adoptSvg } from './svg.mjs';
 import { escapeHtml, smarten, textOfHtml } from './text.mjs';
@@ -35,16 +36,20 @@ const BOXES = {
     const description = textOfHtml(html).replace(TOKEN, (_, n) => inlineText(page.pieces[n])).replace(/\s+/g, ' ').trim();
     const draw = (file, size) => adoptSvg(readFileSync(file, 'utf8'), { id: `${id}-${size}`, title: words, description: description || words });
     const svgs = `<div class="wide">${draw(figure.wide, 'wide')}</div>\n<div class="narrow">${draw(figure.narrow, 'narrow')}</div>`;
-    return `<figure class="plot" id="${id}">${hold(svgs)}\n<figcaption>${startWith(`<b>Figure ${number}. ${escapeHtml(words.replace(/\.$/, ''))}.</b> `, html)}`
-      + `${figureLinks(book.programs.get(page.owner), figure, book)}</figcaption></figure>`;
+    const live = book.config.live && piece.live;
+    const stage = live ? ` data-live="${live.name}"` : '';
+    const still = live ? `<div class="still">${svgs}</div>\n${liveHtml({ book }, live)}` : svgs;
+    return `<figure class="plot" id="${id}"${stage}>${hold(still)}\n<figcaption>${startWith(`<b>Figure ${number}. ${escapeHtml(words.replace(/\.$/, ''))}.</b> `, html)}`
+      + `${figureLinks(book.programs.get(page.owner), figure, book, live)}</figcaption></figure>`;
   },
 };
 
 const startWith = (label, html) => (html.startsWith('<p>') ? html.replace('<p>', `<p>${label}`) : `<p>${label.trim()}</p>${html}`);
 
-function figureLinks(chapter, figure, book) {
+function figureLinks(chapter, figure, book, live) {
   const links = csvFiles(chapter, figure, book).map(file => `<a href="data/${chapter.name}/${file}">${file}</a>`);
   links.push(`<a href="${sourceHref(figure.script)}">${figure.name}.gp</a>`);
+  if (live) links.push(`<a href="${sourceHref(liveSource(figure.name))}">${figure.name}.cpp</a>`);
   return `<p class="sources">${links.length > 1 ? 'Data and script: ' : 'Script: '}${links.join(', ')}</p>`;
 }
 

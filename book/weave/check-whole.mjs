@@ -3,6 +3,7 @@ import { failureText } from './claims.mjs';
 
 export function checkWhole(book) {
   checkFigureScripts(book);
+  checkLiveFigures(book);
   checkClaims(book);
   for (const page of book.pages) checkContents(book, page);
 }
@@ -12,6 +13,12 @@ function checkFigureScripts(book) {
     for (const figure of chapter.figures.values()) {
       if (!figure.used) book.problems.add(figure.script, 1, `no \\figure{${figure.name}, ...} in ${chapter.page.file} shows this figure; show it, or delete the script`);
     }
+  }
+}
+
+function checkLiveFigures(book) {
+  for (const live of book.live.values()) {
+    if (!live.used) book.problems.add(live.file, 1, `no page shows this with \\live{${live.name}, ...}; show it, or delete what is named ${live.name}`);
   }
 }
 

@@ -2,6 +2,7 @@
 import { existsSync } from 'node:fs';
 import { checkWhole } from './check-whole.mjs';
 import { findChapter, findNumber } from './find.mjs';
+import { LIVE_FOLDER, methodsOf } from './live.mjs';
 import { MARKS, NUMBERED, REFERS } from './marks.mjs';
 import { renderTex, substituteNumbers } from './math.mjs';
 import { didYouMean, nameOneOf } from './problems.mjs';
@@ -98,6 +99,7 @@ const CHECKS = {
       return;
     }
     piece.figure.used = true;
+    if (piece.live) checkLive(book, piece, report);
     for (const svg of [piece.figure.wide, piece.figure.narrow]) {
       if (!existsSync(svg)) report(`${piece.figure.script} has not drawn ${book.short(svg)}; is the chapter built?`);
     }
@@ -117,6 +119,20 @@ const CHECKS = {
     if (fault) report(fault);
   },
 };
+
+function checkLive(book, piece, report) {
+  const [name] = piece.args;
+  piece.live = book.live.get(name);
+  if (!piece.live) {
+    report(`there is no ${LIVE_FOLDER}/${name}.json that describes the live figure "${name}".${nameOneOf(name, book.live.keys())}`);
+    return;
+  }
+  piece.live.used = true;
+  for (const { path, tag } of methodsOf(piece.live)) {
+    const { fault } = book.snippet(path, tag);
+    if (fault) report(`the live figure shows the code of its methods: ${fault}`);
+  }
+}
 
 function claim({ book, page, piece, report }) {
   const [name] = piece.args;

@@ -19,6 +19,7 @@ export const MARKS = {
   card: { takes: [1, 1], kind: 'block', usage: '\\card{function}' },
   contents: { takes: [0, 0], kind: 'block', usage: '\\contents' },
   figure: { takes: [2, 2], kind: 'box', usage: '\\figure{name, Title}' },
+  live: { takes: [2, 2], kind: 'box', usage: '\\live{name, Title}' },
   table: { takes: [1, 1], kind: 'box', usage: '\\table{name}' },
   eq: { takes: [1, 1], kind: 'box', usage: '\\eq{name}' },
   exercise: { takes: [2, 2], kind: 'box', usage: '\\exercise{name, Title}' },

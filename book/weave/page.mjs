@@ -16,6 +16,7 @@ export function readPage(path, { file, order, name, owner, number, href, problem
   page.pieces = all.filter(piece => piece.type !== 'text');
   page.pieces.forEach((piece, i) => { piece.token = i; });
   checkBoxes(page, problems);
+  takeLiveForFigures(page);
   nameHeadings(page, problems);
   numberBoxes(page);
   Object.assign(page, forDoxygen(all, page, problems));
@@ -50,6 +51,13 @@ function closeBox(page, open, piece, problems) {
   const at = open.findLastIndex(box => box.name === piece.name);
   for (const box of open.slice(at)) box.told = true;
   open.splice(at, 1);
+}
+
+// A live figure is a figure, numbered and referred to as one, with something built on it.
+function takeLiveForFigures(page) {
+  for (const piece of page.pieces) {
+    if (piece.type === 'open' && piece.name === 'live') Object.assign(piece, { name: 'figure', live: true });
+  }
 }
 
 function nameHeadings(page, problems) {

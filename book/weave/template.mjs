@@ -1,4 +1,5 @@
 // The one page template.
+import { liveHead } from './live.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
 // page: { href, title, kind, body, kicker?, titleHtml?, sections?, previous?, next? }
@@ -17,7 +18,7 @@ export function pageHtml(book, page) {
 ${page.body.includes('class="katex') ? '<link rel="stylesheet" href="katex/katex.css">\n' : ''}<link rel="stylesheet" href="book.css">
 <script defer src="book.js"></script>
 <script defer src="search.js"></script>
-</head>
+${liveHead(page.body)}</head>
 <body class="${page.kind}">
 <a class="skip" href="#content">Skip to the text</a>
 <div class="shell">

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "ball.h"
 #include "frames/fixed_step.h"
 #include "frames/recorded.h"
 #include "jump.h"
@@ -166,6 +167,17 @@ TEST_CASE(
   for (std::size_t i = 0; i < plain.size(); ++i) {
     CHECK(curved[i].error.position > 2 * plain[i].error.position);
     CHECK(curved[i].error.velocity == plain[i].error.velocity);
+  }
+}
+
+TEST_CASE("In air the term with half a h squared makes a thrown ball's error larger") {
+  for (const int rate : {10, 20, 30, 60, 144}) {
+    const double h = 1.0 / rate;
+    const double plain = measure::largest_error(euler, in_air, h, 2 * rate).position;
+    const double curved =
+        measure::largest_error(constant_acceleration, in_air, h, 2 * rate).position;
+    CHECK(curved > plain);
+    CHECK(measure::largest_error(constant_acceleration, in_a_vacuum, h, 2 * rate).position < 1e-12);
   }
 }
 

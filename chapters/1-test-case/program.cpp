@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ball.h"
 #include "frames/fixed_step.h"
 #include "frames/recorded.h"
 #include "jump.h"
@@ -75,6 +76,33 @@ void rocket(Record& record) {
   const auto curved = measure::after(measure::constant_acceleration, rocket, rocket.start(),
                                      rocket.burn_time / 10, 10);
   record.number("rocket-ten-constant", curved.x, 4, "m");
+}
+
+void throws(Record& record) {
+  const double h = 1.0 / 20;
+  const long steps = 40;
+  for (const Ball& ball : {in_a_vacuum, in_air}) {
+    const std::string where = ball.up.c == 0 ? "in-a-vacuum" : "in-air";
+    auto& table = record.table("throw-" + where, {{"t", "s"},
+                                                  {"x", "m"},
+                                                  {"y", "m"},
+                                                  {"Euler's x", "m"},
+                                                  {"Euler's y", "m"},
+                                                  {"x with a h²/2", "m"},
+                                                  {"y with a h²/2", "m"}});
+    for (int n = 0; n <= steps; ++n) {
+      const auto truth = ball.exact(n * h).x;
+      const auto plain = measure::after(euler, ball, ball.start(), h, n).x;
+      const auto curved =
+          measure::after(measure::constant_acceleration, ball, ball.start(), h, n).x;
+      table.add({n * h, truth.x(), truth.y(), plain.x(), plain.y(), curved.x(), curved.y()});
+    }
+    const auto error = [&](auto method) {
+      return 100 * measure::largest_error(method, ball, h, steps).position;
+    };
+    record.number("euler-" + where, error(euler), 2, "cm");
+    record.number("term-" + where, error(measure::constant_acceleration), 2, "cm");
+  }
 }
 
 void order(Record& record) {
@@ -173,6 +201,7 @@ int main(int argc, char** argv) {
     jumps(record);
     cannon(record);
     rocket(record);
+    throws(record);
     order(record);
     uneven_frames(record);
     display(record);

@@ -1,0 +1,18 @@
+// The drone, its circle and its fence.
+globalThis.Live.figure('drone-spiral', {
+  view: () => ({ x: [-17, 17], y: [-17, 17] }),
+  draw(pen, run, { method }, part) {
+    pen.grid([-10, 0, 10], [-10, 0, 10]);
+    pen.circle(0, 0, 10, { colour: 'exact', width: 1.4, dash: [7, 5] });
+    pen.circle(0, 0, 12, { colour: 'limit', width: 2, dash: [2, 6] });
+    pen.line(run.trace.x, run.trace.y, { colour: method, width: 1.4 });
+    const { t } = run.trace;
+    const everyTwoSeconds = t.map((_, i) => i).filter(i => Math.floor(t[i] / 2 + 1e-9) > Math.floor(t[i - 1] / 2 + 1e-9));
+    pen.dots(everyTwoSeconds.map(i => run.trace.x[i]), everyTwoSeconds.map(i => run.trace.y[i]), 2.5, method);
+    const x = run.blend('x', part), y = run.blend('y', part);
+    pen.line([0, x], [0, y], { colour: 'context', width: 1 });
+    pen.dot(0, 0, 4, 'context');
+    pen.dot(x, y, 6, method);
+  },
+  tell: ({ distance }) => `${distance.toFixed(2)}\u202fm from the tower${distance > 12 ? ', over the fence' : ''}.`,
+});

@@ -1,0 +1,16 @@
+// The wheel on its spring, and how far it is stretched over time.
+globalThis.Live.figure('suspension', {
+  view: () => ({ x: [-0.32, 1.53], y: [-0.2, 0.2], free: true }),
+  draw(pen, run, { method }, part) {
+    pen.grid([0, 0.5, 1], [-0.1, 0, 0.1]);
+    const { path } = run.now;
+    pen.line([...path].map((_, i) => run.seconds * i / (path.length - 1)), path, { colour: 'exact', width: 1.4, dash: [7, 5] });
+    pen.line(run.trace.t, run.trace.x, { colour: method, width: 1.2 });
+    pen.dots(run.trace.t, run.trace.x, run.trace.t.length > 200 ? 1.2 : 2.2, method);
+    const x = run.blend('x', part);
+    const coils = Array.from({ length: 17 }, (_, i) => i);
+    pen.line(coils.map(i => -0.16 + (i % 2 ? 0.04 : -0.04) * (i > 0 && i < 16)), coils.map(i => 0.2 + (x - 0.2) * i / 16), { colour: 'context', width: 1.4 });
+    pen.dot(-0.16, x, 9, method);
+  },
+  tell: ({ x, energy }) => `stretched by ${(100 * x).toFixed(1)}\u202fcm, ${energy > 1000 ? 'over a thousand' : energy.toFixed(2)} times the energy of the start.`,
+});

@@ -1,0 +1,161 @@
+// A live figure: puts the stage in the place of the still picture and runs it as the reader asks.
+(function () {
+  'use strict';
+  const Live = globalThis.Live ??= {};
+  const still = matchMedia('(prefers-reduced-motion: reduce)');
+  let compiled;
+  Live.open_figures = {};
+
+  // `drawing` has view(settings), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence.
+  Live.figure = async function (name, drawing) {
+    for (const element of document.querySelectorAll(`[data-live="${name}"]`)) {
+      try {
+        compiled ??= Live.compile(Live.compiled);
+        await document.fonts.ready;
+        Live.open_figures[name] = new Figure(element, await Live.open(await compiled, name), Live.descriptions[name], drawing);
+      } catch (fault) {
+        if (!(fault instanceof WebAssembly.CompileError)) throw fault;  // a browser that is too old keeps the still picture
+      }
+    }
+  };
+
+  class Figure {
+    constructor(element, module, description, drawing) {
+      Object.assign(this, { element, drawing, description, playing: false, frameAsked: 0 });
+      element.querySelector('.still').after(element.querySelector('template').content.cloneNode(true));
+      element.classList.add('live');
+      const find = selector => element.querySelector(selector);
+      this.stage = find('.stage');
+      this.readout = find('.readout');
+      this.status = find('[role=status]');
+      this.settings = new Live.Settings(this.stage, description.controls);
+      this.run = new Live.Run(module, description.seconds);
+      this.clock = new Live.Clock(description.pace);
+      this.pen = new Live.Pen(find('canvas.scene'));
+      this.chart = new Live.Chart(find('.chart'), find('canvas.scene'), description.chart, description.seconds);
+      this.listen(find);
+      this.readLink();
+      this.showWhole();
+      this.startWhenSeen();
+    }
+
+    listen(find) {
+      const on = (action, handler) => find(`[data-do=${action}]`).addEventListener('click', handler);
+      on('play', () => (this.playing ? this.pause() : this.play()));
+      on('step', () => this.step());
+      on('reset', () => this.reset());
+      on('link', event => this.link(event.target));
+      this.stage.addEventListener('input', () => this.change());
+      addEventListener('hashchange', () => this.readLink() && this.change());
+      new ResizeObserver(() => { this.chart.resize(); this.draw(); }).observe(this.stage);
+      for (const source of [matchMedia('(prefers-color-scheme: dark)'), still]) source.addEventListener('change', () => this.draw());
+      document.addEventListener('themechange', () => this.draw());
+      document.addEventListener('visibilitychange', () => this.ask());
+    }
+
+    // Nothing moves by itself where the reader does not want motion, nor twice.
+    startWhenSeen() {
+      let started = still.matches;
+      new IntersectionObserver(([seen]) => {
+        this.visible = seen.isIntersecting;
+        if (!started && seen.intersectionRatio > 0.6) { started = true; this.play(); }
+        this.ask();
+      }, { threshold: [0, 0.65] }).observe(this.stage);
+    }
+
+    get values() { return this.settings.values; }
+
+    begin() {
+      this.run.start(this.values);
+      this.clock.restart();
+      this.settings.tell(this.run.now);
+      for (const code of this.stage.querySelectorAll('[data-method]')) code.hidden = code.dataset.method !== this.values.method;
+      dispatchEvent(new Event('resize'));  // the page looks whether the code fits
+    }
+    showWhole() {
+      this.begin();
+      this.run.finish();
+      this.draw();
+      this.speak();
+    }
+    change() {
+      if (this.playing) this.begin(); else this.showWhole();
+    }
+    play() {
+      if (this.run.ended || !this.playing && this.run.taken === 0) this.begin();
+      this.setPlaying(true);
+    }
+    pause() {
+      this.setPlaying(false);
+      this.draw();
+      this.speak();
+    }
+    step() {
+      this.setPlaying(false);
+      if (this.run.ended) this.begin();
+      this.run.step();
+      this.draw();
+      this.speak();
+    }
+    reset() {
+      this.setPlaying(false);
+      this.begin();
+      this.draw();
+      this.speak();
+    }
+    setPlaying(playing) {
+      this.playing = playing;
+      this.stage.querySelector('[data-do=play]').textContent = playing ? 'Pause' : 'Play';
+      this.ask();
+    }
+
+    // A frame is asked for only while something moves and is seen.
+    ask() {
+      const wanted = this.playing && this.visible !== false && !document.hidden;
+      if (!wanted) { cancelAnimationFrame(this.frameAsked); this.frameAsked = 0; this.clock.last = null; return; }
+      this.frameAsked ||= requestAnimationFrame(now => this.frame(now));
+    }
+    frame(now) {
+      this.frameAsked = 0;
+      this.clock.frame(now, this.run);
+      this.draw(this.clock.part(this.run));
+      if (this.run.ended) { this.setPlaying(false); this.speak(); }
+      this.ask();
+    }
+
+    draw(part = 1) {
+      const { values } = this;
+      this.pen.begin(this.drawing.view(values));
+      this.drawing.draw(this.pen, this.run, values, part);
+      this.chart.draw(this.run, values.method ?? 'first');
+      this.readout.textContent = this.sentence + (this.playing && this.clock.slow ? ' Runs slower than time.' : '');
+    }
+    get sentence() {
+      const { now } = this.run;
+      return `${now.t.toFixed(2)}\u202fs: ${this.drawing.tell(now, this.values)}`;
+    }
+    // For those who do not see it: once things have come to rest, not in every frame.
+    speak() {
+      clearTimeout(this.speaking);
+      this.speaking = setTimeout(() => { this.status.textContent = this.sentence; }, 400);
+      for (const picture of this.stage.querySelectorAll('[role=img]')) {
+        const axis = picture.closest('div:has(> .axis)').querySelector('.axis').textContent;
+        picture.setAttribute('aria-label', `${axis}. ${this.settings.words}. ${this.sentence}`);
+      }
+    }
+
+    link(button) {
+      history.replaceState(null, '', `#${this.element.id}?${this.settings.query}`);
+      const say = words => { button.textContent = words; setTimeout(() => { button.textContent = 'Link to these settings'; }, 2500); };
+      const written = globalThis.isSecureContext && navigator.clipboard ? navigator.clipboard.writeText(location.href) : Promise.reject();
+      written.then(() => say('Link copied'), () => say('The link is in the address bar'));
+    }
+    readLink() {
+      const [, id, query] = decodeURI(location.hash).match(/^#([\w-]+)\?(.*)$/) ?? [];
+      if (id !== this.element.id) return false;
+      this.settings.query = query;
+      this.element.scrollIntoView();
+      return true;
+    }
+  }
+})();

@@ -1,0 +1,41 @@
+// One run of a figure from its start to its end, and the trace that it leaves.
+(function () {
+  'use strict';
+  const Live = globalThis.Live ??= {};
+  const MOST = 2000;  // points of a trace: more than a chart has pixels
+
+  Live.Run = class {
+    constructor(module, seconds) {
+      this.module = module;
+      this.seconds = seconds;
+    }
+    start(values) {
+      for (const [name, value] of Object.entries(values)) this.module.set(name, value);
+      this.now = this.before = this.module.start();
+      this.stride = Math.ceil(this.seconds / this.now.h / MOST);
+      this.taken = 0;
+      this.trace = Object.fromEntries(Object.entries(this.now).filter(([, value]) => typeof value === 'number').map(([name]) => [name, []]));
+      this.note();
+    }
+    // Whether the next step would end behind the end; a little over, since t is rounded.
+    get ended() { return this.now.t + this.now.h > this.seconds * (1 + 1e-9); }
+    step() {
+      this.before = this.now;
+      this.now = this.module.advance(1);
+      if (++this.taken % this.stride === 0) this.note();
+    }
+    // Goes to the end at once.
+    finish() {
+      while (!this.ended) {
+        const left = Math.floor((this.seconds * (1 + 1e-9) - this.now.t) / this.now.h);
+        const steps = Math.max(1, Math.min(this.stride - this.taken % this.stride, left));
+        this.now = this.before = this.module.advance(steps);
+        this.taken += steps;
+        if (this.taken % this.stride === 0) this.note();
+      }
+    }
+    note() { for (const [name, list] of Object.entries(this.trace)) list.push(this.now[name]); }
+    // A value between the last two states, `part` of the way to the newer.
+    blend(name, part) { return this.before[name] + part * (this.now[name] - this.before[name]); }
+  };
+})();

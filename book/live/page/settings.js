@@ -1,0 +1,80 @@
+// What the reader sets: sliders and choices, and the link that holds them.
+(function () {
+  'use strict';
+  const Live = globalThis.Live ??= {};
+
+  const digits = value => String(Number(value.toPrecision(4))).replace('-', '\u2212');
+
+  // A slider stands at numbers of its own: places in a list of values, or the value in the unit that is shown.
+  class Slider {
+    constructor(label, control) {
+      Object.assign(this, control);
+      this.scale ??= 1;
+      this.input = label.querySelector('input');
+      this.output = label.querySelector('output');
+      this.dot = label.querySelector('.mark');
+    }
+    get shown() { return this.values ? this.values[this.input.valueAsNumber] : this.input.valueAsNumber; }
+    get value() { return this.shown * this.scale; }
+    set value(wanted) {
+      const shown = wanted / this.scale;
+      const nearest = (best, value, i) => (Math.abs(value - shown) < Math.abs(this.values[best] - shown) ? i : best);
+      this.input.value = this.values ? this.values.reduce(nearest, 0) : shown;
+    }
+    words(shown = this.shown) { return `${digits(shown)}${this.unit ? `\u202f${this.unit}` : ''}`; }
+
+    // `now` holds the value to be marked on the slider, where it has one.
+    tell(now) {
+      const text = this.words() + this.markWords(now);
+      this.output.textContent = text;
+      this.input.setAttribute('aria-valuetext', text);
+    }
+    markWords(now) {
+      if (!this.mark) return '';
+      const at = now[this.mark] / this.scale;
+      const place = (at - this.from) / (this.to - this.from);
+      this.dot.hidden = !(place >= 0 && place <= 1);
+      this.dot.style.setProperty('--place', place);
+      if (place < 0) return `, over every ${this.mark}`;
+      return `, ${this.shown > at ? 'over' : 'under'} the ${this.mark} of ${this.words(Number(at.toPrecision(3)))}`;
+    }
+  }
+
+  class Choice {
+    constructor(fieldset, control) {
+      Object.assign(this, control);
+      this.radios = [...fieldset.querySelectorAll('input')];
+    }
+    get value() { return this.radios.find(radio => radio.checked).value; }
+    set value(wanted) {
+      const radio = this.radios.find(({ value }) => value === wanted);
+      if (radio) radio.checked = true;
+    }
+    words() { return this.choices[this.value]; }
+    tell() {}
+  }
+
+  Live.Settings = class {
+    constructor(stage, controls) {
+      this.controls = controls.map(control => {
+        const element = stage.querySelector(`[data-control="${control.name}"]`);
+        return control.choices ? new Choice(element, control) : new Slider(element, control);
+      });
+    }
+    get values() { return Object.fromEntries(this.controls.map(({ name, value }) => [name, value])); }
+    get words() { return this.controls.map(control => `${control.label}: ${control.words()}`).join(', '); }
+    tell(now) { for (const control of this.controls) control.tell(now); }
+
+    // method=euler&h=0.011, in seconds and the like; what it does not know it leaves as it is.
+    get query() { return this.controls.map(({ name, value }) => `${name}=${typeof value === 'number' ? Number(value.toPrecision(6)) : value}`).join('&'); }
+    set query(text) {
+      const given = new URLSearchParams(text);
+      for (const control of this.controls) {
+        const wanted = given.get(control.name);
+        if (wanted === null) continue;
+        if (control.choices) control.value = wanted;
+        else if (Number.isFinite(Number(wanted))) control.value = Number(wanted);
+      }
+    }
+  };
+})();

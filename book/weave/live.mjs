@@ -1,0 +1,89 @@
+// Live figures: their descriptions, and the part of a page that their scripts bring to life.
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { linker } from './api.mjs';
+import { highlightLines } from './highlight.mjs';
+import { sourceHref } from './source-pages.mjs';
+import { escapeHtml, smarten } from './text.mjs';
+
+export const LIVE_FOLDER = 'book/live/figures';
+export const liveSource = name => `${LIVE_FOLDER}/${name}.cpp`;
+
+// The scripts of every live figure, in the order in which they are loaded.
+export const LIVE_SCRIPTS = ['module', 'settings', 'run', 'pen', 'chart', 'clock', 'figure'];
+
+// What a page with live figures loads, and no other.
+export function liveHead(body) {
+  const names = [...body.matchAll(/<figure class="plot" id="[^"]*" data-live="([^"]*)"/g)].map(found => found[1]);
+  if (!names.length) return '';
+  const scripts = ['uplot', 'compiled', ...LIVE_SCRIPTS, ...names].map(name => `<script defer src="live/${name}.js"></script>\n`);
+  return `<link rel="stylesheet" href="live/uplot.css">\n<link rel="stylesheet" href="live/live.css">\n${scripts.join('')}`;
+}
+
+// name -> { name, file, controls, ... } of each NAME.json; a fault where one cannot be read.
+export function readLive(source, problems) {
+  const folder = join(source, LIVE_FOLDER);
+  const files = existsSync(folder) ? readdirSync(folder).filter(file => file.endsWith('.json')).sort() : [];
+  return new Map(files.map(file => {
+    const name = file.slice(0, -5);
+    return [name, { name, file: `${LIVE_FOLDER}/${file}`, controls: [], ...readJson(join(folder, file), `${LIVE_FOLDER}/${file}`, problems) }];
+  }));
+}
+
+function readJson(path, file, problems) {
+  try {
+    return JSON.parse(readFileSync(path, 'utf8'));
+  } catch (fault) {
+    problems.add(file, 1, `this is no JSON: ${fault.message}`);
+    return {};
+  }
+}
+
+// The code of each method that a figure has to choose from: what moves x and v, cut from its header.
+export const methodsOf = live => Object.entries(live.controls.find(({ name }) => name === 'method')?.choices ?? {})
+  .map(([name, label]) => ({ name, label, path: `code/integrate/${name}.h`, tag: 'move' }));
+
+// What stands ready for the scripts; a page whose scripts do not run never shows it.
+export function liveHtml({ book }, live) {
+  const { scene, shape, chart, pace } = live;
+  return `<template><div class="stage">
+<div class="views"><div><p class="axis">${escapeHtml(smarten(scene))}</p><canvas class="scene" role="img" style="aspect-ratio:${shape.join('/')}"></canvas></div>
+<div><p class="axis">${escapeHtml(smarten(chart.name))}</p><div class="chart" role="img"></div></div></div>
+<div class="keys"><button type="button" data-do="play">Play</button><button type="button" data-do="step">Step</button><button type="button" data-do="reset">Reset</button>
+<p class="readout"></p><small>${paceText(pace)}</small></div>
+<div class="below"><div class="controls">${live.controls.map(control => controlHtml(live, control)).join('')}
+<button type="button" data-do="link">Link to these settings</button></div>
+${methodsOf(live).map(method => codeHtml(book, method)).join('\n')}</div>
+<p class="unseen" role="status"></p></div></template>`;
+}
+
+function paceText(pace) {
+  if (pace === 1) return 'real time';
+  return pace > 1 ? `${pace}× real time` : `${1 / pace}× slow motion`;
+}
+
+function controlHtml(live, { name, label, choices, start, values, from, to, by, mark }) {
+  const words = escapeHtml(smarten(label));
+  if (choices) {
+    const radios = Object.entries(choices).map(([value, text]) => `<label><input type="radio" name="${live.name}-${name}" value="${value}"${value === start ? ' checked' : ''}> ${escapeHtml(smarten(text))}</label>`);
+    return `<fieldset data-control="${name}"><legend>${words}</legend>${radios.join('')}</fieldset>`;
+  }
+  const range = values ? [0, values.length - 1, 1, values.indexOf(start)] : [from, to, by, start];
+  const [min, max, step, value] = range;
+  return `<label class="slider" data-control="${name}"><span>${words}</span><output></output><span class="track"><input type="range" min="${min}" max="${max}" step="${step}" value="${value}">`
+    + `${mark ? '<span class="mark" hidden></span>' : ''}</span></label>`;
+}
+
+function codeHtml(book, { name, label, path, tag }) {
+  const { lines } = book.snippet(path, tag);
+  const html = highlightLines(lines.map(line => line.text).join('\n'), 'cpp', linker(book.api, path)).join('\n');
+  return `<div class="listing" data-method="${name}" hidden><p><b>${escapeHtml(smarten(label))}</b> <a class="file" href="${sourceHref(path)}#L${lines[0].number}">${escapeHtml(path)}</a></p><pre><code>${html}</code></pre></div>`;
+}
+
+// The colours of figure.gp under the names that the figures use: EULER's becomes --euler.
+export function colourRules(source) {
+  const script = readFileSync(join(source, 'book/theme/figure.gp'), 'utf8');
+  const rules = [...script.matchAll(/^set style line (\w+)\s+lc rgb "#0000([0-9a-f]{2})"/gm)]
+    .map(([, name, colour]) => `--${name.toLowerCase().replace(/_/g, '-')}:var(--plot-${parseInt(colour, 16)})`);
+  return `:root{${rules.join(';')}}\n`;
+}

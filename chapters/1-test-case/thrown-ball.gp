@@ -1,0 +1,21 @@
+eval axis_names("across  [m]", "height  [m]")
+set size ratio -1
+set xrange [-0.5:21]
+set yrange [-3.5:8]
+set xtics 5
+set ytics 0,5
+set label 1 "no air" at 13,6.6 left tc rgb "#000007"
+set label 2 "in air" at 8.4,1.4 left tc rgb "#000007"
+set label 3 "Euler" at 5.5,6.8 right tc rgb "#000001"
+set label 4 "with  {/:Italic a h}^2/2" at 1.6,-1.6 left tc rgb "#00000b"
+set arrow 4 from 4.4,-1.1 to 8.1,-0.6 nohead ls CONTEXT
+vacuum = file("throw-in-a-vacuum")
+air = file("throw-in-air")
+plot vacuum using 2:3 with lines ls EXACT, \
+     air using 2:3 with lines ls EXACT, \
+     vacuum using 6:7 with points ls SECOND ps 0.4, \
+     vacuum using 4:5 with points ls EULER ps 0.5, \
+     air using 6:7 with points ls SECOND ps 0.4, \
+     air using 4:5 with points ls EULER ps 0.5, \
+     vacuum using 4:5:(sprintf("Euler, no air, after %.2f s: %.2f m too high", $1, $5 - $3)) with labels hypertext point ls EULER ps 0.5, \
+     air using 6:7:(sprintf("with the term, in air, after %.2f s: %.0f cm off", $1, 100 * sqrt(($6 - $2)**2 + ($7 - $3)**2))) with labels hypertext point ls SECOND ps 0.4
