@@ -27,8 +27,8 @@ SECOND = 11
 THIRD = 12
 AREA = 13       # a faint fill
 GRID = 14
-# Kin of the methods above: the colour of the family, another dash and symbol. Yoshida's method and the trapezoid rule have
-# colours of their own.
+# Kin of the methods above: the colour of the family, another dash and symbol. Yoshida's method, the trapezoid rule and
+# the step of constant acceleration have colours of their own.
 HEUN = 15
 STORMER_VERLET = 16
 LEAPFROG = 17
@@ -36,6 +36,7 @@ YOSHIDA4 = 18
 TRAPEZOID = 19
 DOPRI5 = 20
 PREDICTED_EULER = 21
+CONSTANT_ACCELERATION = 22
 
 set style line EULER            lc rgb "#000001" lw 2.2 pt 7 ps 0.6
 set style line SYMPLECTIC_EULER lc rgb "#000002" lw 2.2 pt 5 ps 0.55
@@ -58,6 +59,7 @@ set style line YOSHIDA4         lc rgb "#00000a" lw 2.2 pt 2 ps 0.8
 set style line TRAPEZOID        lc rgb "#00000b" lw 2.2 dt (6,4) pt 14 ps 0.7
 set style line DOPRI5           lc rgb "#000004" lw 2.2 dt (6,4) pt 12 ps 0.8
 set style line PREDICTED_EULER  lc rgb "#000005" lw 2.2 dt (2,3) pt 3 ps 0.8
+set style line CONSTANT_ACCELERATION lc rgb "#00000b" lw 2.2 pt 5 ps 0.55
 
 set border 3 lw 1
 set tics out nomirror scale 0.6,0.3

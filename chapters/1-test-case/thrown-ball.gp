@@ -13,9 +13,9 @@ vacuum = file("throw-in-a-vacuum")
 air = file("throw-in-air")
 plot vacuum using 2:3 with lines ls EXACT, \
      air using 2:3 with lines ls EXACT, \
-     vacuum using 6:7 with points ls SECOND ps 0.4, \
+     vacuum using 6:7 with points ls CONSTANT_ACCELERATION ps 0.4, \
      vacuum using 4:5 with points ls EULER ps 0.5, \
-     air using 6:7 with points ls SECOND ps 0.4, \
+     air using 6:7 with points ls CONSTANT_ACCELERATION ps 0.4, \
      air using 4:5 with points ls EULER ps 0.5, \
      vacuum using 4:5:(sprintf("Euler, no air, after %.2f s: %.2f m too high", $1, $5 - $3)) with labels hypertext point ls EULER ps 0.5, \
-     air using 6:7:(sprintf("with the term, in air, after %.2f s: %.0f cm off", $1, 100 * sqrt(($6 - $2)**2 + ($7 - $3)**2))) with labels hypertext point ls SECOND ps 0.4
+     air using 6:7:(sprintf("with the term, in air, after %.2f s: %.0f cm off", $1, 100 * sqrt(($6 - $2)**2 + ($7 - $3)**2))) with labels hypertext point ls CONSTANT_ACCELERATION ps 0.4

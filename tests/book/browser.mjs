@@ -40,7 +40,9 @@ export async function openTab(look = 'light') {
 
 export async function visit(tab, page) {
   tab.faults.length = 0;
-  await tab.goto(pathToFileURL(join(folder, page)).href, { waitUntil: 'load' });
+  const [file, fragment] = page.split('#');
+  await tab.goto(pathToFileURL(join(folder, file)).href + (fragment ? `#${fragment}` : ''), { waitUntil: 'load' });
+  await tab.waitForFunction(() => [...document.querySelectorAll('[data-live]')].every(figure => figure.classList.contains('live')));
 }
 
 export const pageOf = tab => new URL(tab.url()).pathname.split('/').at(-1);

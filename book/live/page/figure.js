@@ -4,7 +4,7 @@
   const Live = globalThis.Live ??= {};
   const still = matchMedia('(prefers-reduced-motion: reduce)');
   let compiled;
-  Live.open_figures = {};
+  Live.opened = {};
 
   // `drawing` has view(settings), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence.
   Live.figure = async function (name, drawing) {
@@ -12,7 +12,7 @@
       try {
         compiled ??= Live.compile(Live.compiled);
         await document.fonts.ready;
-        Live.open_figures[name] = new Figure(element, await Live.open(await compiled, name), Live.descriptions[name], drawing);
+        Live.opened[name] = new Figure(element, await Live.open(await compiled, name), Live.descriptions[name], drawing);
       } catch (fault) {
         if (!(fault instanceof WebAssembly.CompileError)) throw fault;  // a browser that is too old keeps the still picture
       }
@@ -56,7 +56,8 @@
     // Nothing moves by itself where the reader does not want motion, nor twice.
     startWhenSeen() {
       let started = still.matches;
-      new IntersectionObserver(([seen]) => {
+      new IntersectionObserver(entries => {
+        const seen = entries.at(-1);
         this.visible = seen.isIntersecting;
         if (!started && seen.intersectionRatio > 0.6) { started = true; this.play(); }
         this.ask();

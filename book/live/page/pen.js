@@ -3,7 +3,11 @@
   'use strict';
   const Live = globalThis.Live ??= {};
 
-  Live.colour = (element, name) => getComputedStyle(element).getPropertyValue(`--${name.replace(/_/g, '-')}`).trim();
+  Live.colour = function (element, name) {
+    const colour = getComputedStyle(element).getPropertyValue(`--${name.replace(/_/g, '-')}`).trim();
+    if (!colour) throw new Error(`book/theme/figure.gp has no line style for ${name}`);
+    return colour;
+  };
 
   Live.Pen = class {
     constructor(canvas) {

@@ -1,0 +1,129 @@
+// A live figure, driven by keyboard and by its buttons:  node live-figures.test.mjs BUILD [FIGURE]; without a name, every one.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { setTimeout as wait } from 'node:timers/promises';
+import { browser, openTab } from './browser.mjs';
+import { figures, open } from './live.mjs';
+
+const tab = await openTab();
+const phone = await openTab('dark');
+const moving = await openTab();
+await moving.emulateMedia({ reducedMotion: 'no-preference' });
+
+const blank = tab => assert.deepEqual(tab.faults, []);
+
+const only = process.argv[3];
+for (const figure of figures.filter(({ name }) => !only || name === only)) {
+  const about = (sentence, body) => test(`${figure.name}: ${sentence}`, body);
+
+  about('every control, moved by keyboard, changes the picture and says so', async () => {
+    for (const reader of [tab, phone]) {
+      for (const { name, choices } of figure.controls) {
+        const live = await open(reader, figure);
+        const before = [await live.scene(), await live.chart()];
+        const input = live.control(name).locator(choices ? 'input:checked' : 'input');
+        const said = () => live.control(name).locator('input').first().getAttribute('aria-valuetext');
+        const first = await said();
+        await input.focus();
+        await reader.keyboard.press('ArrowRight');
+        assert.notDeepEqual([await live.scene(), await live.chart()], before, `${name} changes nothing that is seen`);
+        if (!choices) assert.notEqual(await said(), first, `${name} does not say where it stands`);
+      }
+      blank(reader);
+    }
+  });
+
+  about('the code beside it is that of the method chosen', async () => {
+    const methods = Object.keys(figure.controls.find(({ name }) => name === 'method')?.choices ?? {});
+    const live = await open(tab, figure);
+    for (const method of methods) {
+      await live.control('method').locator(`[value=${method}]`).check();
+      const shown = live.stage.locator('.listing:visible');
+      assert.equal(await shown.count(), 1);
+      assert.equal(await shown.locator('.file').textContent(), `code/integrate/${method}.h`);
+    }
+  });
+
+  about('without motion it shows the whole run and stays still', async () => {
+    const live = await open(tab, figure);
+    const { t, h } = await live.now();
+    assert.ok(t > figure.seconds - 1.001 * h, `it ends at ${t}`);
+    const scene = await live.scene();
+    await wait(500);
+    assert.equal(await live.scene(), scene);
+    assert.equal(await live.playing(), false);
+  });
+
+  about('with motion it plays once it is seen, and Pause holds it', async () => {
+    const live = await open(moving, figure);
+    await live.stage.evaluate(stage => stage.scrollIntoView());
+    await moving.waitForFunction(of => globalThis.Live.opened[of].playing && globalThis.Live.opened[of].run.taken > 0, figure.name);
+    await live.press('play');
+    const held = await live.now();
+    assert.ok(held.t < figure.seconds);
+    await wait(300);
+    assert.deepEqual(await live.now(), held);
+    assert.equal(await live.playing(), false);
+    blank(moving);
+  });
+
+  about('it pauses out of sight', async () => {
+    const live = await open(moving, figure);
+    await live.press('reset');
+    await live.press('play');
+    await moving.evaluate(() => scrollTo(0, 0));
+    await live.stage.evaluate(stage => new Promise(done => { new IntersectionObserver(([seen]) => seen.isIntersecting || done()).observe(stage); }));
+    await wait(100);
+    const { t } = await live.now();
+    await wait(400);
+    assert.equal((await live.now()).t, t);
+  });
+
+  about('Reset goes to the start, and Step on by one step', async () => {
+    const live = await open(tab, figure);
+    await live.press('reset');
+    const start = await live.now();
+    const scene = await live.scene();
+    assert.equal(start.t, 0);
+    await live.press('step');
+    assert.equal((await live.now()).t, start.h);
+    assert.notEqual(await live.scene(), scene);
+    await live.stage.locator('[role=status]', { hasText: /\d/ }).waitFor({ state: 'attached' });
+  });
+
+  about('the link brings back the settings', async () => {
+    const live = await open(tab, figure);
+    for (const { name, choices } of figure.controls) {
+      await live.control(name).locator(choices ? 'input:checked' : 'input').focus();
+      await tab.keyboard.press('ArrowRight');
+    }
+    const [query, scene] = [await live.query(), await live.scene()];
+    await live.press('link');
+    await live.stage.locator('[data-do=link]', { hasText: /link (copied|is)/i }).waitFor();
+    const address = tab.url();
+    await tab.goto('about:blank');
+    await tab.goto(address, { waitUntil: 'load' });
+    await tab.waitForFunction(of => globalThis.Live?.opened[of], figure.name);
+    assert.equal(await live.query(), query);
+    assert.equal(await live.scene(), scene);
+    blank(tab);
+  });
+
+  about('without scripts and on paper there is the still picture', async () => {
+    const context = await browser.newContext({ javaScriptEnabled: false });
+    const plain = await context.newPage();
+    await open(tab, figure);
+    await plain.goto(tab.url());
+    await tab.emulateMedia({ media: 'print' });
+    for (const reader of [plain, tab]) {
+      const shown = reader.locator(`[data-live="${figure.name}"]`);
+      assert.ok(await shown.locator('.still .wide svg').isVisible());
+      assert.equal(await shown.locator('.stage:visible').count(), 0);
+    }
+    await tab.emulateMedia({ media: 'screen' });
+    assert.ok(await tab.locator(`[data-live="${figure.name}"] .still`).isHidden());
+    await context.close();
+  });
+}
+
+test('the figure is there', () => assert.ok(figures.some(({ name }) => !only || name === only)));

@@ -1,0 +1,58 @@
+// The compiled figures: small, in need of nothing, loaded where they are wanted only, and in the browser to the bit what they are here.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { STEPS, cases, question } from '../../book/live/cases.mjs';
+import { folder, pages, parse } from './book.mjs';
+import { openTab, visit } from './browser.mjs';
+import { figures, module } from './live.mjs';
+
+const scripts = page => parse(page)('script[src]').map((_, e) => e.attribs.src).get();
+const isLive = page => parse(page)('[data-live]').length > 0;
+
+test('the module needs nothing from outside', async () => assert.deepEqual(WebAssembly.Module.imports(await WebAssembly.compile(module)), []));
+
+test('the module has less than 100 kB', () => assert.ok(module.length < 100e3, `${module.length} bytes`));
+
+test('a page loads the live scripts if it has a live figure, and only then', () => {
+  for (const page of pages) assert.equal(scripts(page).some(src => src.startsWith('live/')), isLive(page), page);
+  assert.ok(pages.some(isLive));
+});
+
+test('all scripts of a page have less than 250 kB', () => {
+  for (const page of pages.filter(isLive)) {
+    const bytes = scripts(page).reduce((sum, src) => sum + readFileSync(join(folder, src)).length, 0);
+    assert.ok(bytes < 250e3, `${page}: ${bytes} bytes`);
+  }
+});
+
+test('the choices on the page are those of the program', async () => {
+  const { Live } = (await import('../../book/live/page/module.js'), globalThis);
+  for (const { name, controls } of figures) {
+    const { settings } = await Live.open(await WebAssembly.compile(module), name);
+    const described = Object.fromEntries(controls.map(control => [control.name, Object.keys(control.choices ?? {})]));
+    assert.deepEqual(described, settings, name);
+  }
+});
+
+test(`${STEPS} steps of every figure have the same bits in Chromium as in the native program`, async () => {
+  const tab = await openTab();
+  const runs = cases();
+  const program = join(process.argv[2], 'weave/live/live.fingerprints');
+  const native = execFileSync(program, { input: runs.map(question).join('\n'), encoding: 'utf8' }).trim().split('\n');
+  await visit(tab, figures[0].page);
+  const browser = await tab.evaluate(async ([all, steps]) => {
+    const compiled = await Live.compile(Live.compiled);
+    const found = [];
+    for (const { figure, settings } of all) {
+      const opened = await Live.open(compiled, figure);
+      for (const [name, value] of Object.entries(settings)) opened.set(name, value);
+      found.push(opened.fingerprint(steps));
+    }
+    return found;
+  }, [runs, STEPS]);
+  runs.forEach((run, i) => console.log(`${run.figure} ${JSON.stringify(run.settings)} native ${native[i]} Chromium ${browser[i]}`));
+  assert.deepEqual(browser, native);
+});

@@ -1,0 +1,50 @@
+// What the live figures show is what the chapters say. Each row opens a figure with the settings of a link, lets it run to
+// its end, and looks at what is shown there.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { openTab } from './browser.mjs';
+import { figures, open } from './live.mjs';
+
+const tab = await openTab();
+
+async function end(name, query) {
+  const live = await open(tab, figures.find(figure => figure.name === name), query);
+  return live.now();
+}
+
+test('the drone gains energy under Euler by the factor of the chapter, and keeps it under symplectic Euler', async () => {
+  const omega = 2 * Math.PI / 8;
+  for (const rate of [15, 60, 240]) {
+    const { energy } = await end('drone-spiral', `method=euler&rate=${rate}`);
+    const formula = (1 + (omega / rate) ** 2) ** (80 * rate);
+    assert.ok(Math.abs(energy / formula - 1) < 1e-9, `${energy} instead of ${formula} at ${rate}`);
+    const swapped = await end('drone-spiral', `method=symplectic_euler&rate=${rate}`);
+    assert.ok(Math.abs(swapped.energy - 1) < omega / rate, `${swapped.energy}`);
+  }
+});
+
+test('the suspension dies away within its limit and grows outside, and the limit is two zeta over omega', async () => {
+  for (const zeta of [0.1, 0.3]) {
+    const limit = 2 * zeta / 20;
+    const inside = await end('suspension', `method=euler&zeta=${zeta}&h=${limit - 0.001}`);
+    const outside = await end('suspension', `method=euler&zeta=${zeta}&h=${limit + 0.001}`);
+    assert.ok(inside.energy < 1 && outside.energy > 1, `${inside.energy} ${outside.energy}`);
+    assert.ok(Math.abs(inside.limit - limit) < 1e-9, `${inside.limit}`);
+  }
+});
+
+test('the term with half a h squared is exact without air, and worse than Euler in air', async () => {
+  const error = async (air, method) => (await end('thrown-ball', `air=${air}&method=${method}&rate=20`)).error;
+  assert.ok(await error('none', 'constant_acceleration') < 1e-12);
+  const h = 1 / 20, g = 9.81;
+  assert.ok(Math.abs(await error('none', 'euler') - g * h * 2 / 2) < 1e-9);
+  assert.ok(await error('drag', 'constant_acceleration') > await error('drag', 'euler'));
+});
+
+test('a chart marks where its curve leaves it, and none that stays', async () => {
+  const exit = async query => { await end('drone-spiral', query); return tab.evaluate(() => globalThis.Live.opened['drone-spiral'].chart.exit); };
+  assert.equal(await exit('method=euler&rate=60'), null);
+  const { t, up } = await exit('method=euler&rate=15');
+  const growth = (1 + (2 * Math.PI / 8 / 15) ** 2) ** 15;
+  assert.ok(up && Math.abs(t - Math.log(4) / Math.log(growth)) < 0.2, `${t}`);
+});

@@ -1,0 +1,30 @@
+// The live figures of the built book, and what a test does with one.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { readFigures } from '../../book/live/cases.mjs';
+import { build, pages, parse } from './book.mjs';
+import { visit } from './browser.mjs';
+
+export const MODULE = join(build, 'weave/live/live.wasm');
+export const module = readFileSync(MODULE);
+
+// Each with the page that shows it.
+export const figures = readFigures().map(figure => ({ ...figure, page: pages.find(page => parse(page)(`[data-live="${figure.name}"]`).length) }));
+
+// Opens the page of a figure, and returns what there is to do with it.
+export async function open(tab, { name, page }, query = '') {
+  await visit(tab, page + (query && `#figure-${name}?${query}`));
+  const stage = tab.locator(`[data-live="${name}"] .stage`);
+  await stage.scrollIntoViewIfNeeded();
+  const canvas = selector => stage.locator(selector).first().evaluate(element => element.toDataURL());
+  return {
+    stage,
+    press: action => stage.locator(`[data-do=${action}]`).click(),
+    scene: () => canvas('canvas.scene'),
+    chart: () => canvas('.chart canvas'),
+    now: () => tab.evaluate(of => { const { now } = globalThis.Live.opened[of].run; return { ...now }; }, name),
+    playing: () => tab.evaluate(of => globalThis.Live.opened[of].playing, name),
+    query: () => tab.evaluate(of => globalThis.Live.opened[of].settings.query, name),
+    control: control => stage.locator(`[data-control="${control}"]`),
+  };
+}
