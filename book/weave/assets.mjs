@@ -3,10 +3,11 @@ import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFi
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { LIVE_SCRIPTS, colourRules } from './live.mjs';
+import { LIVE_FOLDER, LIVE_SCRIPTS, colourRules } from './live.mjs';
 
 const require = createRequire(import.meta.url);
 const theme = fileURLToPath(new URL('../theme/', import.meta.url));
+const livePage = fileURLToPath(new URL('../live/page/', import.meta.url));
 const packageFolder = name => dirname(require.resolve(`${name}/package.json`));
 
 const FONTS = [
@@ -29,15 +30,16 @@ export function copyAssets(book, out) {
 // The module stands in a script, in Base64, since a page on disk can load a script and nothing else.
 function copyLive({ config, live }, folder) {
   mkdirSync(folder, { recursive: true });
-  const own = file => join(config.source, 'book/live', file);
   const uplot = dirname(require.resolve('uplot'));
   copyFileSync(join(uplot, 'uPlot.iife.min.js'), join(folder, 'uplot.js'));
   copyFileSync(join(uplot, 'uPlot.min.css'), join(folder, 'uplot.css'));
-  writeFileSync(join(folder, 'live.css'), colourRules(config.source) + readFileSync(own('page/live.css'), 'utf8'));
+  copyFileSync(join(uplot, '../LICENSE'), join(folder, 'uplot-LICENSE.txt'));
+  const colours = colourRules(readFileSync(join(theme, 'figure.gp'), 'utf8'));
+  writeFileSync(join(folder, 'live.css'), colours + readFileSync(join(livePage, 'live.css'), 'utf8'));
   writeFileSync(join(folder, 'compiled.js'), `(globalThis.Live ??= {}).compiled = "${readFileSync(config.live).toString('base64')}";\n`
     + `globalThis.Live.descriptions = ${JSON.stringify(Object.fromEntries(live))};\n`);
-  for (const script of LIVE_SCRIPTS) copyFileSync(own(`page/${script}.js`), join(folder, `${script}.js`));
-  for (const name of live.keys()) copyFileSync(own(`figures/${name}.js`), join(folder, `${name}.js`));
+  for (const script of LIVE_SCRIPTS) copyFileSync(join(livePage, `${script}.js`), join(folder, `${script}.js`));
+  for (const name of live.keys()) copyFileSync(join(config.source, LIVE_FOLDER, `${name}.js`), join(folder, `${name}.js`));
 }
 
 function copyFonts(folder) {

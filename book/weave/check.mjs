@@ -1,5 +1,6 @@
 // Looks up everything that the marks name, and reports what is not there.
 import { existsSync } from 'node:fs';
+import { join } from 'node:path';
 import { checkWhole } from './check-whole.mjs';
 import { findChapter, findNumber } from './find.mjs';
 import { LIVE_FOLDER, methodsOf } from './live.mjs';
@@ -128,6 +129,10 @@ function checkLive(book, piece, report) {
     return;
   }
   piece.live.used = true;
+  for (const kind of ['cpp', 'js']) {
+    const file = `${LIVE_FOLDER}/${name}.${kind}`;
+    if (!existsSync(join(book.config.source, file))) report(`there is no ${file}, which the live figure "${name}" needs`);
+  }
   for (const { path, tag } of methodsOf(piece.live)) {
     const { fault } = book.snippet(path, tag);
     if (fault) report(`the live figure shows the code of its methods: ${fault}`);

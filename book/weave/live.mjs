@@ -70,7 +70,7 @@ function controlHtml(live, { name, label, choices, start, values, from, to, by, 
   }
   const range = values ? [0, values.length - 1, 1, values.indexOf(start)] : [from, to, by, start];
   const [min, max, step, value] = range;
-  return `<label class="slider" data-control="${name}"><span>${words}</span><output></output><span class="track"><input type="range" min="${min}" max="${max}" step="${step}" value="${value}">`
+  return `<label class="slider" data-control="${name}"><span>${words}</span><span class="value"></span><span class="track"><input type="range" min="${min}" max="${max}" step="${step}" value="${value}">`
     + `${mark ? '<span class="mark" hidden></span>' : ''}</span></label>`;
 }
 
@@ -81,8 +81,7 @@ function codeHtml(book, { name, label, path, tag }) {
 }
 
 // The colours of figure.gp under the names that the figures use: EULER's becomes --euler.
-export function colourRules(source) {
-  const script = readFileSync(join(source, 'book/theme/figure.gp'), 'utf8');
+export function colourRules(script) {
   const rules = [...script.matchAll(/^set style line (\w+)\s+lc rgb "#0000([0-9a-f]{2})"/gm)]
     .map(([, name, colour]) => `--${name.toLowerCase().replace(/_/g, '-')}:var(--plot-${parseInt(colour, 16)})`);
   return `:root{${rules.join(';')}}\n`;

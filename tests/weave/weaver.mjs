@@ -13,6 +13,7 @@ export const CHAPTER = 'chapters/2-euler/chapter.md';
 export const CLAIMS = 'chapters/2-euler/claims.cpp';
 export const REPORT = 'built/2-euler/claims.xml';
 export const CARDS = 'code/measure/every_card.cpp';
+export const MODULE = 'built/live.wasm';
 export const NUMBERS = 'built/2-euler/data/numbers.csv';
 
 // A paragraph of its own in the chapter, outside of every box.
@@ -53,7 +54,7 @@ function edit(book, name, change) {
 function weave(folder, chapters, doxygen) {
   const config = join(folder, 'weave.json');
   writeFileSync(config, JSON.stringify({
-    source: folder, output: join(folder, 'out'), work: join(folder, 'work'), cards: join(folder, 'built/cards'), doxygen,
+    source: folder, output: join(folder, 'out'), work: join(folder, 'work'), live: existsSync(join(folder, MODULE)) ? join(folder, MODULE) : '', cards: join(folder, 'built/cards'), doxygen,
     chapters: chapters.map(name => ({ name, folder: `chapters/${name}`, build: join(folder, 'built', name) })),
   }));
   return spawnSync(process.execPath, [WEAVER, config], { encoding: 'utf8' });

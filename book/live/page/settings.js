@@ -11,7 +11,7 @@
       Object.assign(this, control);
       this.scale ??= 1;
       this.input = label.querySelector('input');
-      this.output = label.querySelector('output');
+      this.output = label.querySelector('.value');
       this.dot = label.querySelector('.mark');
     }
     get shown() { return this.values ? this.values[this.input.valueAsNumber] : this.input.valueAsNumber; }

@@ -1,0 +1,71 @@
+// Live figures: what is built on the still picture, what a page loads for it, and what is missing.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { CHAPTER, MODULE, refuses, sampleBook } from './weaver.mjs';
+
+const FOLDER = 'book/live/figures';
+const DESCRIPTION = JSON.stringify({
+  seconds: 1, pace: 1, shape: [1, 1], scene: 'place [m]', chart: { name: 'energy', value: 'energy', from: 0, to: 2 },
+  controls: [
+    { name: 'method', label: 'Method', choices: { euler: 'Euler' }, start: 'euler' },
+    { name: 'h', label: 'Step', from: 0, to: 1, by: 0.1, start: 0.5 },
+  ],
+});
+const live = [
+  [CHAPTER, '\\figure{spiral', '\\live{spiral'], [CHAPTER, '\\endfigure', '\\endlive'],
+  [`${FOLDER}/spiral.cpp`, 'int x;\n'], [`${FOLDER}/spiral.js`, 'draw();\n'], [`${FOLDER}/spiral.json`, DESCRIPTION],
+];
+const method = ['code/integrate/euler.h', '  const Vec a', '  // [move]\n  const Vec a'];
+const methodEnd = ['code/integrate/euler.h', '  v = v + h * a;\n', '  v = v + h * a;\n  // [move]\n'];
+const module = [MODULE, 'any bytes'];
+
+function weaves(...edits) {
+  const book = sampleBook(...edits);
+  const { status, stderr } = book.weave();
+  assert.equal(stderr, '');
+  assert.equal(status, 0);
+  return book;
+}
+
+test('a live figure: the still picture, the stage with its controls and the code of its method', () => {
+  const page = weaves(...live, method, methodEnd, module).read('out/2-euler.html');
+  assert.match(page, /<figure class="plot" id="figure-spiral" data-live="spiral"><div class="still"><div class="wide"><svg/);
+  assert.match(page, /<template>[\s\S]*<input type="radio" name="spiral-method" value="euler" checked>[\s\S]*<input type="range" min="0" max="1" step="0\.1" value="0\.5">[\s\S]*<\/template>/);
+  assert.match(page, /data-method="euler"[^]*?const<\/span> Vec a/);
+  assert.match(page, /<b>Figure 2\.1\. /);
+});
+
+test('the page of a live figure loads its scripts, and no other page does', () => {
+  const book = weaves(...live, method, methodEnd, module);
+  const scripts = page => [...book.read(`out/${page}`).matchAll(/src="(live\/[^"]*)"/g)].map(found => found[1]);
+  assert.deepEqual(scripts('2-euler.html').filter(src => !book.has(`out/${src}`)), []);
+  for (const needed of ['live/compiled.js', 'live/uplot.js', 'live/spiral.js']) assert.ok(scripts('2-euler.html').includes(needed), needed);
+  for (const page of ['index.html', 'references.html', 'claims.html']) assert.deepEqual(scripts(page), []);
+});
+
+test('without a compiler for the browser the figure is a still one', () => {
+  const book = weaves(...live, method, methodEnd);
+  const page = book.read('out/2-euler.html');
+  assert.match(page, /<figure class="plot" id="figure-spiral"><div class="wide"><svg/);
+  assert.doesNotMatch(page, /data-live|<template>|src="live\//);
+  assert.ok(!book.has('out/live'));
+});
+
+test('a live figure that nothing describes', () => refuses(
+  [...live, [CHAPTER, '\\live{spiral', '\\live{spirall'], ['chapters/2-euler/spirall.gp', 'plot x\n'], ['chapters/2-euler/spiral.gp'],
+    ...['', '-narrow'].map(size => [`built/2-euler/figures/spirall${size}.svg`, '<svg xmlns="http://www.w3.org/2000/svg"/>'])],
+  [`${FOLDER}/spiral.json`, '', 'no page shows this with \\live{spiral, ...}; show it, or delete what is named spiral'],
+  [CHAPTER, '\\live{spirall', `there is no ${FOLDER}/spirall.json that describes the live figure "spirall". Did you mean "spiral"?`],
+  [CHAPTER, '\\figref{spiral}', /there is no \\figure\{spiral\}/],
+));
+
+test('a live figure without its parts', () => refuses(
+  [...live, [`${FOLDER}/spiral.js`]],
+  [CHAPTER, '\\live{spiral', `there is no ${FOLDER}/spiral.js, which the live figure "spiral" needs`],
+  [CHAPTER, '\\live{spiral', /^the live figure shows the code of its methods: code\/integrate\/euler\.h has no tag "move"\./],
+));
+
+test('a description that is no JSON', () => refuses(
+  [...live, [`${FOLDER}/spiral.json`, '{ "controls": ']],
+  [`${FOLDER}/spiral.json`, '', /^this is no JSON: /],
+));
