@@ -23,7 +23,7 @@ const head = `${'figure'.padEnd(14)} ${'settings'.padEnd(44)} ${'native'.padEnd(
 const text = `Fingerprints of ${STEPS} steps\n${head}\n${lines.join('\n')}\n`;
 process.stdout.write(text);
 if (different) {
-  console.error(`${different} of ${runs.length} runs have other bits in the page than here; see design of the flags in book/live/CMakeLists.txt`);
+  console.error(`${different} of ${runs.length} runs have other bits in the page than here: are they compiled with the options of the target reproducible?`);
   process.exit(1);
 }
 writeFileSync(table, text);

@@ -48,7 +48,7 @@ export function liveHtml({ book }, live) {
   const { scene, shape, chart, pace } = live;
   return `<template><div class="stage">
 <div class="views"><div><p class="axis">${escapeHtml(smarten(scene))}</p><canvas class="scene" role="img" style="aspect-ratio:${shape.join('/')}"></canvas></div>
-<div><p class="axis">${escapeHtml(smarten(chart.name))}</p><div class="chart" role="img"></div></div></div>
+<div><p class="axis">${escapeHtml(smarten(chart.name))}${chart.curves.map(keyHtml).join('')}</p><div class="chart" role="img"></div></div></div>
 <div class="keys"><button type="button" data-do="play">Play</button><button type="button" data-do="step">Step</button><button type="button" data-do="reset">Reset</button>
 <p class="readout"></p><small>${paceText(pace)}</small></div>
 <div class="below"><div class="controls">${live.controls.map(control => controlHtml(live, control)).join('')}
@@ -56,6 +56,9 @@ export function liveHtml({ book }, live) {
 ${methodsOf(live).map(method => codeHtml(book, method)).join('\n')}</div>
 <p class="unseen" role="status"></p></div></template>`;
 }
+
+// A curve says what it is where it bears a label.
+const keyHtml = ({ colour, label }) => (label ? ` <span class="key${colour === 'exact' ? ' dashed' : ''}" style="--key:var(--${colour.replace(/_/g, '-')})">${escapeHtml(smarten(label))}</span>` : '');
 
 function paceText(pace) {
   if (pace === 1) return 'real time';

@@ -79,6 +79,20 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
     assert.equal((await live.now()).t, t);
   });
 
+  about('it says so when it runs slower than time', async () => {
+    const live = await open(moving, figure);
+    const slow = 'Runs slower than time.';
+    await live.press('reset');
+    assert.ok(!(await live.stage.locator('.readout').textContent()).includes(slow));
+    await moving.evaluate(of => {
+      const { run } = globalThis.Live.opened[of], { step } = Object.getPrototypeOf(run);
+      run.step = () => { for (const until = performance.now() + 300; performance.now() < until;); step.call(run); };
+    }, figure.name);
+    await live.press('play');
+    await live.stage.locator('.readout', { hasText: slow }).waitFor();
+    await live.press('play');
+  });
+
   about('Reset goes to the start, and Step on by one step', async () => {
     const live = await open(tab, figure);
     await live.press('reset');

@@ -42,9 +42,9 @@ test('the term with half a h squared is exact without air, and worse than Euler 
 });
 
 test('a chart marks where its curve leaves it, and none that stays', async () => {
-  const exit = async query => { await end('drone-spiral', query); return tab.evaluate(() => globalThis.Live.opened['drone-spiral'].chart.exit); };
-  assert.equal(await exit('method=euler&rate=60'), null);
-  const { t, up } = await exit('method=euler&rate=15');
+  const exit = async query => { await end('drone-spiral', query); return tab.evaluate(() => globalThis.Live.opened['drone-spiral'].chart.exits); };
+  assert.deepEqual(await exit('method=euler&rate=60'), []);
+  const [{ t, up }] = await exit('method=euler&rate=15');
   const growth = (1 + (2 * Math.PI / 8 / 15) ** 2) ** 15;
   assert.ok(up && Math.abs(t - Math.log(4) / Math.log(growth)) < 0.2, `${t}`);
 });

@@ -5,7 +5,7 @@ import { CHAPTER, MODULE, refuses, sampleBook } from './weaver.mjs';
 
 const FOLDER = 'book/live/figures';
 const DESCRIPTION = JSON.stringify({
-  seconds: 1, pace: 1, shape: [1, 1], scene: 'place [m]', chart: { name: 'energy', value: 'energy', from: 0, to: 2 },
+  seconds: 1, pace: 1, shape: [1, 1], scene: 'place [m]', chart: { name: 'energy', curves: [{ value: 'energy', colour: 'method' }], from: 0, to: 2 },
   controls: [
     { name: 'method', label: 'Method', choices: { euler: 'Euler' }, start: 'euler' },
     { name: 'h', label: 'Step', from: 0, to: 1, by: 0.1, start: 0.5 },

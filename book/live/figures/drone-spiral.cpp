@@ -35,6 +35,7 @@ class DroneSpiral final : public Figure {
     show("x", x.x());
     show("y", x.y());
     show("distance", x.norm());
+    show("true energy", 1);
     show("energy", drone.energy(x, v) / drone.energy(begin.x, begin.v));
   }
 };

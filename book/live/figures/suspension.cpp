@@ -38,7 +38,10 @@ class Suspension final : public Figure {
     show("t", run_->t());
     show("h", h_);
     show("x", x);
-    show("energy", spring_.energy(x, v) / spring_.energy(spring_.x0, spring_.v0));
+    const double begin = spring_.energy(spring_.x0, spring_.v0);
+    const auto truth = spring_.exact(run_->t());
+    show("energy", spring_.energy(x, v) / begin);
+    show_reference("true energy", spring_.energy(truth.x, truth.v) / begin);
   }
 
   // As the chapter finds it: by running the method.

@@ -1,23 +1,33 @@
-// One value over time. The axes are fixed, so that a small thing looks small; where the curve leaves them is marked.
+// Values over time. The axes are fixed, so that a small thing looks small; where a curve leaves them is marked.
 (function () {
   'use strict';
   const Live = globalThis.Live ??= {};
+  const FONT = '12px "Book Sans", sans-serif';
 
   Live.Chart = class {
     // `beside` is the picture of the scene, whose height the chart takes within bounds.
-    constructor(box, beside, { value, from, to, level }, seconds) {
-      Object.assign(this, { box, beside, value, from, to, level });
-      const colour = name => Live.colour(box, name);
-      const axis = { stroke: () => colour('soft'), grid: { stroke: () => colour('grid'), width: 1 }, ticks: { show: false }, font: '12px "Book Sans", sans-serif' };
-      const series = [{}, { stroke: () => colour(this.method), width: 2, points: { show: false } }];
-      if (level !== undefined) series.push({ stroke: () => colour('exact'), width: 1.2, dash: [7, 5], points: { show: false } });
+    constructor(box, beside, { curves, from, to, log }, seconds) {
+      Object.assign(this, { box, beside, curves, from, to, exits: [] });
+      const paint = name => () => Live.colour(box, name);
+      const axis = { stroke: paint('soft'), grid: { stroke: paint('grid'), width: 1 }, ticks: { show: false }, font: FONT };
+      // Of the marks of a logarithmic axis, the powers of ten.
+      const powers = (_, marks) => marks.map(mark => (Math.abs(Math.log10(mark) - Math.round(Math.log10(mark))) < 1e-9 ? mark : null));
+      const logarithmic = log && { filter: powers, grid: { ...axis.grid, filter: powers }, values: (_, marks) => marks.map(mark => (mark === null ? '' : String(mark))) };
       this.plot = new globalThis.uPlot({
         ...this.size, legend: { show: false }, cursor: { show: false }, padding: [8, 12, 0, 0],
-        scales: { x: { time: false, range: [0, seconds] }, y: { range: [from, to] } },
-        axes: [{ ...axis, size: 24, label: 'time [s]', labelSize: 20, labelFont: axis.font }, { ...axis, size: 40 }],
-        series, hooks: { draw: [plot => this.markExit(plot)] },
-      }, [[], [], []].slice(0, series.length), box);
+        scales: { x: { time: false, range: [0, seconds] }, y: { range: [from, to], distr: log ? 3 : 1 } },
+        axes: [{ ...axis, size: 24, label: 'time [s]', labelSize: 20, labelFont: FONT }, { ...axis, size: 44, ...logarithmic }],
+        series: [{}, ...curves.map(curve => this.seriesOf(curve))],
+        hooks: { draw: [plot => this.exits.forEach((exit, i) => this.markExit(plot, exit, i === 0))] },
+      }, [[], ...curves.map(() => [])], box);
     }
+    seriesOf(curve) {
+      const exact = curve.colour === 'exact';
+      return { stroke: () => this.colourOf(curve), width: exact ? 1.2 : 2, dash: exact ? [7, 5] : undefined, points: { show: false } };
+    }
+    // A curve of the colour "method" has that of the method chosen.
+    colourOf({ colour }) { return Live.colour(this.box, colour === 'method' ? this.method : colour); }
+
     get size() {
       const height = Math.max(200, Math.min(280, this.beside.clientHeight));
       return { width: Math.max(120, this.box.clientWidth), height };
@@ -29,33 +39,34 @@
 
     draw({ trace, now }, method) {
       this.method = method;
-      const far = 100 * (this.to - this.from);  // beyond, a canvas draws nonsense
-      const times = trace.t.at(-1) === now.t ? trace.t : [...trace.t, now.t];
-      const values = times === trace.t ? trace[this.value] : [...trace[this.value], now[this.value]];
-      const left = values.findIndex(value => !(value >= this.from && value <= this.to));
-      this.exit = left < 0 ? null : { t: times[left], up: !(values[left] < this.from) };
-      const drawn = values.map(value => (Number.isNaN(value) ? null : Math.max(-far, Math.min(far, value))));
-      this.plot.setData(this.level === undefined ? [times, drawn] : [times, drawn, times.map(() => this.level)], false);
+      const whole = name => (trace.t.at(-1) === now.t ? trace[name] : [...trace[name], now[name]]);
+      const times = whole('t');
+      const far = 100 * this.to;  // beyond, a canvas draws nonsense
+      const drawn = value => (Number.isNaN(value) ? null : Math.max(-far, Math.min(far, value)));
+      this.exits = this.curves.filter(({ colour }) => colour !== 'exact').map(curve => this.exitOf(curve, times, whole(curve.value))).filter(Boolean);
+      this.plot.setData([times, ...this.curves.map(({ value }) => whole(value).map(drawn))], false);
       this.plot.redraw(false, true);
     }
+    exitOf(curve, times, values) {
+      const at = values.findIndex(value => !(value >= this.from && value <= this.to));
+      return at < 0 ? null : { t: times[at], up: !(values[at] < this.from), curve };
+    }
 
-    markExit(plot) {
-      if (!this.exit) return;
+    markExit(plot, { t, up, curve }, inWords) {
       const { ctx, bbox } = plot, size = 6 * devicePixelRatio;
-      const x = plot.valToPos(this.exit.t, 'x', true), up = this.exit.up ? 1 : -1;
-      const tip = this.exit.up ? bbox.top : bbox.top + bbox.height;
-      const before = x > bbox.left + bbox.width / 2;
+      const x = plot.valToPos(t, 'x', true), tip = up ? bbox.top : bbox.top + bbox.height, inwards = up ? 1 : -1;
       ctx.save();
-      ctx.fillStyle = Live.colour(this.box, 'limit');
+      ctx.fillStyle = this.colourOf(curve);
       ctx.beginPath();
       ctx.moveTo(x, tip);
-      ctx.lineTo(x - size, tip + up * 1.6 * size);
-      ctx.lineTo(x + size, tip + up * 1.6 * size);
+      ctx.lineTo(x - size, tip + inwards * 1.6 * size);
+      ctx.lineTo(x + size, tip + inwards * 1.6 * size);
       ctx.fill();
-      ctx.font = `500 ${12 * devicePixelRatio}px "Book Sans", sans-serif`;
-      ctx.textAlign = before ? 'right' : 'left';
-      ctx.textBaseline = 'middle';
-      ctx.fillText('leaves the chart', x + (before ? -2 : 2) * size, tip + up * 1.2 * size);
+      if (inWords) {
+        const left = x > bbox.left + bbox.width / 2;
+        Object.assign(ctx, { font: `500 ${12 * devicePixelRatio}px "Book Sans", sans-serif`, textAlign: left ? 'right' : 'left', textBaseline: 'middle' });
+        ctx.fillText('leaves the chart', x + (left ? -2 : 2) * size, tip + inwards * 1.2 * size);
+      }
       ctx.restore();
     }
   };

@@ -13,8 +13,10 @@
     restart() {
       this.saved = 0;
       this.last = null;
-      this.slow = false;
+      this.dropped = 0;
     }
+    // Whether it ran slower than time during the last few frames.
+    get slow() { return this.dropped > 0.05; }
     // Takes the steps due at `now` [ms].
     frame(now, run) {
       const passed = this.last === null ? 0 : Math.max(0, now - this.last) / 1000;
@@ -25,8 +27,9 @@
         if (performance.now() > end) break;
         run.step();
       }
-      this.slow = !run.ended && this.saved >= run.now.h;
-      if (this.slow) this.saved = 0;
+      const late = run.ended ? 0 : Math.floor(this.saved / run.now.h) * run.now.h;
+      this.saved -= late;
+      this.dropped = 0.9 * this.dropped + Math.max(0, passed - LONGEST) + late / this.pace;
     }
     // How far the picture is from the last state but one to the last.
     part(run) { return run.ended ? 1 : this.saved / run.now.h; }
