@@ -12,5 +12,11 @@ globalThis.Live.figure('suspension', {
     pen.line(coils.map(i => -0.16 + (i % 2 ? 0.04 : -0.04) * (i > 0 && i < 16)), coils.map(i => 0.2 + (x - 0.2) * i / 16), { colour: 'context', width: 1.4 });
     pen.dot(-0.16, x, 9, method);
   },
-  tell: ({ x, energy }) => `stretch ${(100 * x).toFixed(1)}\u202fcm, energy ${energy < 1000 ? energy.toFixed(2) : 'over a thousand'} times the start's.`,
+  tell({ x, energy }) {
+    return `stretch ${(100 * x).toFixed(1).replace('-', '\u2212')}\u202fcm, energy ${this.howMuch(energy)} times the start's.`;
+  },
+  howMuch(energy) {
+    if (energy > 1000) return 'over a thousand';
+    return energy < 0.01 ? 'under a hundredth' : energy.toFixed(2);
+  },
 });

@@ -7,7 +7,7 @@
   Live.Chart = class {
     // `beside` is the picture of the scene, whose height the chart takes within bounds.
     constructor(box, beside, { curves, from, to, log }, seconds) {
-      Object.assign(this, { box, beside, curves, from, to, exits: [] });
+      Object.assign(this, { box, beside, curves, from, to, log, exits: [] });
       const paint = name => () => Live.colour(box, name);
       const axis = { stroke: paint('soft'), grid: { stroke: paint('grid'), width: 1 }, ticks: { show: false }, font: FONT };
       // Of the marks of a logarithmic axis, the powers of ten.
@@ -49,7 +49,15 @@
     }
     exitOf(curve, times, values) {
       const at = values.findIndex(value => !(value >= this.from && value <= this.to));
-      return at < 0 ? null : { t: times[at], up: !(values[at] < this.from), curve };
+      if (at < 0) return null;
+      const up = !(values[at] < this.from);
+      return { t: this.crossing(times.slice(at - 1, at + 1), values.slice(at - 1, at + 1), up ? this.to : this.from), up, curve };
+    }
+    // When the line between two points, as it is drawn, crosses an edge of the chart.
+    crossing(times, values, edge) {
+      const [a, b, e] = [...values, edge].map(value => (this.log ? Math.log(value) : value));
+      const part = (e - a) / (b - a);
+      return times.length === 2 && part >= 0 && part <= 1 ? times[0] + part * (times[1] - times[0]) : times.at(-1);
     }
 
     markExit(plot, { t, up, curve }, inWords) {

@@ -8,13 +8,14 @@
 
   // `drawing` has view(settings), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence.
   Live.figure = async function (name, drawing) {
+    if (!globalThis.WebAssembly) return;  // a browser that is too old keeps the still picture
     for (const element of document.querySelectorAll(`[data-live="${name}"]`)) {
       try {
         compiled ??= Live.compile(Live.compiled);
         await document.fonts.ready;
         Live.opened[name] = new Figure(element, await Live.open(await compiled, name), Live.descriptions[name], drawing);
       } catch (fault) {
-        if (!(fault instanceof WebAssembly.CompileError)) throw fault;  // a browser that is too old keeps the still picture
+        if (!(fault instanceof WebAssembly.CompileError)) throw fault;  // nor can it run newer code
       }
     }
   };
@@ -70,7 +71,12 @@
       this.run.start(this.values);
       this.clock.restart();
       this.settings.tell(this.run.now);
-      for (const code of this.stage.querySelectorAll('[data-method]')) code.hidden = code.dataset.method !== this.values.method;
+      this.showCode(this.values.method);
+    }
+    showCode(method) {
+      if (method === this.codeShown) return;
+      this.codeShown = method;
+      for (const code of this.stage.querySelectorAll('[data-method]')) code.hidden = code.dataset.method !== method;
       dispatchEvent(new Event('resize'));  // the page looks whether the code fits
     }
     showWhole() {
@@ -140,7 +146,7 @@
       clearTimeout(this.speaking);
       this.speaking = setTimeout(() => { this.status.textContent = this.sentence; }, 400);
       for (const picture of this.stage.querySelectorAll('[role=img]')) {
-        const axis = picture.closest('div:has(> .axis)').querySelector('.axis').textContent;
+        const axis = picture.parentElement.querySelector('.axis').textContent;
         picture.setAttribute('aria-label', `${axis}. ${this.settings.words}. ${this.sentence}`);
       }
     }
@@ -152,7 +158,7 @@
       written.then(() => say('Link copied'), () => say('The link is in the address bar'));
     }
     readLink() {
-      const [, id, query] = decodeURI(location.hash).match(/^#([\w-]+)\?(.*)$/) ?? [];
+      const [, id, query] = location.hash.match(/^#([\w-]+)\?(.*)$/) ?? [];
       if (id !== this.element.id) return false;
       this.settings.query = query;
       this.element.scrollIntoView();
