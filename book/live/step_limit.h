@@ -12,7 +12,7 @@ namespace live {
 ///
 /// What measure::spectral_radius gives, without the size of a solver for any matrix in the page.
 template <class Step, class Scene>
-double spectral_radius(Step step, const Scene& scene, double h) {
+double largest_eigenvalue(Step step, const Scene& scene, double h) {
   scenes::State<double> a{1, 0}, b{0, 1};
   step(a.x, a.v, 0.0, h, scene);
   step(b.x, b.v, 0.0, h, scene);
@@ -29,7 +29,7 @@ template <class Step, class Scene>
 double step_limit(Step step, const Scene& scene, double stable, double unstable) {
   for (int halving = 0; halving < 60; ++halving) {
     const double middle = (stable + unstable) / 2;
-    (spectral_radius(step, scene, middle) > 1 + 1e-12 ? unstable : stable) = middle;
+    (largest_eigenvalue(step, scene, middle) > 1 + 1e-12 ? unstable : stable) = middle;
   }
   return stable;
 }

@@ -105,6 +105,16 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
     await live.stage.locator('[role=status]', { hasText: /\d/ }).waitFor({ state: 'attached' });
   });
 
+  about('picture and chart follow the theme button', async () => {
+    const live = await open(tab, figure);
+    const before = { scene: await live.scene(), chart: await live.chart() };
+    const button = tab.locator('button.theme');
+    await button.click();
+    for (const part of ['scene', 'chart']) assert.notEqual(await live[part](), before[part], part);
+    await button.click();
+    for (const part of ['scene', 'chart']) assert.equal(await live[part](), before[part], part);
+  });
+
   about('the link brings back the settings', async () => {
     const live = await open(tab, figure);
     for (const { name, choices } of figure.controls) {
