@@ -43,12 +43,12 @@ struct Limits {
 struct Ended {
   enum class How { exited, signalled, wall_limit, processor_limit, chatter_limit, never_started };
   How how = How::never_started;
-  int code = 0;                ///< its exit code, or the number of the signal
-  double processor = 0;        ///< used [s]
-  double wall = 0;             ///< used [s]
-  long peak_kilobytes = 0;     ///< of memory
-  std::size_t unread = 0;      ///< bytes of its answer that nobody had asked for
-  std::string out, err;        ///< the first 16 KiB of what it printed
+  int code = 0;             ///< its exit code, or the number of the signal
+  double processor = 0;     ///< used [s]
+  double wall = 0;          ///< used [s]
+  long peak_kilobytes = 0;  ///< of memory
+  std::size_t unread = 0;   ///< bytes of its answer that nobody had asked for
+  std::string out, err;     ///< the first 16 KiB of what it printed
 };
 
 /// A program that answers on descriptor 3. It dies with this object, and all its children with it.
