@@ -98,6 +98,7 @@ void Process::Pipes::write_input(std::span<const std::byte>& unsent) {
 }
 
 void Process::Pipes::read_pipes(std::size_t wanted) {
+  if (given_ > ahead) answer_.erase(0, std::exchange(given_, 0));
   if (available() < wanted) take(reply_, answer_, std::max(wanted, ahead) - available());
   read_chatter(out_, ended_.out);
   read_chatter(err_, ended_.err);

@@ -23,8 +23,9 @@ bool tells_status(const std::vector<std::string>& command) {
 }  // namespace
 
 Process::Process(const std::vector<std::string>& command,
-                 const std::vector<std::pair<int, int>>& files, const Limits& limits)
-    : pipes_(std::make_unique<Pipes>(limits)) {
+                 const std::vector<std::pair<int, int>>& files, const Limits& limits,
+                 std::filesystem::path folder)
+    : pipes_(std::make_unique<Pipes>(limits)), folder_(std::move(folder)) {
   ::signal(SIGPIPE, SIG_IGN);  // a program that stops reading must not end us
   adopt_orphans();
   pipes_->start(command, files, tells_status(command));
@@ -32,6 +33,8 @@ Process::Process(const std::vector<std::string>& command,
 
 Process::~Process() {
   if (pipes_ && !pipes_->over()) pipes_->stop(How::signalled);
+  std::error_code left;
+  if (!folder_.empty()) std::filesystem::remove_all(folder_, left);
 }
 
 bool Process::send(std::span<const std::byte> bytes) {

@@ -4,9 +4,11 @@
 #pragma once
 #include <chrono>
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -55,9 +57,12 @@ struct Ended {
 class Process {
  public:
   /// @param command  the program with its arguments
-  /// @param files  our descriptors, and their numbers in the program (4 to 9)
+  /// One at a time: at its end every child of this process goes that came after it.
+  ///
+  /// @param files  our descriptors, and their numbers in the program (5 to 9)
+  /// @param folder  removed at the end; none if empty
   Process(const std::vector<std::string>& command, const std::vector<std::pair<int, int>>& files,
-          const Limits& limits);
+          const Limits& limits, std::filesystem::path folder = {});
   ~Process();
 
   /// Writes to its standard input; false if it cannot be written to any more.
@@ -75,6 +80,7 @@ class Process {
  private:
   struct Pipes;
   std::unique_ptr<Pipes> pipes_;
+  std::filesystem::path folder_;
 };
 
 }  // namespace cage
