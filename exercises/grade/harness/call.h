@@ -12,7 +12,7 @@
 namespace harness {
 
 // Numbers on the pipe: a tag, how many follow, and these.
-enum Tag { question = 1, result = 2 };
+inline constexpr double question = 1, result = 2;
 
 class Call {
  public:
