@@ -18,6 +18,7 @@ struct Plot {
   std::string title, x_label, y_label;
   std::vector<Curve> curves;  ///< the student's first; points that are not finite are left out
   bool same_scale = false;    ///< x and y in the same unit, as a path is
+  std::string file;           ///< where it was drawn, seen from the report; empty if it was not
 };
 
 /// One comparison, held or not.

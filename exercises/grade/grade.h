@@ -25,6 +25,7 @@ struct Request {
 /// All that is known at the end; the report in words and in JSON is made from this alone.
 struct Report {
   std::string exercise;
+  std::string version;     ///< of the grader and the exercise together
   std::string submission;  ///< as the caller named it
   std::string sha256;      ///< of its text; empty if there was none
   std::uint64_t seed = 0;
