@@ -13,8 +13,8 @@ namespace grade {
 struct Compiled {
   cage::File driver;              ///< the program, if there is one
   std::optional<Verdict> failed;  ///< why there is none
-  std::string message;            ///< for the student: first error, or the warnings; no path of ours
-  double processor = 0;           ///< used [s]
+  std::string message;   ///< for the student: first error, or the warnings; no path of ours
+  double processor = 0;  ///< used [s]
 };
 
 /// @param text  the submission

@@ -19,19 +19,20 @@ struct Plot {
   std::vector<Curve> curves;  ///< the student's first; points that are not finite are left out
   bool same_scale = false;    ///< x and y in the same unit, as a path is
   std::string file;           ///< where it was drawn, seen from the report; empty if it was not
+  bool logarithmic = false;   ///< both axes; points that are not positive are left out
 };
 
 /// One comparison, held or not.
 struct Finding {
   bool held = false;
-  std::string asked;           ///< what the code was asked to do
-  std::string input;           ///< with what, to be tried again at home
-  std::string expected;        ///< what a right answer is
-  std::string got;             ///< what came
-  std::string error;           ///< how far off
-  std::string tolerance;       ///< how far off it may be
-  std::string tolerance_from;  ///< and why
-  std::string hint;            ///< one sentence that helps
+  std::string asked;                   ///< what the code was asked to do
+  std::string input;                   ///< with what, to be tried again at home
+  std::string expected;                ///< what a right answer is
+  std::string got;                     ///< what came
+  std::string error;                   ///< how far off
+  std::string tolerance;               ///< how far off it may be
+  std::string tolerance_from;          ///< and why
+  std::string hint;                    ///< one sentence that helps
   std::vector<std::string> diagnoses;  ///< what the answer looks like: "this is Euler's method"
   Plot plot;
 };

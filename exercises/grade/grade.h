@@ -31,8 +31,8 @@ struct Report {
   std::uint64_t seed = 0;
   cage::Sandbox sandbox = cage::Sandbox::bubblewrap;
   Verdict verdict = Verdict::grader_error;
-  std::string why;      ///< one or more lines for the student; empty if the tests say it all
-  std::string warnings; ///< of the compiler, if it compiled
+  std::string why;       ///< one or more lines for the student; empty if the tests say it all
+  std::string warnings;  ///< of the compiler, if it compiled
   std::vector<std::string> ignored;
   std::vector<TestResult> tests;
   int score = 0, points = 0;  ///< points earned, points to be had

@@ -17,13 +17,17 @@ enum class Sandbox {
 
 /// Where the grader keeps what it brought along.
 struct Kit {
-  std::string harness;  ///< folder with the precompiled given.h, harness.o and call.h; read-only inside
+  std::string harness;  ///< folder with the precompiled given.h, call.h and harness.o
   std::string filters;  ///< folder with run.bpf and compile.bpf
   std::string canary;   ///< the canary, a static program
 };
 
-/// Starts a compilation of `submission`, under the name `header`, with the glue of `harness_header`; the driver comes on
-/// descriptor 3 behind the word READY.
+/// Exit codes of a compilation that failed: in which step.
+enum CompileExit { not_compiled = 10, not_linked = 11 };
+
+/// Starts a compilation of `submission`, under the name `header`, with the glue of
+/// `harness_header`; the driver comes on descriptor 3 behind the word READY. On its standard output
+/// stands what the submission defines strongly, and main, as `nm -C` writes it.
 Process compile(Sandbox sandbox, const Kit& kit, std::string_view submission,
                 const std::string& header, std::string_view harness_header, const Limits& limits);
 

@@ -4,9 +4,11 @@
 #pragma once
 #include <chrono>
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,21 +45,24 @@ struct Limits {
 struct Ended {
   enum class How { exited, signalled, wall_limit, processor_limit, chatter_limit, never_started };
   How how = How::never_started;
-  int code = 0;                ///< its exit code, or the number of the signal
-  double processor = 0;        ///< used [s]
-  double wall = 0;             ///< used [s]
-  long peak_kilobytes = 0;     ///< of memory
-  std::size_t unread = 0;      ///< bytes of its answer that nobody had asked for
-  std::string out, err;        ///< the first 16 KiB of what it printed
+  int code = 0;             ///< its exit code, or the number of the signal
+  double processor = 0;     ///< used [s]
+  double wall = 0;          ///< used [s]
+  long peak_kilobytes = 0;  ///< of memory
+  std::size_t unread = 0;   ///< bytes of its answer that nobody had asked for
+  std::string out, err;     ///< the first 16 KiB of what it printed
 };
 
 /// A program that answers on descriptor 3. It dies with this object, and all its children with it.
 class Process {
  public:
   /// @param command  the program with its arguments
-  /// @param files  our descriptors, and their numbers in the program (4 to 9)
+  /// One at a time: at its end every child of this process goes that came after it.
+  ///
+  /// @param files  our descriptors, and their numbers in the program (5 to 9)
+  /// @param folder  removed at the end; none if empty
   Process(const std::vector<std::string>& command, const std::vector<std::pair<int, int>>& files,
-          const Limits& limits);
+          const Limits& limits, std::filesystem::path folder = {});
   ~Process();
 
   /// Writes to its standard input; false if it cannot be written to any more.
@@ -75,6 +80,7 @@ class Process {
  private:
   struct Pipes;
   std::unique_ptr<Pipes> pipes_;
+  std::filesystem::path folder_;
 };
 
 }  // namespace cage

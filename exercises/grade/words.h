@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Values in words, for messages.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "cage/process.h"
+
+namespace grade {
+
+/// Text of a student's program, made harmless and cut.
+std::string printable(std::string_view text, std::size_t most);
+
+/// Six digits, enough to see a difference; `digits` if more are wanted.
+std::string number(double value, int digits = 6);
+
+std::string megabytes(std::size_t bytes);
+
+/// The processor time that a program may use.
+std::string seconds(const cage::Limits& limits);
+
+}  // namespace grade
