@@ -50,6 +50,13 @@ Curve finite(const Curve& curve) {
   return kept;
 }
 
+Curve logarithm(const Curve& curve) {
+  Curve powers = curve;
+  for (double& x : powers.x) x = std::log10(x);
+  for (double& y : powers.y) y = std::log10(y);
+  return finite(powers);
+}
+
 Curve thinned(const Curve& curve, std::size_t most) {
   const std::size_t all = curve.x.size();
   if (all <= most) return curve;

@@ -12,6 +12,9 @@ namespace grade {
 /// The curve without the points that are not finite.
 Curve finite(const Curve& curve);
 
+/// The curve in powers of ten, without the points that have none.
+Curve logarithm(const Curve& curve);
+
 /// The curve with about `most` points that keep its shape: of each stretch its leftmost, rightmost,
 /// lowest and highest point, in their order.
 Curve thinned(const Curve& curve, std::size_t most);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "report/curve.h"
 #include "report/escape.h"
@@ -49,9 +50,15 @@ std::string number(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-std::string range(const char* axis, double low, double high) {
+/// Of curves that are drawn in powers of ten, too, gnuplot is told the numbers themselves.
+std::string number(double value, const Plot& plot) {
+  return number(plot.logarithmic ? std::pow(10, value) : value);
+}
+
+std::string range(const char* axis, double low, double high, const Plot& plot) {
   if (!(low < high)) return "";
-  return std::string("set ") + axis + "range [" + number(low) + ":" + number(high) + "]\n";
+  return std::string("set ") + axis + "range [" + number(low, plot) + ":" + number(high, plot) +
+         "]\n";
 }
 
 /// What lies far outside is as good as at a thousand times the view's width, where gnuplot's own
@@ -62,11 +69,11 @@ double clamped(double value, double low, double high) {
   return std::clamp(value, low - far * width, high + far * width);
 }
 
-std::string block(std::size_t index, const Curve& curve, const Box& box) {
+std::string block(std::size_t index, const Curve& curve, const Box& box, const Plot& plot) {
   std::string text = "$curve" + std::to_string(index) + " << end\n";
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    text += number(clamped(curve.x[i], box.left, box.right)) + " " +
-            number(clamped(curve.y[i], box.bottom, box.top)) + "\n";
+    text += number(clamped(curve.x[i], box.left, box.right), plot) + " " +
+            number(clamped(curve.y[i], box.bottom, box.top), plot) + "\n";
   }
   return text + "end\n";
 }
@@ -89,10 +96,11 @@ std::string script(const Plot& plot, const std::vector<Curve>& curves, const Box
   text +=
       "set xlabel " + in_quotes(plot.x_label) + "\nset ylabel " + in_quotes(plot.y_label) + "\n";
   if (plot.same_scale) text += "set size ratio -1\n";
-  text += range("x", box.left, box.right) + range("y", box.bottom, box.top);
+  if (plot.logarithmic) text += "set logscale xy\nset format '%.0e'\n";
+  text += range("x", box.left, box.right, plot) + range("y", box.bottom, box.top, plot);
   std::string plots;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (!curves[i].x.empty()) text += block(i, curves[i], box);
+    if (!curves[i].x.empty()) text += block(i, curves[i], box, plot);
     plots += (i == 0 ? "plot " : ", ") + drawn(i, curves[i], box);
   }
   return text + plots + "\n";
@@ -119,7 +127,8 @@ void remove_old(const std::filesystem::path& plots) {
 std::optional<std::string> svg(const Plot& plot) {
   std::vector<Curve> curves;
   for (const Curve& curve : plot.curves) {
-    curves.push_back(thinned(finite(curve), most_points / plot.curves.size()));
+    const Curve whole = plot.logarithmic ? logarithm(curve) : finite(curve);
+    curves.push_back(thinned(whole, most_points / plot.curves.size()));
   }
   if (curves.empty()) return std::nullopt;
   const std::optional<Box> box = view(curves);
