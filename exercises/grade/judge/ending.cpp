@@ -76,7 +76,8 @@ void note_exit(const cage::Ended& ended, Moment moment) {
 
 std::unique_ptr<cage::Process> start_driver() {
   Session& now = session();
-  return std::make_unique<cage::Process>(cage::run(now.sandbox, *now.kit, *now.driver, now.limits));
+  return std::unique_ptr<cage::Process>(
+      new cage::Process(cage::run(now.sandbox, *now.kit, *now.driver, now.limits)));
 }
 
 void note_nonsense() {
