@@ -4,8 +4,8 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/pidfd.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -52,7 +52,7 @@ Running start(const std::vector<Task>& tasks, std::size_t index) {
   if (child < 0) throw failure("can't start another grader");
   if (child == 0) become(arguments.data(), parent);
   setpgid(child, child);
-  cage::File handle(pidfd_open(child, 0));
+  cage::File handle(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
   if (!handle) throw failure("can't watch a grader");
   return {index, child, std::move(handle), Clock::now() + tasks[index].limit};
 }
