@@ -45,7 +45,7 @@ fs::path lay_out(const Kit& kit, std::string_view submission, const std::string&
   const fs::path folder = fresh_folder();
   write(folder / header, submission);
   write(folder / "exercise/harness.h", harness_header);
-  write(folder / "glue/glue.cpp", glue(header));
+  write(folder / "glue.cpp", glue(header));
   fs::create_directory_symlink(fs::absolute(kit.harness), folder / "harness");
   if (const auto user = unprivileged())
     if (::chown(folder.c_str(), *user, *user) != 0)

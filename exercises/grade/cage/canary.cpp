@@ -41,7 +41,7 @@ bool nothing_open_beyond(int descriptor) {
   return true;
 }
 
-// Twice what any driver may have.
+// Far more than any driver may have.
 bool memory_limited() {
   constexpr std::size_t wanted = std::size_t{1} << 36;
   return mmap(nullptr, wanted, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0) ==

@@ -45,8 +45,8 @@ const Words bubblewrap = {"bwrap",
 /// In steps, each with its own exit code. What the object defines strongly, and main, are printed
 /// for the grader to look at; the driver goes out on descriptor 3.
 const std::string compile_script = R"(printf READY >&3
-g++ -std=c++20 -O2 -ffp-contract=off -Wall -Wextra -fmax-errors=5 -fdiagnostics-color=never -pipe \
-  -DGRADING -Iharness -I. -c glue/glue.cpp -o driver.o 3>&- || exit 10
+g++ -std=c++20 -O2 -ffp-contract=off -Wall -Wextra -Wno-unused-parameter -fmax-errors=5 \
+  -fdiagnostics-color=never -pipe -DGRADING -Iharness -c glue.cpp -o driver.o 3>&- || exit 10
 nm -C -g --defined-only driver.o 3>&- |
   grep -aE '^[0-9a-f]+ ([ABCDGRST] |[A-Za-z] main$)' 3>&-
 g++ -static driver.o harness/harness.o -o driver 3>&- || exit 11
@@ -101,7 +101,7 @@ Words compile_command(const Kit& kit, const std::string& header, const Limits& l
               "usr/bin", "/bin"});
   add(words, {"--size", "134217728", "--tmpfs", "/job"});
   add(words, {"--ro-bind", std::filesystem::absolute(kit.harness).string(), "/job/harness"});
-  add(words, {"--perms", "0444", "--ro-bind-data", "6", "/job/glue/glue.cpp"});
+  add(words, {"--perms", "0444", "--ro-bind-data", "6", "/job/glue.cpp"});
   add(words, {"--perms", "0444", "--ro-bind-data", "7", "/job/exercise/harness.h"});
   add(words, {"--perms", "0444", "--ro-bind-data", "8", "/job/" + header});
   // The count of processes is set inside, where it is this cage's alone.

@@ -78,7 +78,7 @@ class Process {
   Ended finish();
 
  private:
-  struct Pipes;
+  class Pipes;
   std::unique_ptr<Pipes> pipes_;
   std::filesystem::path folder_;
 };
