@@ -11,10 +11,10 @@
 #include "class/progress.h"
 #include "class/results.h"
 #include "judge/session.h"
-#include "time_limits.h"
 #include "one.h"
 #include "report/escape.h"
 #include "report/files.h"
+#include "time_limits.h"
 
 namespace grade {
 namespace {

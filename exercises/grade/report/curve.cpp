@@ -10,6 +10,8 @@
 namespace grade {
 namespace {
 
+/// Free room between the outermost points and the edge, in widths and heights.
+constexpr double room = 0.04;
 /// How far around the others the student's curve is followed, in their widths and heights.
 constexpr double surroundings = 1;
 
@@ -38,6 +40,11 @@ bool has_points(std::span<const Curve> curves) {
 void limit(double& low, double& high, double part_low, double part_high, double width) {
   low = std::max(low, part_low - surroundings * width);
   high = std::min(high, part_high + surroundings * width);
+}
+
+Box with_room(const Box& box) {
+  const double x = room * (box.right - box.left), y = room * (box.top - box.bottom);
+  return {box.left - x, box.right + x, box.bottom - y, box.top + y};
 }
 
 }  // namespace
@@ -80,12 +87,12 @@ std::optional<Box> view(const std::vector<Curve>& curves) {
   if (!has_points(curves)) return std::nullopt;
   Box box = box_of(curves);
   const std::span<const Curve> others = std::span(curves).subspan(1);
-  if (!has_points(others)) return box;
+  if (!has_points(others)) return with_room(box);
   const Box part = box_of(others);
   const double width = part.right - part.left, height = part.top - part.bottom;
   limit(box.left, box.right, part.left, part.right, width > 0 ? width : height);
   limit(box.bottom, box.top, part.bottom, part.top, height > 0 ? height : width);
-  return box;
+  return with_room(box);
 }
 
 bool leaves(const Curve& curve, const Box& box) {

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "report/utf8.h"
+#include "printable.h"
 
 namespace grade {
 namespace {
@@ -37,13 +37,26 @@ std::string spelled(const char* format, unsigned code) {
   return text;
 }
 
-std::string shown(std::string_view text, const Character& character) {
-  const unsigned first = static_cast<unsigned char>(text[0]);
-  if (!character.valid) return spelled("\\x%02x", first);
-  const bool control = character.code < 0x20 || (character.code >= 0x7f && character.code < 0xa0);
-  if (control) return spelled("\\x%02x", static_cast<unsigned>(character.code));
-  if (!has_shape(character.code)) return spelled("\\u{%x}", static_cast<unsigned>(character.code));
-  return std::string(text.substr(0, character.bytes));
+/// The number of a character of UTF-8.
+char32_t code_of(std::string_view character) {
+  constexpr unsigned bits_of_first[] = {0, 0x7f, 0x1f, 0x0f, 0x07};
+  char32_t code = static_cast<unsigned char>(character[0]) & bits_of_first[character.size()];
+  for (const char c : character.substr(1))
+    code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
+  return code;
+}
+
+/// Takes the first character off a text that is not empty, and shows it.
+std::string take_first(std::string_view& text) {
+  const std::size_t bytes = utf8_character(text);
+  const std::string_view character = text.substr(0, std::max<std::size_t>(1, bytes));
+  text.remove_prefix(character.size());
+  if (bytes == 0) return spelled("\\x%02x", static_cast<unsigned char>(character[0]));
+  const char32_t code = code_of(character);
+  const bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);
+  if (control) return spelled("\\x%02x", static_cast<unsigned>(code));
+  if (!has_shape(code)) return spelled("\\u{%x}", static_cast<unsigned>(code));
+  return std::string(character);
 }
 
 bool is_letter(char c) {
@@ -88,23 +101,24 @@ std::string_view entity(char c) {
 std::string printable(std::string_view text) {
   std::string result;
   while (!text.empty()) {
-    const Character character = first_character(text);
+    if (text.starts_with("\r\n")) text.remove_prefix(1);
     const bool stays = text[0] == '\n' || text[0] == '\t';
-    if (!text.starts_with("\r\n"))
-      result += stays ? std::string(1, text[0]) : shown(text, character);
-    text.remove_prefix(character.bytes);
+    const char first = text[0];
+    const std::string shown = take_first(text);
+    result += stays ? std::string(1, first) : shown;
   }
   return without_commands(result);
 }
 
 std::string printable_name(std::string_view name) {
   std::string result;
-  for (char last = ':'; !name.empty(); name.remove_prefix(first_character(name).bytes)) {
-    const bool command = name[0] == last && (last == ':' ? result.empty() : last == '#');
-    const bool spell = name[0] == '\\' || command;
-    result += spell ? spelled("\\x%02x", static_cast<unsigned char>(name[0]))
-                    : shown(name, first_character(name));
-    last = name[0];
+  for (char last = '\0'; !name.empty();) {
+    const char first = name[0];
+    const bool command = result.empty() ? first == ':' : first == '#' && last == '#';
+    const std::string shown = take_first(name);
+    const bool spell = first == '\\' || command;
+    result += spell ? spelled("\\x%02x", static_cast<unsigned char>(first)) : shown;
+    last = first;
   }
   return result;
 }

@@ -29,8 +29,7 @@ constexpr const char* looks =
     "set tics out nomirror scale 0.6,0.3\n"
     "set grid back lc rgb '#e6e1d6' lw 1\n"
     "set tmargin 5\n"
-    "set key at graph 0,1.02 left bottom horizontal Left reverse samplen 3 width 1\n"
-    "set offsets graph 0.02, graph 0.02, graph 0.04, graph 0.04\n";
+    "set key at graph 0,1.02 left bottom horizontal Left reverse samplen 3 width 1\n";
 
 /// Each with another dash, for those who don't see the colours. The first is the student's.
 constexpr std::array styles{"lc rgb '#c8420a' lw 2.2 pt 7 ps 0.5",

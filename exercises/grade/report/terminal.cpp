@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT-0
 #include "report/terminal.h"
 
+#include <algorithm>
 #include <sstream>
 
+#include "printable.h"
 #include "report/escape.h"
-#include "report/utf8.h"
 #include "report/words.h"
 
 namespace grade {
@@ -12,6 +13,14 @@ namespace {
 
 constexpr std::size_t columns = 80;
 constexpr std::size_t label_width = 11;
+
+std::size_t characters(std::string_view text) {
+  std::size_t count = 0;
+  for (; !text.empty(); ++count) {
+    text.remove_prefix(std::max<std::size_t>(1, utf8_character(text)));
+  }
+  return count;
+}
 
 /// Words over as many lines as they need, all but the first indented.
 std::string wrapped(const std::string& text, std::size_t indent) {
