@@ -5,6 +5,7 @@ import { inlineText } from './inline.mjs';
 import { liveHtml, liveSource } from './live.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { adoptSvg } from './svg.mjs';
+import { taskFoot, taskHead } from './task-box.mjs';
 import { escapeHtml, smarten, textOfHtml } from './text.mjs';
 import { TOKEN } from './prose.mjs';
 
@@ -23,8 +24,8 @@ const BOXES = {
   hint: html => `<details class="hint"><summary>Hint</summary><div>${html}</div></details>`,
   answer: html => `<details class="answer"><summary>Answer</summary><div>${html}</div></details>`,
   eq: (html, piece) => `<div class="equation" id="${piece.id}">${html}<span class="eqno">(${piece.number})</span></div>`,
-  exercise: (html, { id, number, args: [, title] }) => `<section class="exercise" id="${id}" aria-labelledby="${id}-title">`
-    + `<h3 id="${id}-title"><span class="secno">Exercise ${number}</span> ${escapeHtml(smarten(title))}</h3>\n${html}</section>`,
+  exercise: (html, { id, number, args: [name, title] }, { book, page, hold }) => `<section class="exercise" id="${id}" aria-labelledby="${id}-title">`
+    + `<h3 id="${id}-title"><span class="secno">Exercise ${number}</span> ${escapeHtml(smarten(title))}</h3>\n${aroundTask(html, page.tasks.get(name), { book, hold })}</section>`,
   table: (html, { id, number }) => {
     const at = html.indexOf('<div class="tablescroll">');
     const caption = at < 0 ? html : html.slice(0, at);
@@ -43,6 +44,8 @@ const BOXES = {
       + `${figureLinks(book.programs.get(page.owner), figure, book, live)}</figcaption></figure>`;
   },
 };
+
+const aroundTask = (html, task, context) => (task ? `${taskHead(task)}${html}\n${taskFoot(context, task)}` : html);
 
 const startWith = (label, html) => (html.startsWith('<p>') ? html.replace('<p>', `<p>${label}`) : `<p>${label.trim()}</p>${html}`);
 

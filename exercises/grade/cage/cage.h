@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The two cages: one to compile in, and one to run in, which holds nothing but the program.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cage/process.h"
+
+namespace cage {
+
+enum class Sandbox {
+  bubblewrap,  ///< namespaces, system call filter, limits
+  none,        ///< limits only: for a student's own code on the student's own machine
+};
+
+/// Where the grader keeps what it brought along.
+struct Kit {
+  std::string harness;  ///< folder with the precompiled given.h, call.h and harness.o
+  std::string filters;  ///< folder with run.bpf and compile.bpf
+  std::string canary;   ///< the canary, a static program
+};
+
+/// Exit codes of a compilation that failed: in which step.
+enum CompileExit { not_compiled = 10, not_linked = 11 };
+
+/// Starts a compilation of `submission`, under the name `header`, with the glue of
+/// `harness_header`; the driver comes on descriptor 3 behind the word READY. On its standard output
+/// stands what the submission defines strongly, and main, as `nm -C` writes it.
+Process compile(Sandbox sandbox, const Kit& kit, std::string_view submission,
+                const std::string& header, std::string_view harness_header, const Limits& limits);
+
+/// Starts a driver.
+Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& limits);
+
+/// Runs the canary in the run cage. Nothing if everything that should be refused is refused; else
+/// what is wrong and what to do about it.
+std::optional<std::string> unsafe(const Kit& kit);
+
+}  // namespace cage

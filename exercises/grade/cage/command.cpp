@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT-0
+#include "command.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace cage {
+
+namespace {
+
+void add(Words& words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+}
+
+/// Root over all users; not root of a user namespace, who can become nobody else.
+bool real_root() {
+  if (::geteuid() != 0) return false;
+  std::ifstream map("/proc/self/uid_map");
+  unsigned long inside = 1, outside = 1, count = 0;
+  map >> inside >> outside >> count;
+  return inside == 0 && outside == 0 && count == 4294967295UL;
+}
+
+const Words bubblewrap = {"bwrap",
+                          "--unshare-all",
+                          "--unshare-user",
+                          "--disable-userns",
+                          "--uid",
+                          "1000",
+                          "--gid",
+                          "1000",
+                          "--die-with-parent",
+                          "--new-session",
+                          "--cap-drop",
+                          "ALL",
+                          "--clearenv",
+                          "--hostname",
+                          "cage",
+                          "--json-status-fd",
+                          "4"};
+
+/// In steps, each with its own exit code. What the object defines strongly, and main, are printed
+/// for the grader to look at; the driver goes out on descriptor 3.
+const std::string compile_script = R"(printf READY >&3
+g++ -std=c++20 -O2 -ffp-contract=off -Wall -Wextra -Wno-unused-parameter -fmax-errors=5 \
+  -fdiagnostics-color=never -pipe -DGRADING -Iharness -c glue.cpp -o driver.o 3>&- || exit 10
+nm -C -g --defined-only driver.o 3>&- |
+  grep -aE '^[0-9a-f]+ ([ABCDGRST] |[A-Za-z] main$)' 3>&-
+g++ -static driver.o harness/harness.o -o driver 3>&- || exit 11
+exec cat driver >&3)";
+
+}  // namespace
+
+std::optional<uid_t> unprivileged() {
+  if (!real_root()) return std::nullopt;
+  // 60578 to 61183 belong to nobody: not to Debian's packages, nor to systemd.
+  return 60578 + static_cast<uid_t>(::getpid()) % 600;
+}
+
+Words leash(Sandbox sandbox, const Limits& limits, int open_files) {
+  Words words;
+  if (const auto user = unprivileged()) {
+    const std::string id = std::to_string(*user);
+    words = {"setpriv", "--reuid", id, "--regid", id, "--clear-groups", "--inh-caps=-all"};
+  } else if (sandbox == Sandbox::none) {
+    words = {"setpriv"};
+  }
+  if (sandbox == Sandbox::none) add(words, {"--pdeathsig", "KILL"});
+  if (!words.empty()) words.push_back("--");
+  // At the soft limit comes SIGXCPU, which can be told from other ends; at the hard one SIGKILL.
+  const long soft = std::lround(std::ceil(limits.processor));
+  add(words, {"prlimit", "--cpu=" + std::to_string(soft) + ":" + std::to_string(soft + 1),
+              "--as=" + std::to_string(limits.memory), "--fsize=" + std::to_string(limits.file),
+              "--nofile=" + std::to_string(open_files), "--core=0", "--"});
+  return words;
+}
+
+Words run_command(Sandbox sandbox, const Limits& limits) {
+  Words words = leash(sandbox, limits, 16);
+  if (sandbox == Sandbox::none) {
+    words.push_back("/proc/self/fd/8");
+    return words;
+  }
+  add(words, bubblewrap);
+  add(words, {"--perms", "0555", "--ro-bind-data", "8", "/driver", "--remount-ro", "/", "--chdir",
+              "/", "--seccomp", "9", "--", "/driver"});
+  return words;
+}
+
+Words compile_command(const Kit& kit, const std::string& header, const Limits& limits) {
+  Words words = leash(Sandbox::bubblewrap, limits, 64);
+  add(words, bubblewrap);
+  add(words, {"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C", "--setenv", "TMPDIR"});
+  add(words, {"/job"});
+  for (const char* folder : {"/usr/bin", "/usr/lib", "/usr/lib64", "/usr/include"})
+    add(words, {"--ro-bind", folder, folder});
+  add(words, {"--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink",
+              "usr/bin", "/bin"});
+  add(words, {"--size", "134217728", "--tmpfs", "/job"});
+  add(words, {"--ro-bind", std::filesystem::absolute(kit.harness).string(), "/job/harness"});
+  add(words, {"--perms", "0444", "--ro-bind-data", "6", "/job/glue.cpp"});
+  add(words, {"--perms", "0444", "--ro-bind-data", "7", "/job/exercise/harness.h"});
+  add(words, {"--perms", "0444", "--ro-bind-data", "8", "/job/" + header});
+  // The count of processes is set inside, where it is this cage's alone.
+  add(words, {"--remount-ro", "/", "--chdir", "/job", "--seccomp", "9", "--", "prlimit",
+              "--nproc=24", "--", "/bin/sh", "-c", compile_script});
+  return words;
+}
+
+Words compile_command(const std::string& folder, const Limits& limits) {
+  Words words = leash(Sandbox::none, limits, 64);
+  add(words, {"env", "--chdir", folder, "TMPDIR=" + folder, "/bin/sh", "-c", compile_script});
+  return words;
+}
+
+}  // namespace cage

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT-0
+#include "ending.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+
+namespace cage {
+
+namespace {
+
+using How = Ended::How;
+
+/// A shell and bubblewrap report signal n as the code 128 + n.
+constexpr int signal_base = 128;
+
+void signalled(Ended& ended, int signal, const Limits& limits) {
+  // The kernel's own account of processor time runs a few percent short of the limit's.
+  const bool spent = ended.processor > 0.9 * limits.processor;
+  ended.how =
+      spent && (signal == SIGXCPU || signal == SIGKILL) ? How::processor_limit : How::signalled;
+  ended.code = signal;
+}
+
+}  // namespace
+
+void tell_end(Ended& ended, int status, const Limits& limits, const std::string* told) {
+  // bubblewrap gives an exit code only for a program that it could start, and nobody but us can
+  // signal bubblewrap itself.
+  if (told && (told->find("\"exit-code\"") == std::string::npos || !WIFEXITED(status))) {
+    ended.how = How::never_started;
+    return;
+  }
+  if (WIFSIGNALED(status)) return signalled(ended, WTERMSIG(status), limits);
+  const int code = WEXITSTATUS(status);
+  if (told && code > signal_base && code < signal_base + NSIG)
+    return signalled(ended, code - signal_base, limits);
+  ended.how = How::exited;
+  ended.code = code;
+}
+
+}  // namespace cage

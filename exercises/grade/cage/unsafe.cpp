@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT-0
+#include <fcntl.h>
+
+#include <filesystem>
+
+#include "cage.h"
+#include "command.h"
+
+namespace cage {
+
+namespace {
+
+/// How bubblewrap says that it failed, and what helps.
+struct Trouble {
+  const char *said, *help;
+};
+
+constexpr Trouble troubles[] = {
+    {"failed to execute bwrap", "bubblewrap is not installed: apt-get install bubblewrap"},
+    {"setting up uid map: Permission denied",
+     "AppArmor lets ordinary programs make no user namespace; as root: "
+     "sysctl -w kernel.apparmor_restrict_unprivileged_userns=0"},
+    {"uid map: Read-only",
+     "this is a container with a /proc that cannot be written to; start it with --privileged, or "
+     "grade outside of it"},
+    {"amespace",
+     "user namespaces are turned off here; as root: sysctl -w user.max_user_namespaces=15000 "
+     "kernel.unprivileged_userns_clone=1, or for a container: --security-opt seccomp=unconfined "
+     "--security-opt apparmor=unconfined --security-opt systempaths=unconfined"}};
+
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+std::string not_started(const Ended& ended) {
+  for (const Trouble& trouble : troubles)
+    if (ended.err.find(trouble.said) != std::string::npos)
+      return "the sandbox cannot start (" + first_line(ended.err) + "): " + trouble.help;
+  return "the sandbox cannot start: " + first_line(ended.err);
+}
+
+/// The unprivileged user that root becomes must be able to read what is mounted.
+bool readable(const std::string& path) {
+  Words command = leash(Sandbox::bubblewrap, {}, 16);
+  command.insert(command.end(), {"test", "-r", path});
+  return Process(command, {}, {}).finish().code == 0;
+}
+
+}  // namespace
+
+std::optional<std::string> unsafe(const Kit& kit) {
+  const File canary(::open(kit.canary.c_str(), O_RDONLY | O_CLOEXEC));
+  const std::string object = std::filesystem::absolute(kit.harness) / "harness.o";
+  if (!canary) return "the grader is not whole: " + kit.canary + " cannot be read";
+  if (!readable(object))
+    return object + " cannot be read by an unprivileged user: " +
+           "build the grader, and let others read it and enter the folders above it";
+
+  Process process = run(Sandbox::bubblewrap, kit, canary, {});
+  const std::string answer = process.receive_all(256);
+  const Ended ended = process.finish();
+  if (ended.how == Ended::How::never_started) return not_started(ended);
+  if (answer == "READY" && ended.how == Ended::How::exited && ended.code == 0) return std::nullopt;
+  return "the sandbox does not hold: its canary says \"" + answer +
+         "\" where READY is safe; do not grade on this machine";
+}
+
+}  // namespace cage

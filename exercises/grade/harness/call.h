@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// One request of the judge, as an exercise's harness.h sees it.
+#ifndef CALL_H
+#define CALL_H
+#include <initializer_list>
+#include <vector>
+
+#include "force.h"
+#include "given.h"
+
+namespace harness {
+
+// Numbers on the pipe: a tag, how many follow, and these.
+inline constexpr double question = 1, result = 2;
+
+class Call {
+ public:
+  Call(int function, std::vector<double> arguments)
+      : function_(function), arguments_(std::move(arguments)) {}
+
+  /// Which of the exercise's functions is meant, counted from 0.
+  int function() const { return function_; }
+
+  /// The next argument.
+  double number() { return arguments_.at(next_++); }
+  int whole_number() { return static_cast<int>(number()); }
+  Vec vector();
+  std::vector<double> numbers(std::size_t count);
+  Force force();
+
+  /// The next arguments as the scene's acceleration.
+  Acceleration acceleration();
+
+  /// Adds to the answer.
+  void answer(double number) { answer_.push_back(number); }
+  void answer(const Vec& vector);
+  void answer(const std::vector<double>& numbers);
+
+  const std::vector<double>& answer() const { return answer_; }
+
+ private:
+  int function_;
+  std::vector<double> arguments_, answer_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace harness
+
+/// What an exercise's harness.h defines: calls the student's code and answers.
+void answer(harness::Call& call);
+#endif

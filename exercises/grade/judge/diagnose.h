@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What a wrong answer looks like.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "judge/method.h"
+#include "judge/path.h"
+
+namespace judge {
+
+/// What can be said of a path that is not the expected one; several things, or none.
+/// @param yours  the student's
+/// @param expected  the same steps by the method that was asked for
+/// @param step  runs a method over the same steps, to see whether it is the student's
+std::vector<std::string> diagnose(const Path& yours, const Path& expected,
+                                  const std::function<Path(const Method&)>& run_by);
+
+/// What can be said of a single number: its sign, its unit, its precision.
+std::vector<std::string> diagnose(double yours, double expected);
+
+}  // namespace judge

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// How a driver ended, in the words of a verdict.
+#pragma once
+#include <memory>
+
+#include "cage/process.h"
+
+namespace judge {
+
+/// A driver of this session, in the run cage.
+std::unique_ptr<cage::Process> start_driver();
+
+/// Whether it owed us an answer when it ended.
+enum Moment { within_answer, after_last_answer };
+
+/// Leaves in the session what the end of a driver means; nothing if it ended as it should.
+void note_ending(const cage::Ended& ended, Moment moment);
+
+/// Leaves in the session that an answer made no sense.
+void note_nonsense();
+
+}  // namespace judge

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The grading that is under way: what a test needs to know, and where it leaves what it found.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cage/cage.h"
+#include "finding.h"
+#include "verdict.h"
+
+namespace judge {
+
+/// One grading at a time in a process, so that a test can be written without passing it about.
+struct Session {
+  // Given.
+  const cage::Kit* kit = nullptr;
+  const cage::File* driver = nullptr;
+  cage::Sandbox sandbox = cage::Sandbox::bubblewrap;
+  cage::Limits limits;
+  std::uint64_t seed = 1;
+
+  // Found.
+  std::vector<grade::TestResult> tests;
+  grade::Verdict ended =
+      grade::Verdict::accepted;  ///< how the student's code ended; accepted: as it should
+  std::string why;               ///< if it did not end as it should
+  double processor = 0;          ///< most that one test used [s]
+
+  bool stopped() const { return ended != grade::Verdict::accepted; }
+};
+
+/// The session of this process.
+Session& session();
+
+/// Runs all tests with this tag; what they found is in the session.
+void run_tests(const std::string& exercise);
+
+/// The tests with this tag, not run: their names and points.
+std::vector<grade::TestResult> tests_of(const std::string& exercise);
+
+/// Thrown out of a test when the student's code does not go on.
+struct Stopped {};
+
+/// Notes what was found, and ends the test if it did not hold.
+void check(grade::Finding finding);
+
+}  // namespace judge

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT-0
+#include "judge/student.h"
+
+#include <span>
+#include <string>
+
+#include "harness/call.h"
+#include "judge/ending.h"
+#include "judge/session.h"
+
+namespace judge {
+namespace {
+
+void append(std::vector<double>& numbers, const Vec& vector) {
+  numbers.insert(numbers.end(), {vector.x, vector.y, vector.z});
+}
+
+std::vector<double> request(const harness::Force& force, const Start& start, double h, int steps,
+                            int every) {
+  std::vector<double> numbers{static_cast<double>(force.kind)};
+  numbers.insert(numbers.end(), force.a.begin(), force.a.end());
+  append(numbers, start.x);
+  append(numbers, start.v);
+  numbers.insert(numbers.end(),
+                 {start.t, h, static_cast<double>(steps), static_cast<double>(every)});
+  return numbers;
+}
+
+Path as_path(const Start& start, double h, int every, const std::vector<double>& numbers) {
+  Path path{start.t, h, every, {{start.x, start.v}}, {}};
+  for (std::size_t n = 0; n + 6 <= numbers.size(); n += 6) {
+    path.states.push_back({{numbers[n], numbers[n + 1], numbers[n + 2]},
+                           {numbers[n + 3], numbers[n + 4], numbers[n + 5]}});
+  }
+  return path;
+}
+
+}  // namespace
+
+Student::Student() {
+  if (session().stopped()) throw Stopped();
+  process_ = start_driver();
+}
+
+Student::~Student() {
+  if (!process_) return;
+  const cage::Ended ended = process_->finish();
+  note_ending(ended, after_last_answer);
+}
+
+void Student::stop() {
+  const cage::Ended ended = process_->finish();
+  process_.reset();
+  note_ending(ended, within_answer);
+  throw Stopped();
+}
+
+std::vector<double> Student::receive(std::size_t count) {
+  std::vector<double> numbers(count);
+  if (!process_->receive(std::as_writable_bytes(std::span(numbers)))) stop();
+  return numbers;
+}
+
+void Student::answer_question() {
+  const std::vector<double> asked = receive(7);
+  const Evaluation evaluation{
+      {asked[0], asked[1], asked[2]}, {asked[3], asked[4], asked[5]}, asked[6]};
+  evaluations_.push_back(evaluation);
+  const Vec a = acceleration_(evaluation.x, evaluation.v, evaluation.t);
+  if (!process_->send(std::as_bytes(std::span(&a, 1)))) stop();
+}
+
+std::vector<double> Student::call(int function, const std::vector<double>& arguments,
+                                  std::size_t wanted) {
+  if (session().stopped()) throw Stopped();
+  evaluations_.clear();
+  std::vector<double> request{static_cast<double>(function), static_cast<double>(arguments.size())};
+  request.insert(request.end(), arguments.begin(), arguments.end());
+  if (!process_->send(std::as_bytes(std::span(request)))) stop();
+  for (;;) {
+    const std::vector<double> head = receive(2);
+    if (head[0] == harness::result && head[1] == static_cast<double>(wanted)) break;
+    if (head[0] != harness::question || head[1] != 7 || !acceleration_) {
+      process_.reset();
+      note_nonsense();
+      throw Stopped();
+    }
+    answer_question();
+  }
+  return receive(wanted);
+}
+
+Path Student::watch(const Start& start, double h, int steps, const Acceleration& acceleration,
+                    int function) {
+  acceleration_ = acceleration;
+  const auto wanted = static_cast<std::size_t>(6 * steps);
+  Path path = as_path(start, h, 1, call(function, request({}, start, h, steps, 1), wanted));
+  path.evaluations = std::move(evaluations_);
+  return path;
+}
+
+Path Student::run(const Start& start, double h, int steps, int every, const harness::Force& force,
+                  int function) {
+  const auto wanted = static_cast<std::size_t>(6 * (steps / every));
+  return as_path(start, h, every, call(function, request(force, start, h, steps, every), wanted));
+}
+
+}  // namespace judge

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Did you mean ...?
+#pragma once
+#include <string>
+#include <vector>
+
+namespace grade {
+
+/// The name that is most likely meant by `wanted`: the same up to case, `-` and `_` or the ending,
+/// or a few letters off. Empty if none is near.
+std::string nearest(const std::string& wanted, const std::vector<std::string>& names);
+
+}  // namespace grade

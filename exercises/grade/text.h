@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Whether a file can be a header at all.
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace grade {
+
+/// The most that a header may hold [bytes]: far more than any of the exercises needs.
+constexpr std::size_t longest = 65536;
+
+/// Empty if it is UTF-8 text of that length; else what it is, and what to do.
+std::string not_a_header(std::string_view content);
+
+}  // namespace grade

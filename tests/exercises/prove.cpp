@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT-0
+// Proves an exercise's tests: prove 2-euler/orbit-drift [SEEDS]. Its solution and every right/*.h
+// score full marks under SEEDS seeds (3 unless told), its starter scores nothing, and every
+// wrong/*.h fails the test that its first line names. Prints one line for each; the exit code is 1
+// if any is not so.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "grade.h"
+
+namespace {
+
+using grade::Report;
+using grade::Verdict;
+
+Report grade_file(const grade::Exercise& exercise, const std::filesystem::path& file,
+                  std::uint64_t seed) {
+  grade::Request request;
+  request.exercise = exercise;
+  request.submission = file;
+  request.seed = seed;
+  return grade::grade_one(request);
+}
+
+bool say(const Report& report, const std::filesystem::path& file, bool as_it_should,
+         const std::string& remark) {
+  const std::string name =
+      file.parent_path().filename() == report.exercise.substr(report.exercise.find('/') + 1)
+          ? file.filename().string()
+          : (file.parent_path().filename() / file.filename()).string();
+  std::printf("%s  %-34s %-14s %3d/%-3d %s\n", as_it_should ? "ok   " : "WRONG", name.c_str(),
+              std::string(grade::name(report.verdict)).c_str(), report.score, report.points,
+              remark.c_str());
+  if (!as_it_should && !report.why.empty()) std::printf("       %s\n", report.why.c_str());
+  return as_it_should;
+}
+
+std::string failed(const Report& report) {
+  std::string names;
+  for (const grade::TestResult& test : report.tests) {
+    if (test.held) continue;
+    names += (names.empty() ? "failed: " : "; ") + test.name;
+  }
+  return names;
+}
+
+bool is_right(const grade::Exercise& exercise, const std::filesystem::path& file, int seeds) {
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const Report report = grade_file(exercise, file, static_cast<std::uint64_t>(seed));
+    const bool full = report.verdict == Verdict::accepted && report.points > 0;
+    if (!full || seed == seeds) {
+      return say(report, file, full,
+                 full ? std::to_string(seeds) + " seeds"
+                      : "seed " + std::to_string(seed) + "; " + failed(report));
+    }
+  }
+  return false;
+}
+
+bool is_nothing(const grade::Exercise& exercise, const std::filesystem::path& file) {
+  const Report report = grade_file(exercise, file, 1);
+  const bool ran = std::all_of(report.tests.begin(), report.tests.end(),
+                               [](const grade::TestResult& test) { return test.ran; });
+  return say(report, file, ran && report.score == 0, ran ? "" : "a test was not run");
+}
+
+std::string promised(const std::filesystem::path& file) {
+  const std::string mark = "// fails: ";
+  std::string line;
+  std::getline(std::ifstream(file), line);
+  return line.starts_with(mark) ? line.substr(mark.size()) : "";
+}
+
+// A test that was never run, because the code crashed, is not one that it failed.
+bool is_caught(const grade::Exercise& exercise, const std::filesystem::path& file) {
+  const Report report = grade_file(exercise, file, 1);
+  const std::string name = promised(file);
+  const auto named = std::find_if(report.tests.begin(), report.tests.end(),
+                                  [&](const grade::TestResult& test) { return test.name == name; });
+  if (name.empty()) return say(report, file, false, "its first line is not \"// fails: TEST\"");
+  if (named == report.tests.end())
+    return say(report, file, false, "there is no test \"" + name + "\"");
+  const bool caught = !named->held && (named->ran || grade::name(report.verdict) != "PARTIAL");
+  return say(report, file, caught && report.score < report.points,
+             caught ? failed(report) : "passed: " + name);
+}
+
+std::vector<std::filesystem::path> headers(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+bool are_enough(const std::string& what, std::size_t count, std::size_t least) {
+  if (count >= least) return true;
+  std::printf("WRONG  %zu %s, and there should be at least %zu\n", count, what.c_str(), least);
+  return false;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  const auto exercise = count > 1 ? grade::exercise(arguments[1]) : std::nullopt;
+  if (!exercise || count > 3) {
+    std::fprintf(
+        stderr,
+        "prove: name one exercise, such as 2-euler/orbit-drift, and perhaps how many seeds\n");
+    return 2;
+  }
+  const int seeds = count > 2 ? std::max(1, std::atoi(arguments[2])) : 3;
+  std::printf("%s\n", exercise->name.c_str());
+  bool good = is_right(*exercise, exercise->folder / "solution.h", seeds);
+  const auto right = headers(exercise->folder / "right"),
+             wrong = headers(exercise->folder / "wrong");
+  for (const auto& file : right) good = is_right(*exercise, file, 1) && good;
+  good = is_nothing(*exercise, exercise->folder / "starter.h") && good;
+  for (const auto& file : wrong) good = is_caught(*exercise, file) && good;
+  good = are_enough("right ways", right.size(), 2) && good;
+  good = are_enough("wrong ways", wrong.size(), 6) && good;
+  return good ? 0 : 1;
+}
