@@ -148,7 +148,9 @@ TEST_CASE("What a program leaves behind dies with it") {
 TEST_CASE("A program dies with its object") {
   const std::string name = mark();
   {
-    const Process process({"sleep", name}, {}, within(100));
+    Process process(shell("printf 1 >&3; sleep " + name + "; true"), {}, within(100));
+    std::byte started;
+    REQUIRE(process.receive({&started, 1}));
     CHECK(running(name));
   }
   CHECK_FALSE(running(name));
