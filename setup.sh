@@ -4,6 +4,7 @@
 # Run again, it does nothing. For Debian 12 and 13; written for Ubuntu 24.04 too, but not tested there.
 #   ./setup.sh          the book and its tests
 #   ./setup.sh peers    these, and the libraries that the benchmark sets beside the book's methods
+#   ./setup.sh grader   only what grading exercises needs
 set -euo pipefail
 
 fail() {
@@ -14,7 +15,8 @@ fail() {
 case "$# $*" in
   "0 ") purpose="the book needs" ;;
   "1 peers") purpose="the book and its benchmark need" ;;
-  *) fail "knows no argument but \"peers\", not \"$*\"" 2 ;;
+  "1 grader") purpose="the grader needs" ;;
+  *) fail "knows no argument but \"peers\" and \"grader\", not \"$*\"" 2 ;;
 esac
 cd "$(dirname "${BASH_SOURCE[0]}")"
 # shellcheck source=/dev/null
@@ -24,17 +26,18 @@ browser=chromium
 
 # packages: what for
 needs="cmake ninja-build g++: to build the programs and the tests
-clang-19: the second compiler
 libeigen3-dev: vectors and linear systems
 catch2: C++ tests, version 3
+gnuplot-nox: figures
+libcli11-dev: command lines, of the chooser of methods and of the grader
+bubblewrap libseccomp-dev nlohmann-json3-dev: the grader and its cage"
+[ "$*" = grader ] || needs+="
+clang-19: the second compiler
 libglm-dev: to try the snippets on another library's vectors
 doxygen: prose to HTML, reference of the code
-gnuplot-nox: figures
 nodejs npm ca-certificates: to weave the book
 $browser: to test the book in a browser
 lld-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32: live figures, C++ for the browser
-libcli11-dev: command lines, of the chooser of methods and of the grader
-bubblewrap libseccomp-dev nlohmann-json3-dev: the grader and its cage
 g++-aarch64-linux-gnu qemu-user: to see the same bits on 64-bit Arm
 git: to test a clean checkout"
 [ "$*" != peers ] || needs+="
@@ -148,10 +151,10 @@ case $system in
   "debian 12" | "debian 13" | "ubuntu 24.04") ;;
   *) fail "knows Debian 12 and 13 and Ubuntu 24.04, not this system. Install what these Debian packages hold:
   ${needs//$'\n'/$'\n'  }
-Then run: npm ci && cmake --workflow --preset ${1:-book}" ;;
+Then run: $([ "$*" = grader ] || echo "npm ci && ")cmake --workflow --preset ${1:-book}" ;;
 esac
 
 find_missing
 [ ${#missing[@]} -eq 0 ] || install_packages
-install_npm_packages
+[ "$*" = grader ] || install_npm_packages
 echo "Everything that $purpose is there."

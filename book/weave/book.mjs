@@ -12,7 +12,7 @@ import { slug } from './text.mjs';
 
 // The pages before and after the chapters, book/NAME.md each.
 const BEFORE = ['index', 'preface'];
-const AFTER = ['talks', 'glossary', 'references'];
+const AFTER = ['talks', 'teaching', 'glossary', 'references'];
 
 // The folder of the program and the figures of the start page. The others have a number in front.
 const OPENING = 'front';
@@ -41,15 +41,16 @@ export function readBook(config) {
 // Files that get a page of their own: what is compiled, and what draws.
 function findSources({ source, chapters }) {
   const found = new Set();
-  const walk = folder => {
+  const walk = (folder, only) => {
     const entries = existsSync(join(source, folder)) ? readdirSync(join(source, folder), { withFileTypes: true }) : [];
     for (const entry of entries.sort((a, b) => a.name.localeCompare(b.name))) {
       const path = `${folder}/${entry.name}`;
-      if (entry.isDirectory()) walk(path);
-      else if (/\.(h|hpp|cpp|gp)$/.test(entry.name)) found.add(path);
+      if (entry.isDirectory()) walk(path, only);
+      else if (only ? only.includes(entry.name) : /\.(h|hpp|cpp|gp)$/.test(entry.name)) found.add(path);
     }
   };
   for (const folder of ['code', ...chapters.map(chapter => chapter.folder), 'book/theme']) walk(folder);
+  walk('exercises', ['starter.h', 'harness.h', 'judge.cpp']);
   return found;
 }
 
@@ -75,7 +76,7 @@ function readChapter(book, { name, folder, build }) {
 function readPages(book) {
   const { source } = book.config;
   const add = (file, about) => {
-    const page = readPage(join(source, file), { file, order: book.pages.length, problems: book.problems, ...about });
+    const page = readPage(join(source, file), { file, order: book.pages.length, exercises: join(source, 'exercises'), problems: book.problems, ...about });
     book.pages.push(page);
     return page;
   };

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { inlineText } from './inline.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { adoptSvg } from './svg.mjs';
+import { taskFoot, taskHead } from './task-box.mjs';
 import { escapeHtml, smarten, textOfHtml } from './text.mjs';
 import { TOKEN } from './prose.mjs';
 
@@ -22,8 +23,8 @@ const BOXES = {
   hint: html => `<details class="hint"><summary>Hint</summary><div>${html}</div></details>`,
   answer: html => `<details class="answer"><summary>Answer</summary><div>${html}</div></details>`,
   eq: (html, piece) => `<div class="equation" id="${piece.id}">${html}<span class="eqno">(${piece.number})</span></div>`,
-  exercise: (html, { id, number, args: [, title] }) => `<section class="exercise" id="${id}" aria-labelledby="${id}-title">`
-    + `<h3 id="${id}-title"><span class="secno">Exercise ${number}</span> ${escapeHtml(smarten(title))}</h3>\n${html}</section>`,
+  exercise: (html, { id, number, args: [name, title] }, { book, page, hold }) => `<section class="exercise" id="${id}" aria-labelledby="${id}-title">`
+    + `<h3 id="${id}-title"><span class="secno">Exercise ${number}</span> ${escapeHtml(smarten(title))}</h3>\n${aroundTask(html, page.tasks.get(name), { book, hold })}</section>`,
   table: (html, { id, number }) => {
     const at = html.indexOf('<div class="tablescroll">');
     const caption = at < 0 ? html : html.slice(0, at);
@@ -39,6 +40,8 @@ const BOXES = {
       + `${figureLinks(book.programs.get(page.owner), figure, book)}</figcaption></figure>`;
   },
 };
+
+const aroundTask = (html, task, context) => (task ? `${taskHead(task)}${html}\n${taskFoot(context, task)}` : html);
 
 const startWith = (label, html) => (html.startsWith('<p>') ? html.replace('<p>', `<p>${label}`) : `<p>${label.trim()}</p>${html}`);
 

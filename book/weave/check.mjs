@@ -102,6 +102,8 @@ const CHECKS = {
       if (!existsSync(svg)) report(`${piece.figure.script} has not drawn ${book.short(svg)}; is the chapter built?`);
     }
   },
+  // Those in their place were put in before the page was cut to pieces.
+  task: ({ report }) => report('\\task{name} stands on a line of its own, in a chapter'),
   exercise: ({ piece, report }) => plainTitle(piece.args[1], report),
   card({ book, piece, report }) {
     const [name] = piece.args;

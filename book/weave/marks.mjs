@@ -21,6 +21,7 @@ export const MARKS = {
   figure: { takes: [2, 2], kind: 'box', usage: '\\figure{name, Title}' },
   table: { takes: [1, 1], kind: 'box', usage: '\\table{name}' },
   eq: { takes: [1, 1], kind: 'box', usage: '\\eq{name}' },
+  task: { takes: [1, 1], kind: 'block', usage: '\\task{name} on a line of its own, in a chapter' },
   exercise: { takes: [2, 2], kind: 'box', usage: '\\exercise{name, Title}' },
   hint: { takes: [0, 0], kind: 'box', within: 'exercise', usage: '\\hint' },
   answer: { takes: [0, 0], kind: 'box', within: 'exercise', usage: '\\answer' },

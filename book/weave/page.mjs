@@ -4,14 +4,16 @@ import { MARKS, NUMBERED } from './marks.mjs';
 import { scan } from './scan.mjs';
 import { slug } from './text.mjs';
 import { forDoxygen } from './prose.mjs';
+import { putInTasks } from './tasks.mjs';
 
-export function readPage(path, { file, order, name, owner, number, href, problems }) {
-  const page = { file, order, name, owner, number, href, source: '', title: '', sections: [], pieces: [], doxygenText: '', lineMap: [1] };
+export function readPage(path, { file, order, name, owner, number, href, exercises, problems }) {
+  const page = { file, order, name, owner, number, href, source: '', title: '', sections: [], pieces: [], doxygenText: '', lineMap: [1], tasks: new Map() };
   if (!existsSync(path)) {
     problems.add(file, 1, 'there is no such file; each chapter has one, and each page around them');
     return page;
   }
   page.source = readFileSync(path, 'utf8');
+  if (number) takeInTasks(page, exercises, problems);
   const all = scan(page.source, file, problems);
   page.pieces = all.filter(piece => piece.type !== 'text');
   page.pieces.forEach((piece, i) => { piece.token = i; });
@@ -20,6 +22,12 @@ export function readPage(path, { file, order, name, owner, number, href, problem
   numberBoxes(page);
   Object.assign(page, forDoxygen(all, page, problems));
   return page;
+}
+
+function takeInTasks(page, folder, problems) {
+  const { source, places, tasks } = putInTasks(page.source, { file: page.file, name: page.name, folder, problems });
+  Object.assign(page, { source, tasks });
+  problems.madeOf(page.file, places);
 }
 
 function checkBoxes(page, problems) {

@@ -1,9 +1,15 @@
 // Every mistake found in one weaving, so that all are told at once.
 export function createProblems() {
   const list = [];
+  const places = new Map();
   return {
     list,
-    add(file, line, message) {
+    // Where the lines of a file came from, if it was put together from several.
+    madeOf(file, lines) { places.set(file, lines); },
+    add(madeFile, madeLine, madeMessage) {
+      const lines = places.get(madeFile);
+      const { file, line } = lines?.[madeLine - 1] ?? { file: madeFile, line: madeLine };
+      const message = madeMessage.replace(/\b(of|in) line (\d+)/g, (all, word, n) => (lines?.[n - 1] ? `${word} line ${lines[n - 1].line}` : all));
       const known = list.some(p => p.file === file && p.line === line && p.message === message);
       if (!known) list.push({ file, line, message });
     },

@@ -16,9 +16,9 @@ export function printSummary(book, pages, watch) {
     const all = mark => page.pieces.filter(p => p.name === mark && p.type !== 'close');
     const count = mark => all(mark).length;
     const different = mark => new Set(all(mark).map(p => p.args[0])).size;
-    return [name, page.words, count('figure'), count('listing'), `${different('claim')} of ${tests.length}`, `${different('number')} of ${numbers.size}`, count('exercise')];
+    return [name, page.words, count('figure'), count('listing'), `${different('claim')} of ${tests.length}`, `${different('number')} of ${numbers.size}`, count('exercise'), page.tasks.size];
   });
-  printTable([['chapter', 'words', 'figures', 'listings', 'claims', 'numbers', 'exercises'], ...rows]);
+  printTable([['chapter', 'words', 'figures', 'listings', 'claims', 'numbers', 'exercises', 'graded'], ...rows]);
   const times = watch.parts.map(([name, seconds]) => `${name} ${seconds.toFixed(2)} s`).join(', ');
   console.log(`${pages.length} pages woven in ${watch.parts.reduce((sum, [, s]) => sum + s, 0).toFixed(2)} s: ${times}`);
   console.log(`open ${book.config.output}/index.html`);

@@ -4,6 +4,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct Request {
 /// All that is known at the end; the report in words and in JSON is made from this alone.
 struct Report {
   std::string exercise;
+  std::string version;     ///< of the grader and the exercise together
   std::string submission;  ///< as the caller named it
   std::string sha256;      ///< of its text; empty if there was none
   std::uint64_t seed = 0;
@@ -46,6 +48,13 @@ Report grade_one(const Request& request);
 /// What this exercise's solution (at home: its starter) takes here, times twenty, but at least the
 /// usual limits.
 void calibrate(Request& request);
+
+/// Why nothing can be graded in the sandbox on this machine, and what to do about it; nothing if
+/// it can.
+std::optional<std::string> unsafe();
+
+/// SHA-256 in hexadecimal.
+std::string sha256(const std::string& text);
 
 /// Which grader this is: a hash of its own code and of the exercise's files.
 std::string version(const Exercise& exercise);

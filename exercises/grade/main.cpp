@@ -1,5 +1,83 @@
-#include "grade.h"
+// SPDX-License-Identifier: MIT-0
+// Grades a submission, or those of a class.
+#include <cerrno>
 #include <cstdio>
-int main(int n, char** a) { grade::Request r; r.exercise = *grade::exercise(a[1]); r.submission = a[2]; if (n>3) r.sandbox=cage::Sandbox::none; auto p = grade::grade_one(r);
- std::printf("%s %d/%d %s (%.2f s: compile %.2f run %.2f)\n", std::string(grade::name(p.verdict)).c_str(), p.score, p.points, p.why.c_str(), p.seconds,p.compile_seconds,p.run_seconds);
- for (auto& t : p.tests) { std::printf("%s %d/%d %s\n", t.held ? "ok" : "--", t.held ? t.points : 0, t.points, t.name.c_str()); if (!t.findings.empty() && !t.findings.back().held) { auto& f = t.findings.back(); std::printf("  asked %s\n  input %s\n  expected %s\n  got %s\n  error %s (tolerance %s, %s)\n  hint %s\n", f.asked.c_str(), f.input.c_str(), f.expected.c_str(), f.got.c_str(), f.error.c_str(), f.tolerance.c_str(), f.tolerance_from.c_str(), f.hint.c_str()); for (auto& d : f.diagnoses) std::printf("  * %s\n", d.c_str()); } } }
+#include <system_error>
+
+#include "command_line.h"
+#include "one.h"
+
+namespace {
+
+using grade::Command;
+
+void list() {
+  for (const grade::Exercise& exercise : grade::exercises()) {
+    std::printf("%s\n", exercise.name.c_str());
+  }
+}
+
+void versions() {
+  for (const grade::Exercise& exercise : grade::exercises()) {
+    std::printf("%-40s %s\n", exercise.name.c_str(), grade::version(exercise).c_str());
+  }
+}
+
+int run(const Command& command) {
+  switch (command.what) {
+    case Command::What::one:
+      return grade::grade_and_report(command);
+    case Command::What::whole_class:
+      return grade::grade_class(command.classroom);
+    case Command::What::list:
+      list();
+      break;
+    case Command::What::version:
+      versions();
+      break;
+    case Command::What::nothing:
+      break;
+  }
+  return grade::Exit::graded;
+}
+
+/// What the caller can mend, what may mend itself, and the rest.
+int exit_code(const std::error_code& error) {
+  switch (error.value()) {
+    case EACCES:
+    case EPERM:
+    case ENOENT:
+    case ENOTDIR:
+    case EEXIST:
+    case EISDIR:
+    case EROFS:
+    case ENAMETOOLONG:
+      return grade::Exit::bad_input;
+    case EAGAIN:
+    case EMFILE:
+    case ENFILE:
+    case ENOMEM:
+    case ENOSPC:
+    case EDQUOT:
+      return grade::Exit::try_again;
+    default:
+      return grade::Exit::failed;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(grade::read_command_line(argc, argv));
+  } catch (const grade::Usage& problem) {
+    std::fprintf(stderr, "grade: %s\n", problem.what());
+    return grade::Exit::bad_input;
+  } catch (const std::system_error& problem) {
+    std::fprintf(stderr, "grade: %s\n", problem.what());
+    return exit_code(problem.code());
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "grade: %s\n", problem.what());
+    return grade::Exit::failed;
+  }
+}

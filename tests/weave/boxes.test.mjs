@@ -27,7 +27,7 @@ test('boxes in places where they cannot be', () => refuses(
   [paragraph('\\hint\nOutside.\n\\endhint\n\n\\aside\n\n## A section\n\n\\endaside'), [CHAPTER, 'Each dot is', '\\aside\nx\n\\endaside\nEach dot is']],
   [CHAPTER, '\\aside\nx', '\\aside stands inside \\figure of line 16, which can hold no box'],
   [CHAPTER, '\\hint\nOutside', '\\hint stands outside of \\exercise; put it between \\exercise and \\endexercise'],
-  [CHAPTER, '## A section', 'a heading inside \\aside of line 73; is \\endaside missing?'],
+  [CHAPTER, '## A section', 'a heading inside \\aside of line 75; is \\endaside missing?'],
 ));
 
 const CROSSES = 'this box ends in another list item or quotation than it starts in; indent both ends alike';

@@ -11,7 +11,7 @@ test('the good sample', () => {
   const { status, stdout, stderr } = book.weave();
   assert.equal(stderr, '');
   assert.equal(status, 0);
-  assert.match(stdout, /^2-euler +\d+ +1 +1 +1 of 2 +1 of 4 +1$/m);
+  assert.match(stdout, /^2-euler +\d+ +1 +1 +1 of 2 +1 of 4 +2 +1$/m);
   const page = book.read('out/2-euler.html');
   assert.match(page, number('3\\.142\u202fm'));
   assert.match(page, /value="3\.1415926535897931"/);

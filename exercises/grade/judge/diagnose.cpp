@@ -63,20 +63,55 @@ bool single_precision(const Path& yours, const Path& expected) {
   return first > 1e-10 && first < 2e-6;
 }
 
-std::string where(const Evaluation& evaluation) {
-  return "x = " + describe(evaluation.x) + ", v = " + describe(evaluation.v) +
-         ", t = " + number(evaluation.t);
+struct Part {
+  double of_step;
+  const char* name;
+};
+
+constexpr std::array<Part, 7> parts{{{0, ""},
+                                     {1, "h"},
+                                     {0.5, "h/2"},
+                                     {1.0 / 3, "h/3"},
+                                     {2.0 / 3, "2h/3"},
+                                     {0.25, "h/4"},
+                                     {0.75, "3h/4"}}};
+
+// "x + h v", if the place is one along the tangent at the start of the first step; else its
+// numbers.
+std::string place(const Vec& x, const Path& path, double tolerance) {
+  const State& start = path.states.front();
+  for (const Part& part : parts) {
+    if (length(x - (start.x + part.of_step * path.h * start.v)) > tolerance) continue;
+    return part.of_step == 0 ? "x" : std::string("x + ") + part.name + " v";
+  }
+  return describe(x);
+}
+
+std::string clock(double t, const Path& path, double tolerance) {
+  for (const Part& part : parts) {
+    if (std::abs(t - (path.t + part.of_step * path.h)) > tolerance) continue;
+    return part.of_step == 0 ? "t" : std::string("t + ") + part.name;
+  }
+  return number(t);
+}
+
+std::string where(const Evaluation& asked, const Path& path, double tolerance) {
+  const bool same_v = length(asked.v - path.states.front().v) <= tolerance;
+  return "(" + place(asked.x, path, tolerance) + ", " + (same_v ? "v" : describe(asked.v)) + ", " +
+         clock(asked.t, path, tolerance) + ")";
 }
 
 // The first place at which the force was asked for, and should not have been.
 std::vector<std::string> evaluations(const Path& yours, const Path& expected) {
   const std::size_t both = std::min(yours.evaluations.size(), expected.evaluations.size());
+  const double tolerance = ten_digits * size(expected);
   for (std::size_t n = 0; n < both; ++n) {
     const Evaluation &a = yours.evaluations[n], &b = expected.evaluations[n];
     const double off = std::max({length(a.x - b.x), length(a.v - b.v), std::abs(a.t - b.t)});
-    if (off <= ten_digits * size(expected)) continue;
-    return {"evaluation " + std::to_string(n + 1) + " of the acceleration was at " + where(a) +
-            "; here it should be at " + where(b)};
+    if (off <= tolerance) continue;
+    return {"evaluation " + std::to_string(n + 1) + " of the acceleration was at " +
+            where(a, expected, tolerance) + "; here it should be at " +
+            where(b, expected, tolerance)};
   }
   if (yours.evaluations.size() == expected.evaluations.size()) return {};
   return {"it evaluated the acceleration " + std::to_string(yours.evaluations.size()) +

@@ -1,0 +1,27 @@
+// What stands around the text of an exercise that grades itself: what it is for, its starter, and how to have it graded.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { codeLines } from './blocks.mjs';
+import { highlightLines } from './highlight.mjs';
+import { sourceHref } from './source-pages.mjs';
+import { KINDS } from './tasks.mjs';
+import { escapeHtml, smarten } from './text.mjs';
+
+export function taskHead({ goal, kind, difficulty, minutes }) {
+  const words = ['', 'easy', 'takes some thought', 'hard'][difficulty];
+  return `<p class="task"><span class="difficulty" role="img" aria-label="Difficulty ${difficulty} of 3: ${words}">${'●'.repeat(difficulty)}${'○'.repeat(3 - difficulty)}</span> `
+    + `<span>${KINDS[kind]}</span> <span>${minutes} minutes</span> <span>graded</span></p>\n`
+    + `<p class="goal"><b>Goal.</b> ${escapeHtml(smarten(goal))}</p>\n`;
+}
+
+export function taskFoot({ book, hold }, { name, exercise, folder }) {
+  const starter = `${folder}/starter.h`;
+  const code = readFileSync(join(book.config.source, starter), 'utf8').replace(/\n+$/, '');
+  const lines = highlightLines(code, 'h');
+  const commands = `cp ${starter} ${name}.h\nbuild/exercises/grade ${exercise} ${name}.h`;
+  return `<details class="starter"><summary>The starter</summary><div><figure class="listing"><figcaption><span class="head"></span>`
+    + `<a class="file" href="${sourceHref(starter)}">${escapeHtml(starter).replace(/\//g, '/<wbr>')}</a></figcaption>`
+    + `<pre><code>${hold(codeLines(lines, lines.map((_, i) => i + 1)))}</code></pre></figure></div></details>\n`
+    + `<div class="codebox terminal"><pre><code>${hold(highlightLines(commands, 'sh').join('\n'))}</code></pre></div>\n`
+    + `<p class="sources">Its tests: <a href="${sourceHref(`${folder}/judge.cpp`)}">judge.cpp</a></p>`;
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Grades what a class handed in: submissions/STUDENT/CHAPTER/EXERCISE.h.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <vector>
+
+#include "exercise.h"
+#include "report/folder.h"
+
+namespace grade {
+
+/// The i-th of n parts of the work; all of it if n is 1.
+struct Shard {
+  std::size_t part = 1, of = 1;
+};
+
+struct Class {
+  std::filesystem::path submissions;
+  std::filesystem::path results;    ///< becomes results/STUDENT/CHAPTER/EXERCISE, and the tables
+  std::vector<Exercise> exercises;  ///< none: all that any student handed in
+  std::uint64_t seed = 1;
+  std::filesystem::path seed_file;  ///< from which the seed came; empty if it was given openly
+  std::size_t jobs = 1;             ///< submissions at a time
+  Shard shard;
+  std::set<Emit> emits;
+};
+
+/// Grades every submission that has no report yet from this grader and with this seed, each in a
+/// process of its own; then, if this was not a shard, makes the tables and the summary page.
+/// @returns the exit code: 0; 3 if there are no submissions; 42 or 75 if the grader failed
+int grade_class(const Class& work);
+
+}  // namespace grade

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Runs this program again and again, several at a time.
+#pragma once
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace grade {
+
+struct Task {
+  std::vector<std::string> arguments;  ///< the program's name first
+  std::chrono::milliseconds limit;     ///< on the clock; then it is killed with its process group
+};
+
+/// Runs all tasks, each in a process group of its own that dies with this process.
+/// @param ended  is told which task ended
+void run_all(const std::vector<Task>& tasks, std::size_t at_a_time,
+             const std::function<void(std::size_t)>& ended);
+
+}  // namespace grade

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT-0
+#include "class/results.h"
+
+namespace grade {
+
+Results collect(const std::vector<Student>& students, const std::vector<Exercise>& exercises,
+                const std::vector<Job>& jobs) {
+  Results results{students, exercises, {}};
+  for (const Job& job : jobs) results.reports.push_back(kept_report(job));
+  return results;
+}
+
+std::vector<Job> stale(const std::vector<Job>& jobs, const Results& results, std::uint64_t seed) {
+  std::vector<Job> found;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const Report& report = results.reports[i];
+    if (!is_graded(report)) continue;
+    const bool same = report.version == version(jobs[i].exercise) && report.seed == seed;
+    if (!same) found.push_back(jobs[i]);
+  }
+  return found;
+}
+
+bool is_graded(const Report& report) {
+  return report.verdict != Verdict::grader_error;
+}
+
+}  // namespace grade

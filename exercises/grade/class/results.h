@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// All reports of a class, side by side.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "class/job.h"
+
+namespace grade {
+
+struct Results {
+  std::vector<Student> students;
+  std::vector<Exercise> exercises;
+  std::vector<Report> reports;  ///< student by student, each with every exercise
+
+  const Report& report(std::size_t student, std::size_t exercise) const {
+    return reports[student * exercises.size() + exercise];
+  }
+};
+
+/// Reads what is kept for these jobs.
+Results collect(const std::vector<Student>& students, const std::vector<Exercise>& exercises,
+                const std::vector<Job>& jobs);
+
+/// The jobs whose reports came from another grader, or with another seed: they cannot stand in one
+/// table with the others.
+std::vector<Job> stale(const std::vector<Job>& jobs, const Results& results, std::uint64_t seed);
+
+/// Whether there is a grade.
+bool is_graded(const Report& report);
+
+/// One row for each student, one column for each exercise, and the sum; a cell without a grade is
+/// empty, and so is its sum.
+std::string grades_csv(const Results& results);
+
+/// One row for each submission.
+std::string report_csv(const Results& results);
+
+/// A page that needs nothing but itself.
+std::string summary_html(const Results& results);
+
+}  // namespace grade

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Who handed in what.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "exercise.h"
+
+namespace grade {
+
+/// A folder of submissions.
+struct Student {
+  std::string name;  ///< of the folder: any bytes
+  std::filesystem::path folder;
+};
+
+struct Roll {
+  std::vector<Student> students;  ///< by name
+  std::vector<std::string>
+      ignored;  ///< names of what is no student's: files, links, hidden folders
+};
+
+/// The folders in this one. Links are not followed.
+/// @throws std::filesystem::filesystem_error  it cannot be read
+Roll call_roll(const std::filesystem::path& submissions);
+
+/// Those of the exercises for which somebody has a file, or anything else, of the right name.
+std::vector<Exercise> handed_in(const std::vector<Student>& students,
+                                const std::vector<Exercise>& exercises);
+
+}  // namespace grade

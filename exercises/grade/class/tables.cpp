@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT-0
+#include "class/results.h"
+#include "report/escape.h"
+#include "report/words.h"
+
+namespace grade {
+namespace {
+
+/// A spreadsheet would take a cell that starts like a formula for one.
+std::string cell(const std::string& text) {
+  const bool formula = !text.empty() && std::string_view("=+-@").find(text[0]) != std::string::npos;
+  const std::string safe = (formula ? "'" : "") + text;
+  if (safe.find_first_of(",\"") == std::string::npos) return safe;
+  std::string result = "\"";
+  for (const char c : safe) result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + "\"";
+}
+
+std::string row(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + cell(cells[i]);
+  return line + "\r\n";
+}
+
+}  // namespace
+
+std::string grades_csv(const Results& results) {
+  std::vector<std::string> head{"student"};
+  for (const Exercise& exercise : results.exercises) head.push_back(exercise.name);
+  head.push_back("total");
+  std::string text = row(head);
+  for (std::size_t s = 0; s < results.students.size(); ++s) {
+    std::vector<std::string> cells{printable_name(results.students[s].name)};
+    int total = 0;
+    bool whole = true;
+    for (std::size_t e = 0; e < results.exercises.size(); ++e) {
+      const Report& report = results.report(s, e);
+      cells.push_back(is_graded(report) ? std::to_string(report.score) : "");
+      total += report.score;
+      whole = whole && is_graded(report);
+    }
+    cells.push_back(whole ? std::to_string(total) : "");
+    text += row(cells);
+  }
+  return text;
+}
+
+std::string report_csv(const Results& results) {
+  std::string text = row({"student", "exercise", "verdict", "score", "points", "seed", "grader"});
+  for (std::size_t s = 0; s < results.students.size(); ++s) {
+    for (std::size_t e = 0; e < results.exercises.size(); ++e) {
+      const Report& report = results.report(s, e);
+      text += row({printable_name(results.students[s].name), results.exercises[e].name,
+                   std::string(name(report.verdict)),
+                   is_graded(report) ? std::to_string(report.score) : "",
+                   std::to_string(report.points), std::to_string(report.seed), report.version});
+    }
+  }
+  return text;
+}
+
+}  // namespace grade

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT-0
+#include "report/feedback.h"
+
+#include <filesystem>
+
+#include "report/escape.h"
+#include "report/words.h"
+
+namespace grade {
+namespace {
+
+bool has_lines(const std::string& text) {
+  return text.find('\n') != std::string::npos;
+}
+
+/// One line stands in the text; what has more, such as a compiler's message, in a block of its own.
+std::string paragraph(const std::string& text) {
+  if (text.empty()) return "";
+  return (has_lines(text) ? markdown_code(text) : markdown(text) + "\n") + "\n";
+}
+
+std::string table(const Report& report) {
+  if (report.tests.empty()) return "";
+  std::string text = "| Test | Points | |\n|:-----|-------:|:--|\n";
+  for (const TestResult& test : report.tests) {
+    text += "| " + markdown(test.name) + " | " + std::to_string(earned(test)) + " of " +
+            std::to_string(test.points) + " | " + std::string(outcome(test)) + " |\n";
+  }
+  return text + "\n";
+}
+
+std::string item(const Line& line) {
+  if (!has_lines(line.text)) return "- **" + line.label + ":** " + markdown(line.text) + "\n";
+  return "- **" + line.label + ":**\n\n" + markdown_code(line.text) + "\n";
+}
+
+std::string picture(const Finding& finding) {
+  const Plot& plot = finding.plot;
+  if (!plot.file.empty()) return "![" + markdown(plot.title) + "](" + plot.file + ")\n\n";
+  return has_plot(finding) ? "*No picture, since gnuplot is not installed here.*\n\n" : "";
+}
+
+std::string section(const TestResult& test) {
+  std::string text = "## " + markdown(test.name) + "\n\n";
+  for (const Finding& finding : test.findings) {
+    if (finding.held) continue;
+    for (const Line& line : lines(finding)) text += item(line);
+    text += "\n" + picture(finding);
+  }
+  return text;
+}
+
+std::string ignored(const Report& report) {
+  std::string text;
+  for (const std::string& file : report.ignored) {
+    text += (text.empty() ? "Not looked at: " : ", ") + markdown(printable_name(file));
+  }
+  return text.empty() ? "" : text + ".\n\n";
+}
+
+std::string next(const Report& report) {
+  const std::string file = std::filesystem::path(report.submission).filename().string();
+  std::string text = "## Next\n\n```sh\n";
+  for (const std::string& command : next_commands(report, file)) text += command + "\n";
+  return text + "```\n\n" + markdown(provenance(report)) + "\n";
+}
+
+}  // namespace
+
+std::string feedback(const Report& report) {
+  std::string text = "# " + markdown(report.exercise) + ": " + markdown(headline(report)) + "\n\n" +
+                     std::string(sentence(report.verdict)) + "\n\n" + paragraph(report.why) +
+                     table(report);
+  for (const TestResult& test : report.tests) {
+    if (test.ran && !test.held) text += section(test);
+  }
+  if (!report.warnings.empty()) {
+    text += "## The compiler warns\n\n" + markdown_code(report.warnings) + "\n";
+  }
+  return text + ignored(report) + next(report);
+}
+
+}  // namespace grade

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT-0
+#include "report/folder.h"
+
+#include "report/feedback.h"
+#include "report/files.h"
+#include "report/gradescope.h"
+#include "report/json.h"
+#include "report/junit.h"
+#include "report/plot.h"
+
+namespace grade {
+namespace {
+
+void write_rest(const Report& report, const std::filesystem::path& folder,
+                const std::set<Emit>& emits) {
+  write_whole(folder / "feedback.md", feedback(report));
+  if (emits.contains(Emit::gradescope)) write_whole(folder / "results.json", gradescope(report));
+  if (emits.contains(Emit::junit)) write_whole(folder / "junit.xml", junit(report));
+}
+
+}  // namespace
+
+void keep_provisional(const Request& request, const std::string& version,
+                      const std::filesystem::path& folder, const std::set<Emit>& emits) {
+  Report report;
+  report.exercise = request.exercise.name;
+  report.version = version;
+  report.submission = request.submission.string();
+  report.seed = request.seed;
+  report.sandbox = request.sandbox;
+  report.why = "The grader was stopped before it came to a verdict. Grade it again.";
+  report.try_again = true;
+  std::filesystem::create_directories(folder);
+  write_whole(folder / "report.json", to_json(report));
+  write_rest(report, folder, emits);
+}
+
+void keep(Report& report, const std::filesystem::path& folder, const std::set<Emit>& emits) {
+  draw(report, folder);
+  write_rest(report, folder, emits);
+  write_whole(folder / "report.json", to_json(report));
+}
+
+}  // namespace grade

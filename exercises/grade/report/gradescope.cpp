@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT-0
+#include "report/gradescope.h"
+
+#include <nlohmann/json.hpp>
+
+#include "report/escape.h"
+#include "report/words.h"
+
+namespace grade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string output(const TestResult& test) {
+  if (!test.ran) return "Not run, since an earlier test ended abnormally.";
+  std::string text;
+  for (const Finding& finding : test.findings) {
+    if (finding.held) continue;
+    for (const Line& line : lines(finding)) text += line.label + ": " + printable(line.text) + "\n";
+  }
+  return text;
+}
+
+Json json(const TestResult& test, std::size_t number) {
+  return {{"number", std::to_string(number)},
+          {"name", printable(test.name)},
+          {"score", earned(test)},
+          {"max_score", test.points},
+          {"status", test.ran && test.held ? "passed" : "failed"},
+          {"output", output(test)},
+          {"output_format", "text"},
+          {"visibility", "visible"}};
+}
+
+std::string summary(const Report& report) {
+  std::string text = printable(report.exercise) + ": " + headline(report) + "\n" +
+                     std::string(sentence(report.verdict)) + "\n";
+  for (const std::string& more : {report.why, report.warnings}) {
+    if (!more.empty()) text += printable(more) + "\n";
+  }
+  return text + provenance(report) + "\n";
+}
+
+}  // namespace
+
+std::string gradescope(const Report& report) {
+  Json all{{"score", report.score},     {"execution_time", report.seconds},
+           {"output", summary(report)}, {"output_format", "text"},
+           {"visibility", "visible"},   {"stdout_visibility", "hidden"},
+           {"tests", Json::array()}};
+  for (const TestResult& test : report.tests) {
+    all["tests"].push_back(json(test, all["tests"].size() + 1));
+  }
+  return all.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace grade

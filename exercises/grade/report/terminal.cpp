@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT-0
+#include "report/terminal.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "printable.h"
+#include "report/escape.h"
+#include "report/words.h"
+
+namespace grade {
+namespace {
+
+constexpr std::size_t columns = 80;
+constexpr std::size_t label_width = 11;
+
+std::size_t characters(std::string_view text) {
+  std::size_t count = 0;
+  for (; !text.empty(); ++count) {
+    text.remove_prefix(std::max<std::size_t>(1, utf8_character(text)));
+  }
+  return count;
+}
+
+/// Words over as many lines as they need, all but the first indented.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  std::istringstream words(printable(text));
+  std::string result;
+  std::size_t column = indent;
+  for (std::string word; words >> word;) {
+    const std::size_t length = characters(word);
+    const bool first = column == indent;
+    if (!first && column + 1 + length > columns) {
+      result += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (!first) {
+      result += " ";
+      ++column;
+    }
+    result += word;
+    column += length;
+  }
+  return result + "\n";
+}
+
+/// Lines as they are, each behind a bar.
+std::string barred(const std::string& text) {
+  std::istringstream lines(printable(text));
+  std::string result;
+  for (std::string line; std::getline(lines, line);) result += "  | " + line + "\n";
+  return result;
+}
+
+std::string paragraph(const std::string& text) {
+  if (text.empty()) return "";
+  return text.find('\n') == std::string::npos ? wrapped(text, 0) : barred(text);
+}
+
+class Paint {
+ public:
+  explicit Paint(bool colour) : colour_(colour) {}
+  std::string good(const std::string& text) const { return in("32", text); }
+  std::string bad(const std::string& text) const { return in("31", text); }
+  std::string strong(const std::string& text) const { return in("1", text); }
+
+ private:
+  std::string in(const char* code, const std::string& text) const {
+    return colour_ ? std::string("\x1b[") + code + "m" + text + "\x1b[0m" : text;
+  }
+  bool colour_;
+};
+
+std::string points(const TestResult& test) {
+  return std::to_string(earned(test)) + "/" + std::to_string(test.points);
+}
+
+std::string row(const TestResult& test, const Paint& paint) {
+  const std::string text(outcome(test));
+  const std::string label = text + std::string(14 - text.size(), ' ');
+  const std::string score =
+      std::string(6 - std::min<std::size_t>(6, points(test).size()), ' ') + points(test) + "  ";
+  constexpr std::size_t before = 2 + 14 + 8;
+  return "  " + (test.held ? paint.good(label) : paint.bad(label)) + score +
+         wrapped(test.name, before);
+}
+
+std::string labelled(const Line& line) {
+  const std::string label = "    " + line.label + std::string(label_width - line.label.size(), ' ');
+  if (line.text.find('\n') == std::string::npos) {
+    return label + wrapped(line.text, 4 + label_width);
+  }
+  return label + "\n" + barred(line.text);
+}
+
+std::string section(const TestResult& test, const Paint& paint) {
+  std::string text = "\n" + paint.strong("  " + wrapped(test.name, 2));
+  for (const Finding& finding : test.findings) {
+    if (finding.held) continue;
+    for (const Line& line : lines(finding)) text += labelled(line);
+    if (!finding.plot.file.empty()) text += labelled({"Picture", finding.plot.file});
+  }
+  return text;
+}
+
+std::string ignored(const Report& report) {
+  std::string text;
+  for (const std::string& file : report.ignored) {
+    text += (text.empty() ? "Not looked at: " : ", ") + printable_name(file);
+  }
+  return text.empty() ? "" : "\n" + wrapped(text + ".", 0);
+}
+
+}  // namespace
+
+std::string terminal(const Report& report, bool colour) {
+  const Paint paint(colour);
+  const bool full = report.verdict == Verdict::accepted;
+  std::string text = printable(report.exercise) + ": " +
+                     (full ? paint.good(headline(report)) : paint.bad(headline(report))) + "\n" +
+                     std::string(sentence(report.verdict)) + "\n" + paragraph(report.why);
+  if (!report.tests.empty()) text += "\n";
+  for (const TestResult& test : report.tests) text += row(test, paint);
+  for (const TestResult& test : report.tests) {
+    if (test.ran && !test.held) text += section(test, paint);
+  }
+  if (!report.warnings.empty()) text += "\nThe compiler warns:\n" + barred(report.warnings);
+  text += ignored(report) + "\n" + wrapped(provenance(report), 0);
+  for (const std::string& command : next_commands(report, report.submission)) {
+    text += "Next: " + command + "\n";
+  }
+  return text;
+}
+
+}  // namespace grade

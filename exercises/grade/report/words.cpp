@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT-0
+#include "report/words.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace grade {
+namespace {
+
+constexpr std::uint64_t public_seed = 1;
+
+/// Text with what belongs to it in brackets, or one of the two.
+std::string with_reason(const std::string& text, const std::string& reason) {
+  return reason.empty() ? text : text + " (" + reason + ")";
+}
+
+bool is_plain(const std::string& file) {
+  const auto plain = [](unsigned char c) {
+    return std::isalnum(c) || std::string_view("._/+-").find(char(c)) != std::string_view::npos;
+  };
+  return !file.empty() && file[0] != '-' && std::all_of(file.begin(), file.end(), plain);
+}
+
+}  // namespace
+
+std::string_view sentence(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::accepted:
+      return "Every test held.";
+    case Verdict::partial:
+      return "Some tests held, some did not.";
+    case Verdict::wrong_answer:
+      return "It ran to the end, and no test held.";
+    case Verdict::compile_error:
+      return "The compiler refused it.";
+    case Verdict::compile_limit:
+      return "The compiler ran out of time, memory or output.";
+    case Verdict::link_error:
+      return "It compiles, and yet no program comes of it.";
+    case Verdict::rejected:
+      return "It was not taken.";
+    case Verdict::runtime_error:
+      return "It crashed, threw, or asked the system for something forbidden.";
+    case Verdict::time_limit:
+      return "It did not come back in time.";
+    case Verdict::memory_limit:
+      return "It wanted more memory than it may have.";
+    case Verdict::output_limit:
+      return "It printed without end.";
+    case Verdict::incomplete:
+      return "It ended before it had answered, without an error.";
+    case Verdict::protocol_error:
+      return "What came back was not an answer.";
+    case Verdict::grader_error:
+      return "The grader failed, not your code: this is no grade.";
+  }
+  return "";
+}
+
+std::string headline(const Report& report) {
+  return std::string(name(report.verdict)) + ", " + std::to_string(report.score) + " of " +
+         std::to_string(report.points) + (report.points == 1 ? " point" : " points");
+}
+
+std::string_view outcome(const TestResult& test) {
+  if (!test.ran) return "not run";
+  return test.held ? "held" : "did not hold";
+}
+
+int earned(const TestResult& test) {
+  return test.ran && test.held ? test.points : 0;
+}
+
+std::vector<Line> lines(const Finding& finding) {
+  std::vector<Line> all{{"Asked", finding.asked},
+                        {"Input", finding.input},
+                        {"Expected", finding.expected},
+                        {"Got", finding.got},
+                        {"Off by", finding.error},
+                        {"Allowed", with_reason(finding.tolerance, finding.tolerance_from)}};
+  for (const std::string& diagnosis : finding.diagnoses) all.push_back({"Diagnosis", diagnosis});
+  all.push_back({"Hint", finding.hint});
+  std::erase_if(all, [](const Line& line) { return line.text.empty(); });
+  return all;
+}
+
+bool has_plot(const Finding& finding) {
+  return !finding.plot.curves.empty();
+}
+
+std::vector<std::string> next_commands(const Report& report, const std::string& file) {
+  if (report.verdict == Verdict::accepted) return {"grade --list"};
+  std::string command = "grade " + report.exercise + " " + (is_plain(file) ? file : "YOUR_FILE.h");
+  if (report.seed != public_seed) command += " --seed " + std::to_string(report.seed);
+  return {command};
+}
+
+std::string provenance(const Report& report) {
+  return "Graded with seed " + std::to_string(report.seed) +
+         (report.seed == public_seed ? ", the public one" : "") + ", by grader " + report.version +
+         (report.sandbox == cage::Sandbox::none ? ", without a sandbox" : "") + ".";
+}
+
+std::string_view name(cage::Sandbox sandbox) {
+  return sandbox == cage::Sandbox::bubblewrap ? "bubblewrap" : "none";
+}
+
+}  // namespace grade
