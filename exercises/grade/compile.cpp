@@ -120,6 +120,8 @@ Compiled not_compiled(const cage::Ended& ended, const std::string& header) {
 Compiled not_linked(const cage::Ended& ended) {
   if (const std::string what = what_ran_out(diagnostics(ended.err)); !what.empty())
     return failed(ended, Verdict::compile_limit, "the linker ran out of " + what);
+  if (ended.err.find("relocation truncated") != std::string::npos)
+    return failed(ended, Verdict::compile_limit, "the program is larger than two gigabytes");
   return failed(ended, Verdict::link_error, link_message(ended.err));
 }
 

@@ -63,6 +63,11 @@ bool split(std::string_view line, Diagnostic& into) {
 
 /// A program of the compiler's speaks of itself: `g++: fatal error: ...`.
 bool of_a_tool(std::string_view line, Diagnostic& into) {
+  if (line.starts_with("virtual memory exhausted")) {
+    into.kind = "error";
+    into.text = line;
+    return true;
+  }
   const std::size_t colon = line.find(": ");
   if (colon == line.npos || line.starts_with(' ')) return false;
   const std::string_view tool = line.substr(0, colon);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "diagnostics.h"
+#include "signature.h"
 
 namespace grade {
 
@@ -41,8 +42,8 @@ std::string missing(const Diagnostic& found) {
 std::string in_our_words(const Diagnostic& found) {
   constexpr std::string_view assertion = "static assertion failed: ";
   if (found.text.starts_with(assertion)) return found.text.substr(assertion.size());
-  const std::string lacking = missing(found);
-  return lacking.empty() ? found.text : lacking;
+  const std::string lacking = missing(found), signature = wanted_and_found(found);
+  return !lacking.empty() ? lacking : !signature.empty() ? signature : found.text;
 }
 
 std::string with_lines(const Diagnostic& found, const std::string& header,

@@ -66,7 +66,9 @@ std::string printable(std::string_view text, std::size_t most) {
     const std::size_t size = utf8_character(text);
     const std::string_view next = text.substr(0, std::max<std::size_t>(1, size));
     if (shown.size() + next.size() > most) return shown + " [cut]";
-    if (next == "\t")
+    if (next == "\r") {
+      // half of a line end, as Windows writes them
+    } else if (next == "\t")
       shown += "    ";
     else if (size > 0 && harmless(code_point(next)))
       shown += next;

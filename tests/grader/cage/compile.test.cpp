@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT-0
+#include "compile.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include "around.h"
+
+using cage::Sandbox;
+using Catch::Matchers::ContainsSubstring;
+using grade::Compiled;
+using grade::Verdict;
+
+namespace {
+
+/// An exercise that asks for one function of one vector.
+const std::string asks = R"(#include "call.h"
+void (*const wanted)(Vec& x) = step;
+void answer(harness::Call& call) {
+  Vec x = call.vector();
+  wanted(x);
+  call.answer(x);
+}
+)";
+
+const std::string good = "inline void step(Vec& x) { x = 2 * x; }\n";
+
+cage::Limits usual() {
+  cage::Limits limits;
+  limits.processor = 10;
+  limits.wall = 30;
+  limits.memory = 2'500'000'000;
+  return limits;
+}
+
+Compiled compile(const std::string& text, Sandbox sandbox = Sandbox::bubblewrap,
+                 const cage::Limits& limits = usual()) {
+  return grade::compile(text, "drift.h", asks, sandbox, kit(), limits);
+}
+
+/// No name of ours may be in what a student reads.
+void names_nothing_of_ours(const std::string& message) {
+  for (const char* ours :
+       {"harness.h", "call.h", "glue", "/job", "harness/", "exercise/", "/tmp", "driver", "gch"})
+    CHECK_THAT(message, !ContainsSubstring(ours));
+  CHECK_THAT(message, !ContainsSubstring(kit_folder()));
+}
+
+struct Case {
+  std::string text;
+  Verdict verdict;
+  std::vector<std::string> says;
+};
+
+void check(const Case& next) {
+  INFO(next.text);
+  const Compiled compiled = compile(next.text);
+  REQUIRE(compiled.failed);
+  CHECK(name(*compiled.failed) == name(next.verdict));
+  for (const std::string& part : next.says) CHECK_THAT(compiled.message, ContainsSubstring(part));
+  names_nothing_of_ours(compiled.message);
+  CHECK_FALSE(compiled.driver);
+}
+
+}  // namespace
+
+TEST_CASE("A header that compiles becomes a driver, in the cage and without") {
+  for (const Sandbox sandbox : {Sandbox::bubblewrap, Sandbox::none}) {
+    const Compiled compiled = compile(good, sandbox);
+    INFO(compiled.message);
+    REQUIRE_FALSE(compiled.failed);
+    CHECK(compiled.message.empty());
+    cage::Process driver = cage::run(sandbox, kit(), compiled.driver, {});
+    const double request[] = {0, 3, 1, 2, 3};
+    double answer[5] = {};
+    REQUIRE(driver.send(std::as_bytes(std::span(request))));
+    REQUIRE(driver.receive(std::as_writable_bytes(std::span(answer))));
+    CHECK(answer[4] == 6);
+    CHECK(driver.finish().code == 0);
+  }
+}
+
+TEST_CASE("Compiling without the sandbox leaves no folder behind") {
+  const auto folders = [] {
+    int count = 0;
+    for (const auto& next :
+         std::filesystem::directory_iterator(std::filesystem::temp_directory_path()))
+      count += next.path().filename().string().starts_with("compile-");
+    return count;
+  };
+  const int before = folders();
+  compile(good, Sandbox::none);
+  compile("#error\n", Sandbox::none);
+  CHECK(folders() == before);
+}
+
+TEST_CASE("The precompiled header is used") {
+  // Read as text it takes the compiler more than five times as long.
+  CHECK(compile(good).processor < 0.6);
+}
+
+TEST_CASE("A warning in the student's file is handed on, a header is not warned of its #pragma") {
+  const Compiled compiled = compile(
+      "#pragma once\n#include \"given.h\"\n"
+      "inline void step(Vec& x) { int unused; x = 2 * x; }\n");
+  REQUIRE_FALSE(compiled.failed);
+  CHECK_THAT(compiled.message, ContainsSubstring("drift.h:3:32: warning: unused variable"));
+  names_nothing_of_ours(compiled.message);
+}
+
+TEST_CASE("Errors name the student's file and line") {
+  check({"// first\ninline void step(Vec& x) { x = 2 * x }\n",
+         Verdict::compile_error,
+         {"drift.h:2:37: error: expected ';'", "    2 | inline void"}});
+  check({"inline void step(Vec& x) { x = y; z(); }\n",
+         Verdict::compile_error,
+         {"drift.h:1:32: error: 'y' was not declared", "drift.h:1:35: error: 'z'"}});
+  check({"template <class V>\nvoid step(V& x) { x.none(); }\n",
+         Verdict::compile_error,
+         {"drift.h:2:21: error: 'struct Vec' has no member named 'none'"}});
+  check({"inline void step(Vec& x) { x = x + 1; }\n",
+         Verdict::compile_error,
+         {"drift.h:1:34: error: no match for 'operator+'", "given.h:"}});
+}
+
+TEST_CASE("A signature that is not the one asked for is shown beside it") {
+  check({"inline void step(Vec x) {}\n",
+         Verdict::compile_error,
+         {"wanted is void step(Vec&), but found is void step(Vec)"}});
+  check({"inline double step(Vec&) { return 0; }\n",
+         Verdict::compile_error,
+         {"but found is double step(Vec&)"}});
+  check({"template <class V> void step(V&, V&) {}\n",
+         Verdict::compile_error,
+         {"wanted is void step(Vec&)", "drift.h:1:25: note: candidate is"}});
+  check({"// nothing\n", Verdict::compile_error, {"step is missing: the header has to define it"}});
+  check({"namespace mine { inline void step(Vec&) {} }\n",
+         Verdict::compile_error,
+         {"step is missing", "did you mean 'mine::step'"}});
+}
+
+TEST_CASE("A main is refused, whatever its kind") {
+  for (const char* kind :
+       {"int main() {}\n", "inline int main() {}\n", "__attribute__((weak)) int main() {}\n",
+        "static int main() {}\n", "asm(\".globl main\\nmain: ret\");\n"})
+    check({kind + good, Verdict::rejected, {"remove main()", "#ifndef GRADING"}});
+  CHECK_FALSE(compile("#ifndef GRADING\nint main() {}\n#endif\n" + good).failed);
+}
+
+TEST_CASE("What lacks inline is named, and why a header needs it") {
+  check({"void step(Vec& x) { x = 2 * x; }\n",
+         Verdict::link_error,
+         {"step lacks the word inline", "several files"}});
+  check(
+      {"double gravity = 9.81;\n" + good, Verdict::link_error, {"gravity lacks the word inline"}});
+  check(
+      {"#include <cstdio>\nextern \"C\" long write(int, const void*, unsigned long) "
+       "{ return 0; }\n" +
+           good,
+       Verdict::link_error,
+       {"write lacks the word inline"}});
+}
+
+TEST_CASE("What is declared and not defined is named") {
+  check({"void helper(int);\ninline void step(Vec& x) { helper(1); }\n",
+         Verdict::link_error,
+         {"helper(int) is declared, but never defined"}});
+}
+
+TEST_CASE("A compiler without end is stopped") {
+  check({"#include __FILE__\n#include __FILE__\n", Verdict::compile_limit, {"depth of #include"}});
+  check(
+      {"constexpr long f() { long s = 0; for (long i = 0; i >= 0; ++i) ++s; return s; }\n"
+       "constexpr long n = f();\n",
+       Verdict::compile_limit,
+       {"computation at compile time"}});
+  check({"template <int n> struct A : A<n + 1> {};\nA<0> a;\n",
+         Verdict::compile_limit,
+         {"depth of templates"}});
+  check({"inline int big[1 << 28] = {1};\ninline void step(Vec& x) { x.x = big[0]; }\n",
+         Verdict::compile_limit,
+         {"room for its output"}});
+  check(
+      {"#define A x x x x x x x x x x\n#define B A A A A A A A A A A\n"
+       "#define C B B B B B B B B B B\n#define D C C C C C C C C C C\n"
+       "#define E D D D D D D D D D D\n#define F E E E E E E E E E E\n"
+       "#define G F F F F F F F F F F\n#define H G G G G G G G G G G\nH H H H H H H H H H\n",
+       Verdict::compile_limit,
+       {"ran out of memory"}});
+}
+
+TEST_CASE("A compiler that takes too long is stopped") {
+  cage::Limits limits = usual();
+  limits.processor = 1;
+  const std::string slow =
+      "template <unsigned long a, int b> constexpr unsigned long g() { if constexpr (b == 0) "
+      "return a; else return g<2 * a, b - 1>() + g<2 * a + 1, b - 1>(); }\n"
+      "constexpr unsigned long n = g<1, 22>();\n";
+  const Compiled compiled = compile(slow, Sandbox::bubblewrap, limits);
+  REQUIRE(compiled.failed);
+  CHECK(name(*compiled.failed) == "COMPILE_LIMIT");
+  CHECK(compiled.processor < 3);
+}
+
+TEST_CASE("Messages are cut, and control characters in them are not passed on") {
+  std::string text = "inline void step(Vec& x) { x = y; } // \x1b[31m red \xe2\x80\xae turned\n";
+  const Compiled compiled = compile(text);
+  CHECK_THAT(compiled.message, ContainsSubstring("\\x1b[31m red \\xe2\\x80\\xae turned"));
+  text = "inline void step(Vec& x) { x = " + std::string(30000, 'y') + "; }\n";
+  CHECK(compile(text).message.size() < 5000);
+}
+
+TEST_CASE("The cage shows nothing of the machine but its compiler") {
+  for (const char* path :
+       {"/etc/passwd", "/proc/self/status", "/dev/null", "/tmp", "/root", "/home", "/var"}) {
+    const std::string text =
+        std::string("#if __has_include(\"") + path + "\")\n#error it is there\n#endif\n" + good;
+    CHECK_FALSE(compile(text).failed);
+  }
+  check({"#include \"/etc/passwd\"\n", Verdict::compile_error, {"No such file"}});
+  check({"asm(\".incbin \\\"/etc/passwd\\\"\");\n" + good, Verdict::compile_error, {}});
+  check({"#include \"../solution.h\"\n", Verdict::compile_error, {"No such file"}});
+  check({"#include \"/usr/lib/os-release\"\n",
+         Verdict::compile_error,
+         {"includes a file that is no header"}});
+}
+
+TEST_CASE("Known mistakes get a hint") {
+  check({"#include <windows.h>\n", Verdict::compile_error, {"exists only on Windows"}});
+  check({"#include \"stdafx.h\"\n", Verdict::compile_error, {"exists only on Windows"}});
+  check({"#include <print>\n", Verdict::compile_error, {"compiled as C++20"}});
+}
+
+TEST_CASE("A kit that is not whole is our own error") {
+  cage::Kit broken = kit();
+  broken.harness = "/no/such/folder";
+  const Compiled compiled =
+      grade::compile(good, "drift.h", asks, Sandbox::bubblewrap, broken, usual());
+  REQUIRE(compiled.failed);
+  CHECK(name(*compiled.failed) == "GRADER_ERROR");
+}

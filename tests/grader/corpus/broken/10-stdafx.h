@@ -1,0 +1,11 @@
+// COMPILE_ERROR: includes what only Visual Studio has
+// says: exists only on Windows
+// SPDX-License-Identifier: MIT-0
+#include "stdafx.h"
+#include "given.h"
+
+inline void step(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) {
+  const Vec a = acceleration(x, v, t);
+  x = x + h * v;
+  v = v + h * a;
+}

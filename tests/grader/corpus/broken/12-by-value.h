@@ -1,0 +1,11 @@
+// COMPILE_ERROR: takes x and v by value
+// says: found is void step(Vec, Vec
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+inline void step(Vec x, Vec v, double t, double h, const Acceleration& acceleration) {
+  const Vec a = acceleration(x, v, t);
+  x = x + h * v;
+  v = v + h * a;
+}

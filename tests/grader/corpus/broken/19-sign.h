@@ -1,0 +1,10 @@
+// WRONG_ANSWER: has the sign of the acceleration wrong
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+inline void step(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) {
+  const Vec a = acceleration(x, v, t);
+  x = x + h * v;
+  v = v - h * a;
+}
