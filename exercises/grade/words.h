@@ -4,14 +4,10 @@
 #pragma once
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 #include "cage/process.h"
 
 namespace grade {
-
-/// Text of a student's program, made harmless and cut.
-std::string printable(std::string_view text, std::size_t most);
 
 /// Six digits, enough to see a difference; `digits` if more are wanted.
 std::string number(double value, int digits = 6);

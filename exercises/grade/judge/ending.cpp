@@ -7,6 +7,7 @@
 #include <string>
 
 #include "judge/session.h"
+#include "printable.h"
 #include "words.h"
 
 namespace judge {
