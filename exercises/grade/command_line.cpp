@@ -14,8 +14,8 @@ namespace grade {
 namespace {
 
 constexpr const char* about =
-    "Grades exercises: your own,  grade EXERCISE FILE,  or those of a class,  grade --class FOLDER "
-    "--out FOLDER.";
+    "Grades exercises: your own,  grade EXERCISE FILE,  or those of a class,\n"
+    "  grade --class FOLDER --out FOLDER.";
 
 constexpr const char* codes =
     "A class hands in FOLDER/STUDENT/CHAPTER/EXERCISE.h. Graded again, it skips what is done.\n"
@@ -29,7 +29,7 @@ struct Words {
   std::string exercise, file, out, seed, seed_file, shard, limits, submissions;
   std::string sandbox = "bubblewrap", exit_status = "grader";
   std::vector<std::string> emits, exercises;
-  std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
+  std::string jobs = std::to_string(std::max(1U, std::thread::hardware_concurrency()));
   bool list = false, version = false;
 };
 
@@ -119,14 +119,14 @@ void add_class(Command& command, const Words& words) {
   if (!words.exercise.empty()) throw Usage("--class takes no EXERCISE; choose with --exercise");
   if (words.sandbox == "none") throw Usage("a class is graded in the sandbox only");
   if (words.exit_status == "verdict") throw Usage("--exit-status verdict is for one submission");
-  if (words.jobs < 1) throw Usage("--jobs must be at least 1");
   Class& work = command.classroom;
   for (const std::string& name : words.exercises) work.exercises.push_back(exercise_named(name));
   work.submissions = words.submissions;
   work.results = folder(words.out);
   work.seed = seed(words);
   work.seed_file = words.seed_file;
-  work.jobs = words.jobs;
+  work.jobs = number(words.jobs, "--jobs");
+  if (work.jobs < 1) throw Usage("--jobs must be at least 1");
   work.shard = shard(words.shard);
   work.emits = emits(words);
 }

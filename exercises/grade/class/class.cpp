@@ -128,6 +128,9 @@ int grade_roll(const Roll& roll, const Class& work) {
                 count(before - jobs.size(), "submission").c_str());
   }
   if (!jobs.empty()) {
+    if (work.seed == Request().seed) {
+      std::printf("Graded with the public seed; --seed-file names one that only you know\n");
+    }
     if (const auto why = unsafe()) return refuse(Exit::failed, *why);
     std::filesystem::create_directories(work.results);
     grade_all(jobs, work);

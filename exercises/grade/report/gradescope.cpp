@@ -45,9 +45,12 @@ std::string summary(const Report& report) {
 }  // namespace
 
 std::string gradescope(const Report& report) {
-  Json all{{"score", report.score},     {"execution_time", std::isfinite(report.seconds) ? report.seconds : 0},
-           {"output", summary(report)}, {"output_format", "text"},
-           {"visibility", "visible"},   {"stdout_visibility", "hidden"},
+  Json all{{"score", report.score},
+           {"execution_time", std::isfinite(report.seconds) ? report.seconds : 0},
+           {"output", summary(report)},
+           {"output_format", "text"},
+           {"visibility", "visible"},
+           {"stdout_visibility", "hidden"},
            {"tests", Json::array()}};
   for (const TestResult& test : report.tests) {
     all["tests"].push_back(json(test, all["tests"].size() + 1));

@@ -15,8 +15,8 @@
 namespace grade {
 namespace {
 
-/// Points in all curves together: fifteen bytes each, so that a picture stays well below 30 kB.
-constexpr std::size_t most_points = 1200;
+/// Points in all curves together: about 25 bytes each, so that a picture stays below 30 kB.
+constexpr std::size_t most_points = 800;
 /// Up to as many, each point of a curve is marked.
 constexpr std::size_t most_marks = 40;
 
@@ -37,11 +37,25 @@ constexpr std::array styles{"lc rgb '#c8420a' lw 2.2 pt 7 ps 0.5",
                             "lc rgb '#0b63b0' lw 1.6 dt (2,3) pt 4 ps 0.6",
                             "lc rgb '#00784f' lw 1.6 dt (12,4,2,4) pt 8 ps 0.7"};
 
-/// In single quotes gnuplot takes all letters as they are.
+/// What gnuplot would take for more than a letter, it is given as a number.
 std::string in_quotes(std::string_view text) {
-  std::string result = "'";
-  for (const char c : printable_name(text)) result += c == '\'' ? "''" : std::string(1, c);
-  return result + "'";
+  std::string result = "\"";
+  for (const char c : printable_name(text)) {
+    switch (c) {
+      case '"':
+        result += "\\042";
+        break;
+      case '\\':
+        result += "\\134";
+        break;
+      case '`':
+        result += "\\140";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result + "\"";
 }
 
 std::string number(double value) {

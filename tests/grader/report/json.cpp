@@ -9,7 +9,7 @@
 using namespace grade;
 
 TEST_CASE("a report comes back from JSON as it was") {
-  for (const Report& report : {sample(), Report{.exercise = "a/b", .version = "v"}}) {
+  for (const Report& report : {sample(), Report()}) {
     const std::string json = to_json(report);
     const std::optional<Report> back = report_from(json);
     REQUIRE(back);

@@ -79,14 +79,8 @@ TEST_CASE("a report takes the place of the one before, and so do its plots") {
 }
 
 TEST_CASE("other formats are made of what report.json holds") {
-  for (Report report : {sample(), hostile_sample()}) {
-    const std::optional<Report> back = report_from(to_json(report));
-    REQUIRE(back);
-    report.tests[1].findings[0].plot.curves.clear();
-    CHECK(gradescope(*back).size() == gradescope(report).size());
-    if (report.verdict == Verdict::partial) {
-      CHECK(gradescope(*back) == gradescope(report));
-      CHECK(junit(*back) == junit(report));
-    }
-  }
+  const std::optional<Report> back = report_from(to_json(sample()));
+  REQUIRE(back);
+  CHECK(gradescope(*back) == gradescope(sample()));
+  CHECK(junit(*back) == junit(sample()));
 }

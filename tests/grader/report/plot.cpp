@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include "report/plot.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cstdlib>
 

@@ -58,7 +58,6 @@ TEST_CASE("feedback says of a failed test all that was found") {
   CHECK(has(text, "| not reached | 0 of 3 | not run |"));
   CHECK(has(text, "```text\nmy_euler.h:3:7: warning"));
   CHECK(has(text, "Not looked at: notes.txt."));
-  CHECK(has(text, "grade 2-euler/orbit-drift my\\_euler.h") == false);
   CHECK(has(text, "grade 2-euler/orbit-drift my_euler.h --seed 18446744073709551615\n"));
 }
 
@@ -80,7 +79,7 @@ TEST_CASE("a student's text does nothing in the feedback") {
     CAPTURE(part);
     CHECK_FALSE(has(prose, part));
   }
-  CHECK(has(text, "YOUR_FILE.h"));
+  CHECK(has(text, "grade 2-euler/orbit-drift orbit-drift.h "));
 }
 
 TEST_CASE("a terminal of 80 columns shows the whole report") {
