@@ -1,64 +1,17 @@
 // SPDX-License-Identifier: MIT-0
 #include "command_line.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <thread>
 
+#include "options.h"
 #include "report/escape.h"
 #include "report/files.h"
 #include "time_limits.h"
 
 namespace grade {
 namespace {
-
-constexpr const char* about =
-    "Grades exercises: your own,  grade EXERCISE FILE,  or those of a class,  grade --class FOLDER "
-    "--out FOLDER.";
-
-constexpr const char* codes =
-    "A class hands in FOLDER/STUDENT/CHAPTER/EXERCISE.h. Graded again, it skips what is done.\n"
-    "Exit codes: 0 graded, whatever the verdict; 2 bad input; 3 the submission cannot be read;\n"
-    "  42 the grader failed and will again; 75 it failed, try again.\n"
-    "Examples: grade 2-euler/orbit-drift my_euler.h\n"
-    "          grade --class submissions/ --seed-file seed.txt --jobs 2 --out results/";
-
-/// The words of the command line, before they are checked.
-struct Words {
-  std::string exercise, file, out, seed, seed_file, shard, limits, submissions;
-  std::string sandbox = "bubblewrap", exit_status = "grader";
-  std::vector<std::string> emits, exercises;
-  std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
-  bool list = false, version = false;
-};
-
-void declare(CLI::App& app, Words& words) {
-  app.add_option("EXERCISE", words.exercise, "Chapter and exercise, such as 2-euler/orbit-drift");
-  app.add_option("FILE", words.file, "The header to grade, or a folder that holds it");
-  CLI::Option* const out =
-      app.add_option("--out", words.out, "Folder for report.json, feedback.md and plots");
-  app.add_option("--emit", words.emits, "Write results.json or junit.xml beside the report")
-      ->check(CLI::IsMember({"gradescope", "junit"}))
-      ->needs(out);
-  CLI::Option* const seed =
-      app.add_option("--seed", words.seed, "Number that all hidden inputs come from; 1 is public");
-  app.add_option("--seed-file", words.seed_file, "File that holds it")->excludes(seed);
-  app.add_option("--sandbox", words.sandbox, "none: only for your own code on your own machine")
-      ->check(CLI::IsMember({"bubblewrap", "none"}));
-  app.add_option("--exit-status", words.exit_status, "verdict: exit with 1 below full score")
-      ->check(CLI::IsMember({"grader", "verdict"}));
-  CLI::Option* const whole_class =
-      app.add_option("--class", words.submissions, "Grade this folder of submissions")->needs(out);
-  app.add_option("--exercise", words.exercises, "Only this one; may be repeated")
-      ->needs(whole_class);
-  app.add_option("--jobs", words.jobs, "Submissions at a time")->needs(whole_class);
-  app.add_option("--shard", words.shard, "i/n: only each n-th submission, from the i-th")
-      ->needs(whole_class);
-  app.add_flag("--list", words.list, "Name the exercises");
-  app.add_flag("--version", words.version, "Say which grader this is, exercise by exercise");
-  app.add_option("--limits", words.limits)->group("");
-}
 
 std::uint64_t number(const std::string& text, const std::string& option) {
   std::uint64_t value = 0;
@@ -69,11 +22,11 @@ std::uint64_t number(const std::string& text, const std::string& option) {
   return value;
 }
 
-std::uint64_t seed(const Words& words) {
-  if (!words.seed.empty()) return number(words.seed, "--seed");
-  if (words.seed_file.empty()) return Request().seed;
-  std::optional<std::string> text = read_whole(words.seed_file);
-  if (!text) throw Usage("can't read the seed file '" + printable_name(words.seed_file) + "'");
+std::uint64_t seed(const Options& options) {
+  if (!options.seed.empty()) return number(options.seed, "--seed");
+  if (options.seed_file.empty()) return Request().seed;
+  std::optional<std::string> text = read_whole(options.seed_file);
+  if (!text) throw Usage("can't read the seed file '" + printable_name(options.seed_file) + "'");
   std::erase_if(*text, [](char c) { return c == '\n' || c == '\r' || c == ' '; });
   // The seed itself may be a secret: what the file holds is not printed.
   try {
@@ -89,9 +42,9 @@ Exercise exercise_named(const std::string& name) {
               nearest_exercise(name) + "'? --list names all");
 }
 
-std::set<Emit> emits(const Words& words) {
+std::set<Emit> emits(const Options& options) {
   std::set<Emit> all;
-  for (const std::string& word : words.emits) {
+  for (const std::string& word : options.emits) {
     all.insert(word == "junit" ? Emit::junit : Emit::gradescope);
   }
   return all;
@@ -115,34 +68,35 @@ Shard shard(const std::string& text) {
   return shard;
 }
 
-void add_class(Command& command, const Words& words) {
-  if (!words.exercise.empty()) throw Usage("--class takes no EXERCISE; choose with --exercise");
-  if (words.sandbox == "none") throw Usage("a class is graded in the sandbox only");
-  if (words.exit_status == "verdict") throw Usage("--exit-status verdict is for one submission");
-  if (words.jobs < 1) throw Usage("--jobs must be at least 1");
+void add_class(Command& command, const Options& options) {
+  if (!options.exercise.empty()) throw Usage("--class takes no EXERCISE; choose with --exercise");
+  if (options.sandbox == "none") throw Usage("a class is graded in the sandbox only");
+  if (options.exit_status == "verdict") throw Usage("--exit-status verdict is for one submission");
   Class& work = command.classroom;
-  for (const std::string& name : words.exercises) work.exercises.push_back(exercise_named(name));
-  work.submissions = words.submissions;
-  work.results = folder(words.out);
-  work.seed = seed(words);
-  work.seed_file = words.seed_file;
-  work.jobs = words.jobs;
-  work.shard = shard(words.shard);
-  work.emits = emits(words);
+  for (const std::string& name : options.exercises) work.exercises.push_back(exercise_named(name));
+  work.submissions = options.submissions;
+  work.results = folder(options.out);
+  work.seed = seed(options);
+  work.seed_file = options.seed_file;
+  work.jobs = options.jobs.empty() ? std::max(1U, std::thread::hardware_concurrency())
+                                   : number(options.jobs, "--jobs");
+  if (work.jobs < 1) throw Usage("--jobs must be at least 1");
+  work.shard = shard(options.shard);
+  work.emits = emits(options);
 }
 
-void add_one(Command& command, const Words& words) {
-  if (words.exercise.empty()) throw Usage("name an exercise and a file; --help says more");
-  command.request.exercise = exercise_named(words.exercise);
-  if (words.file.empty()) throw Usage("name the file to grade behind the exercise");
-  command.request.submission = words.file;
-  command.request.seed = seed(words);
-  if (words.sandbox == "none") command.request.sandbox = cage::Sandbox::none;
-  if (!words.out.empty()) command.out = folder(words.out);
-  command.emits = emits(words);
-  command.exit_by_verdict = words.exit_status == "verdict";
-  command.limits_given = !words.limits.empty();
-  if (command.limits_given && !read_limits(words.limits, command.request)) {
+void add_one(Command& command, const Options& options) {
+  if (options.exercise.empty()) throw Usage("name an exercise and a file; --help says more");
+  command.request.exercise = exercise_named(options.exercise);
+  if (options.file.empty()) throw Usage("name the file to grade behind the exercise");
+  command.request.submission = options.file;
+  command.request.seed = seed(options);
+  if (options.sandbox == "none") command.request.sandbox = cage::Sandbox::none;
+  if (!options.out.empty()) command.out = folder(options.out);
+  command.emits = emits(options);
+  command.exit_by_verdict = options.exit_status == "verdict";
+  command.limits_given = !options.limits.empty();
+  if (command.limits_given && !read_limits(options.limits, command.request)) {
     throw Usage("--limits is for the grader's own use");
   }
 }
@@ -150,27 +104,18 @@ void add_one(Command& command, const Words& words) {
 }  // namespace
 
 Command read_command_line(int argc, char** argv) {
-  CLI::App app{about, "grade"};
-  app.footer(codes);
-  Words words;
-  declare(app, words);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& help) {
-    app.exit(help);
-    return {};
-  } catch (const CLI::Error& error) {
-    throw Usage(printable_name(error.what()));
-  }
+  const std::optional<Options> read = read_options(argc, argv);
+  if (!read) return {};
+  const Options& options = *read;
   Command command;
-  if (words.list || words.version) {
-    command.what = words.list ? Command::What::list : Command::What::version;
-  } else if (!words.submissions.empty()) {
+  if (options.list || options.version) {
+    command.what = options.list ? Command::What::list : Command::What::version;
+  } else if (!options.submissions.empty()) {
     command.what = Command::What::whole_class;
-    add_class(command, words);
+    add_class(command, options);
   } else {
     command.what = Command::What::one;
-    add_one(command, words);
+    add_one(command, options);
   }
   return command;
 }

@@ -74,13 +74,16 @@ std::string grade_cell(const Results& results, std::size_t student, std::size_t 
 
 std::string student_row(const Results& results, std::size_t student) {
   int total = 0;
+  bool whole = true;
   std::string cells;
   for (std::size_t e = 0; e < results.exercises.size(); ++e) {
     cells += grade_cell(results, student, e);
     total += results.report(student, e).score;
+    whole = whole && is_graded(results.report(student, e));
   }
   return "<tr><th scope=\"row\">" + html(printable_name(results.students[student].name)) +
-         "</th><td class=\"number\">" + std::to_string(total) + "</td>" + cells + "</tr>\n";
+         "</th><td class=\"number\">" + (whole ? std::to_string(total) : "no grade") + "</td>" +
+         cells + "</tr>\n";
 }
 
 std::string students(const Results& results) {

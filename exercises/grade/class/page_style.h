@@ -22,8 +22,8 @@ table { border-collapse: collapse; min-width: 100%; }
 th, td { padding: .35rem .8rem .35rem 0; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; font-weight: 400; }
 thead th { color: var(--soft); font-size: .85rem; }
 .number, .students td { font-variant-numeric: tabular-nums; white-space: nowrap; }
-.bar { width: 35%; min-width: 6rem; vertical-align: middle; }
-.bar svg { display: block; width: 100%; height: .7rem; background: var(--back); border-radius: 2px; }
+.bar { width: 35%; min-width: 6rem; }
+.bar svg { display: block; width: 100%; height: .7rem; margin-top: .45rem; background: var(--back); border-radius: 2px; }
 .bar rect { fill: var(--bar); }
 .verdicts { list-style: none; display: flex; flex-wrap: wrap; gap: .2rem 1.2rem; margin: 0 0 .5rem; padding: 0; font-size: .85rem; }
 .verdict { color: var(--soft); font-size: .72rem; margin-left: .3rem; }

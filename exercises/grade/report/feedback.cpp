@@ -68,7 +68,7 @@ std::string next(const Report& report) {
 }  // namespace
 
 std::string feedback(const Report& report) {
-  std::string text = "# " + markdown(report.exercise) + ": " + markdown(headline(report)) + "\n\n" +
+  std::string text = "# " + markdown(report.exercise) + ": " + headline(report) + "\n\n" +
                      std::string(sentence(report.verdict)) + "\n\n" + paragraph(report.why) +
                      table(report);
   for (const TestResult& test : report.tests) {

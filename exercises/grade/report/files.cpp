@@ -52,11 +52,10 @@ void write_whole(const std::filesystem::path& file, std::string_view text) {
 }
 
 std::optional<std::string> read_whole(const std::filesystem::path& file) {
+  std::error_code none;
   std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in.good() && !in.eof()) return std::nullopt;
-  if (!in.is_open()) return std::nullopt;
-  return text;
+  if (!in || std::filesystem::is_directory(file, none)) return std::nullopt;
+  return std::string{std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace grade

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include "report/gradescope.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "report/escape.h"
@@ -44,9 +45,12 @@ std::string summary(const Report& report) {
 }  // namespace
 
 std::string gradescope(const Report& report) {
-  Json all{{"score", report.score},     {"execution_time", report.seconds},
-           {"output", summary(report)}, {"output_format", "text"},
-           {"visibility", "visible"},   {"stdout_visibility", "hidden"},
+  Json all{{"score", report.score},
+           {"execution_time", std::isfinite(report.seconds) ? report.seconds : 0},
+           {"output", summary(report)},
+           {"output_format", "text"},
+           {"visibility", "visible"},
+           {"stdout_visibility", "hidden"},
            {"tests", Json::array()}};
   for (const TestResult& test : report.tests) {
     all["tests"].push_back(json(test, all["tests"].size() + 1));

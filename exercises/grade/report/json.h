@@ -10,6 +10,9 @@
 
 namespace grade {
 
+/// Which schema it is.
+inline constexpr const char* report_schema = "one-step-at-a-time/report/v1";
+
 /// The report as JSON in ASCII. All of it but the block `volatile` is the same for the same
 /// submission, seed and grader.
 std::string to_json(const Report& report);

@@ -32,7 +32,8 @@ std::vector<Line> lines(const Finding& finding);
 bool has_plot(const Finding& finding);
 
 /// What to run next, as commands for a shell.
-/// @param file  the submission as the student calls it
+/// @param file  the submission as the student calls it; if that is no plain name of a header, the
+///              exercise's own takes its place
 std::vector<std::string> next_commands(const Report& report, const std::string& file);
 
 /// With which seed, grader and sandbox it was graded, as a sentence.

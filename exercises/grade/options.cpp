@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT-0
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "command_line.h"
+#include "report/escape.h"
+
+namespace grade {
+namespace {
+
+constexpr const char* about =
+    "Grades exercises: your own,  grade EXERCISE FILE,  or those of a class,\n"
+    "  grade --class FOLDER --out FOLDER.";
+
+constexpr const char* codes =
+    "A class hands in FOLDER/STUDENT/CHAPTER/EXERCISE.h. Graded again, it skips what is done.\n"
+    "Exit codes: 0 graded, whatever the verdict; 2 bad input; 3 the submission cannot be read;\n"
+    "  42 the grader failed and will again; 75 it failed, try again.\n"
+    "Examples: grade 2-euler/orbit-drift my_euler.h\n"
+    "          grade --class submissions/ --seed-file seed.txt --jobs 2 --out results/";
+
+void declare(CLI::App& app, Options& options) {
+  app.add_option("EXERCISE", options.exercise, "Chapter and exercise, such as 2-euler/orbit-drift");
+  app.add_option("FILE", options.file, "The header to grade, or a folder that holds it");
+  CLI::Option* const out =
+      app.add_option("--out", options.out, "Folder for report.json, feedback.md and plots");
+  app.add_option("--emit", options.emits, "Write results.json or junit.xml beside the report")
+      ->check(CLI::IsMember({"gradescope", "junit"}))
+      ->needs(out);
+  CLI::Option* const seed = app.add_option("--seed", options.seed,
+                                           "Number that all hidden inputs come from; 1 is public");
+  app.add_option("--seed-file", options.seed_file, "File that holds it")->excludes(seed);
+  app.add_option("--sandbox", options.sandbox, "none: only for your own code on your own machine")
+      ->check(CLI::IsMember({"bubblewrap", "none"}));
+  app.add_option("--exit-status", options.exit_status, "verdict: exit with 1 below full score")
+      ->check(CLI::IsMember({"grader", "verdict"}));
+  CLI::Option* const whole_class =
+      app.add_option("--class", options.submissions, "Grade this folder of submissions")
+          ->needs(out);
+  app.add_option("--exercise", options.exercises, "Only this one; may be repeated")
+      ->needs(whole_class);
+  app.add_option("--jobs", options.jobs, "Submissions at a time")->needs(whole_class);
+  app.add_option("--shard", options.shard, "i/n: only each n-th submission, from the i-th")
+      ->needs(whole_class);
+  app.add_flag("--list", options.list, "Name the exercises");
+  app.add_flag("--version", options.version, "Say which grader this is, exercise by exercise");
+  app.add_option("--limits", options.limits)->group("");
+}
+
+}  // namespace
+
+std::optional<Options> read_options(int argc, char** argv) {
+  CLI::App app{about, "grade"};
+  app.footer(codes);
+  Options options;
+  declare(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    app.exit(help);
+    return {};
+  } catch (const CLI::Error& error) {
+    throw Usage(printable_name(error.what()));
+  }
+  return options;
+}
+
+}  // namespace grade

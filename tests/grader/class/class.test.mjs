@@ -1,0 +1,132 @@
+// Classes, graded by the stand-in:   node class.test.mjs STAND_IN
+import assert from 'node:assert/strict';
+import {mkdirSync, renameSync, symlinkSync, writeFileSync} from 'node:fs';
+import {test} from 'node:test';
+import {classroom, rows} from './classroom.mjs';
+
+const three = {
+  'ada/1-first/one': '// score 10',
+  'bob/1-first/one': '// score 4',
+  'cy/1-first/one': 'no such thing',
+  'ada/2-second/three': '// score 0',
+};
+
+test('a class is graded, and the tables say what the reports say', () => {
+  const room = classroom(three);
+  const {status, stdout, stderr, graded} = room.grade();
+  assert.equal(status, 0, stderr);
+  assert.equal(graded.length, 6);
+  assert.deepEqual(rows(room.read('grades.csv')),
+      ['student,1-first/one,2-second/three,total', 'ada,10,0,10', 'bob,4,0,4', 'cy,0,0,0']);
+  const long = rows(room.read('report.csv'));
+  assert.equal(long[0], 'student,exercise,verdict,score,points,seed,grader');
+  assert.equal(long[1], 'ada,1-first/one,ACCEPTED,10,10,1,one');
+  assert.equal(long[5], 'cy,1-first/one,COMPILE_ERROR,0,10,1,one');
+  assert.match(stdout, /^\[6\/6\] /m);
+  assert.match(room.read('ada/1-first/one/feedback.md'), /^# 1-first\/one: ACCEPTED/);
+});
+
+test('who handed in nothing is rejected, and told what was expected and what is there', () => {
+  const room = classroom({...three, 'dan/1-first/One': '// score 10'});
+  assert.equal(room.grade(['--exercise', '1-first/one']).status, 0);
+  const {verdict, why, score} = room.report('dan/1-first/one');
+  assert.deepEqual([verdict, score], ['REJECTED', 0]);
+  assert.match(why, /one\.h/);
+  assert.match(why, /One\.h/);
+});
+
+test('graded again, only what changed is graded', () => {
+  const room = classroom({...three, 'empty/1-first/other': ''});
+  assert.equal(room.grade().graded.length, 8);
+  const {graded, stdout, status} = room.grade();
+  assert.deepEqual([graded, status], [[], 0]);
+  assert.match(stdout, /8 submissions graded before/);
+  room.write('bob/1-first/one', '// score 10');
+  assert.deepEqual(room.grade().graded, ['bob 1-first/one']);
+  assert.match(room.read('grades.csv'), /^bob,10,0,10\r$/m);
+  writeFileSync(room.path('results/cy/1-first/one/report.json'), '{"schema":');
+  assert.deepEqual(room.grade().graded, ['cy 1-first/one']);
+  assert.equal(room.grade(['--seed', '7']).graded.length, 8);
+  assert.equal(room.grade(['--seed', '7'], {STAND_IN_VERSION: 'two'}).graded.length, 8);
+});
+
+test('what was rejected is graded as soon as it is there', () => {
+  const room = classroom(three);
+  room.grade();
+  room.write('bob/2-second/three', '// score 10');
+  assert.deepEqual(room.grade().graded, ['bob 2-second/three']);
+});
+
+test('a submission on which the grader fails stops nobody, has no grade, and is tried again', () => {
+  for (const [fate, code] of [['crash', 75], ['again', 75], ['fails', 42], ['slow', 75]]) {
+    const room = classroom({...three, 'aaa/1-first/one': `// ${fate}`});
+    const first = room.grade(['--exercise', '1-first/one']);
+    assert.equal(first.status, code, fate);
+    assert.match(first.stderr, /^grade: 1 submission without a grade[^\n]*\n$/);
+    assert.equal(room.report('aaa/1-first/one').verdict, 'GRADER_ERROR');
+    assert.equal(rows(room.read('grades.csv'))[1], 'aaa,,');
+    assert.equal(rows(room.read('grades.csv'))[2], 'ada,10,10');
+    room.write('aaa/1-first/one', '// score 10');
+    assert.deepEqual(room.grade(['--exercise', '1-first/one']).graded, ['aaa 1-first/one']);
+  }
+});
+
+test('where a report cannot be written there is no grade, and the others have theirs', () => {
+  const room = classroom(three);
+  mkdirSync(room.results);
+  writeFileSync(room.path('results/bob'), '');
+  assert.equal(room.grade().status, 75);
+  assert.deepEqual(rows(room.read('grades.csv')).slice(1), ['ada,10,0,10', 'bob,,,', 'cy,0,0,0']);
+});
+
+test('names of students do no harm', () => {
+  const names = ['new\nline', '-rf', '$(touch forged)', '`touch forged`', '=1+1', '"quoted"', 'a,b', "it's", '<i>', '##[x]', ' ', 'n'.repeat(255)];
+  const room = classroom(Object.fromEntries(names.map(name => [`${name}/1-first/one`, '// score 10'])));
+  const latin = Buffer.concat([Buffer.from(`${room.submissions}/`), Buffer.from([0xff, 0xfe])]);
+  renameSync(room.path(`submissions/${names[0]}`), latin);
+  room.write(`${names[0]}/1-first/one`, '// score 4');
+  const {status, stdout} = room.grade();
+  assert.equal(status, 0);
+  const lines = rows(room.read('grades.csv'));
+  assert.equal(lines.length, names.length + 2);
+  for (const line of ['new\\x0aline,4,4', "'-rf,10,10", "'=1+1,10,10", '"""quoted""",10,10', '"a,b",10,10', '\\xff\\xfe,10,10']) {
+    assert.ok(lines.includes(line), line);
+  }
+  assert.ok(!room.has('forged'));
+  assert.doesNotMatch(stdout, /##\[/);
+  assert.doesNotMatch(room.read('summary.html'), /<i>|##\[|\nline/);
+  assert.equal(room.grade().graded.length, 0);
+});
+
+test('files, links and hidden folders are no students', () => {
+  const room = classroom(three);
+  symlinkSync('/etc', room.path('submissions/link'));
+  mkdirSync(room.path('submissions/.git'));
+  writeFileSync(room.path('submissions/notes'), '');
+  const {status, stdout} = room.grade();
+  assert.equal(status, 0);
+  for (const name of ['link', '.git', 'notes']) assert.match(stdout, new RegExp(`^Not a student's folder: ${name}$`, 'm'));
+  assert.equal(rows(room.read('grades.csv')).length, 4);
+});
+
+test('shards together are the whole, and the tables come of a last run', () => {
+  const room = classroom(three);
+  const graded = [1, 2, 3, 4].flatMap(i => {
+    const run = room.grade(['--shard', `${i}/4`]);
+    assert.equal(run.status, 0, run.stderr);
+    assert.ok(!room.has('grades.csv'));
+    return run.graded;
+  });
+  assert.equal(new Set(graded).size, 6);
+  assert.equal(graded.length, 6);
+  assert.deepEqual(room.grade().graded, []);
+  assert.equal(rows(room.read('grades.csv')).length, 4);
+});
+
+test('a machine that cannot hold a submission grades none', () => {
+  const room = classroom(three);
+  const {status, stderr, graded} = room.grade([], {STAND_IN_UNSAFE: '1'});
+  assert.deepEqual([status, graded], [42, []]);
+  assert.equal(stderr, 'grade: the cage does not hold; install bubblewrap\n');
+  assert.ok(!room.has('grades.csv'));
+});

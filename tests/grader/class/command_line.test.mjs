@@ -1,0 +1,97 @@
+// Bad input and exit codes of the command line, in front of the stand-in:   node command_line.test.mjs STAND_IN
+import assert from 'node:assert/strict';
+import {spawnSync} from 'node:child_process';
+import {existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {test} from 'node:test';
+import {GRADE, scratch} from './classroom.mjs';
+
+const folder = scratch();
+const at = name => join(folder, name);
+for (const [name, text] of Object.entries({
+  'full.h': '// score 10', 'some.h': '// score 4', 'fails.h': '// fails', 'again.h': '// again',
+  'file': '', 'seed': '12\n', 'words': 'secret words', 'two': '1 2 x'})) writeFileSync(at(name), text);
+mkdirSync(at('class/ada/1-first'), {recursive: true});
+mkdirSync(at('empty'));
+mkdirSync(at('nothing/ada'), {recursive: true});
+mkdirSync(at('grades/grades.csv'), {recursive: true});
+
+const run = (...words) => spawnSync(GRADE, words, {encoding: 'utf8', cwd: folder});
+
+function refuses(code, says, ...words) {
+  test(`refuses ${words.join(' ')}`, () => {
+    const before = readdirSync(folder);
+    const {status, stdout, stderr} = run(...words);
+    assert.match(stderr, /^grade: [^\n]+\n$/);
+    assert.match(stderr, says);
+    assert.deepEqual([status, stdout], [code, '']);
+    assert.deepEqual(readdirSync(folder), before);
+  });
+}
+
+refuses(2, /name an exercise and a file/);
+refuses(2, /name the file to grade/, '1-first/one');
+refuses(2, /no exercise '1-first\/onee'; did you mean '1-first\/one'/, '1-first/onee', 'full.h');
+refuses(2, /--fast/, '1-first/one', 'full.h', '--fast');
+refuses(2, /third/, '1-first/one', 'full.h', 'third');
+refuses(2, /whole number below 2\^64, not '-1'/, '1-first/one', 'full.h', '--seed=-1');
+refuses(2, /whole number below 2\^64, not '1e3'/, '1-first/one', 'full.h', '--seed', '1e3');
+refuses(2, /below 2\^64/, '1-first/one', 'full.h', '--seed', '18446744073709551616');
+refuses(2, /can't read the seed file 'none'/, '1-first/one', 'full.h', '--seed-file', 'none');
+refuses(2, /seed file must hold a whole number/, '1-first/one', 'full.h', '--seed-file', 'words');
+refuses(2, /excludes/, '1-first/one', 'full.h', '--seed-file', 'seed', '--seed', '1');
+refuses(2, /'file' is a file; name a folder/, '1-first/one', 'full.h', '--out', 'file');
+refuses(2, /can't write|cannot create/, '1-first/one', 'full.h', '--out', 'file/below');
+refuses(2, /--emit requires --out/, '1-first/one', 'full.h', '--emit', 'junit');
+refuses(2, /xml not in {gradescope,junit}/, '1-first/one', 'full.h', '--out', 'o', '--emit', 'xml');
+refuses(2, /chroot not in/, '1-first/one', 'full.h', '--sandbox', 'chroot');
+refuses(2, /--limits/, '1-first/one', 'full.h', '--limits', '1,2,3');
+refuses(2, /--jobs requires --class/, '1-first/one', 'full.h', '--jobs', '2');
+refuses(2, /--class requires --out/, '--class', 'class');
+refuses(2, /sandbox only/, '--class', 'class', '--out', 'o', '--sandbox', 'none');
+refuses(2, /--jobs must be at least 1/, '--class', 'class', '--out', 'o', '--jobs', '0');
+refuses(2, /--jobs takes a whole number/, '--class', 'class', '--out', 'o', '--jobs', '-1');
+refuses(2, /no exercise '1-first\/four'/, '--class', 'class', '--out', 'o', '--exercise', '1-first/four');
+for (const shard of ['0/2', '3/2', '1/0', '2', '/', 'a/b', '1/2/3']) {
+  refuses(2, /--shard takes/, '--class', 'class', '--out', 'o', '--shard', shard);
+}
+refuses(2, /can't be called grades.csv/, '--class', 'grades', '--out', 'o');
+refuses(3, /can't read the folder 'none'/, '--class', 'none', '--out', 'o');
+refuses(3, /no student's folder/, '--class', 'empty', '--out', 'o');
+refuses(3, /nobody handed in an exercise/, '--class', 'nothing', '--out', 'o');
+refuses(3, /none.h/, '1-first/one', 'none.h');
+
+test('exit codes say whether it was graded, or by --exit-status verdict how', () => {
+  const code = (...words) => run('1-first/one', ...words).status;
+  assert.equal(code('full.h'), 0);
+  assert.equal(code('some.h'), 0);
+  assert.equal(code('full.h', '--exit-status', 'verdict'), 0);
+  assert.equal(code('some.h', '--exit-status', 'verdict'), 1);
+  assert.equal(code('fails.h'), 42);
+  assert.equal(code('again.h'), 75);
+  assert.equal(code('again.h', '--exit-status', 'verdict'), 75);
+});
+
+test('without --out it only prints; with it, it writes as well', () => {
+  const before = readdirSync(folder);
+  assert.match(run('1-first/one', 'some.h').stdout, /^1-first\/one: PARTIAL, 4 of 10 points$/m);
+  assert.deepEqual(readdirSync(folder), before);
+  run('1-first/one', 'some.h', '--out', 'out/a', '--emit', 'junit', '--emit', 'gradescope', '--seed-file', 'seed');
+  assert.deepEqual(readdirSync(at('out/a')).sort(), ['feedback.md', 'junit.xml', 'report.json', 'results.json']);
+  assert.equal(JSON.parse(readFileSync(at('out/a/report.json'), 'utf8')).seed, '12');
+  assert.ok(!existsSync(at('out/a/plots')));
+});
+
+test('colours come on terminals only', () => {
+  assert.ok(!run('1-first/one', 'some.h').stdout.includes('\x1b'));
+});
+
+test('it lists exercises, says its version and helps', () => {
+  assert.equal(run('--list').stdout, '1-first/one\n1-first/two\n2-second/three\n');
+  assert.match(run('--version').stdout, /^1-first\/one +one$/m);
+  const {status, stdout} = run('--help');
+  assert.equal(status, 0);
+  for (const word of ['EXERCISE', '--class', '--shard', 'Exit codes']) assert.ok(stdout.includes(word), word);
+  assert.ok(!stdout.includes('--limits'));
+  assert.ok(stdout.split('\n').every(line => line.length <= 100));
+});

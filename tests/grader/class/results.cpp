@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT-0
+#include "class/results.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include "class/summary.h"
+
+using namespace grade;
+
+namespace {
+
+Report report_of(const std::string& version, std::uint64_t seed, Verdict verdict) {
+  Report report;
+  report.version = version;
+  report.seed = seed;
+  report.verdict = verdict;
+  return report;
+}
+
+}  // namespace
+
+TEST_CASE("reports of another grader or another seed do not stand in one table") {
+  const Exercise exercise = exercises().front();
+  const std::string now = version(exercise);
+  std::vector<Job> jobs;
+  for (const char* name : {"same", "older", "other seed", "none"}) {
+    jobs.push_back({{name, name}, exercise, name});
+  }
+  const Results results{
+      {},
+      {exercise},
+      {report_of(now, 1, Verdict::partial), report_of("older", 1, Verdict::accepted),
+       report_of(now, 2, Verdict::rejected), report_of("older", 2, Verdict::grader_error)}};
+  const std::vector<Job> old = stale(jobs, results, 1);
+  REQUIRE(old.size() == 2);
+  CHECK(old[0].student.name == "older");
+  CHECK(old[1].student.name == "other seed");
+}
+
+TEST_CASE("a share is of those whose submission was judged") {
+  const Exercise exercise = exercises().front();
+  Results results{{}, {exercise}, {}};
+  for (const Verdict verdict : {Verdict::accepted, Verdict::wrong_answer, Verdict::compile_error,
+                                Verdict::rejected, Verdict::grader_error}) {
+    Report report = report_of("v", 1, verdict);
+    const bool held = verdict == Verdict::accepted, ran = held || verdict == Verdict::wrong_answer;
+    report.tests = {{"a test", 3, ran, held, {}}};
+    results.students.push_back({std::string(name(verdict)), {}});
+    results.reports.push_back(report);
+  }
+  const ExerciseCount all = count(results, 0);
+  CHECK(all.judged == 3);
+  REQUIRE(all.tests.size() == 1);
+  CHECK(all.tests[0].held == 1);
+  CHECK(all.tests[0].points == 3);
+  CHECK(all.verdicts.size() == 5);
+}

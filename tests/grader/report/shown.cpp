@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT-0
+#include <catch2/catch_test_macros.hpp>
+#include <sstream>
+
+#include "report/feedback.h"
+#include "report/terminal.h"
+#include "report/words.h"
+#include "sample.h"
+
+using namespace grade;
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+void check_harmless(const std::string& text) {
+  CHECK_FALSE(has(text, "##["));
+  CHECK_FALSE(has(text, "\n::"));
+  CHECK_FALSE(has(text, "\x1b"));
+  CHECK_FALSE(has(text, "\a"));
+  CHECK_FALSE(has(text, "\xff"));
+  CHECK_FALSE(has(text, "\xe2\x80\xae"));
+}
+
+/// The text without its blocks of code.
+std::string without_code(const std::string& markdown) {
+  std::istringstream lines(markdown);
+  std::string fence, result;
+  for (std::string line; std::getline(lines, line);) {
+    if (fence.empty() && line.starts_with("```")) {
+      fence = line.substr(0, line.find_first_not_of('`'));
+    } else if (line == fence) {
+      fence.clear();
+    } else if (fence.empty()) {
+      result += line + "\n";
+    }
+  }
+  CHECK(fence.empty());
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("feedback says of a failed test all that was found") {
+  const std::string text = feedback(sample());
+  CHECK(text.starts_with("# 2-euler/orbit-drift: PARTIAL, 3 of 10 points\n"));
+  const Finding finding = failed_finding();
+  for (const std::string& part :
+       {finding.asked, finding.input, finding.expected, finding.got, finding.error,
+        finding.tolerance, finding.tolerance_from, finding.hint, finding.diagnoses[0]}) {
+    CAPTURE(part);
+    CHECK(has(text, part));
+    CHECK(has(terminal(sample(), false), part.substr(0, 20)));
+  }
+  CHECK(has(text, "| five steps are Euler's | 0 of 4 | did not hold |"));
+  CHECK(has(text, "| not reached | 0 of 3 | not run |"));
+  CHECK(has(text, "```text\nmy_euler.h:3:7: warning"));
+  CHECK(has(text, "Not looked at: notes.txt."));
+  CHECK(has(text, "grade 2-euler/orbit-drift my_euler.h --seed 18446744073709551615\n"));
+}
+
+TEST_CASE("feedback shows a picture, or says why there is none") {
+  Report report = sample();
+  CHECK(has(feedback(report), "No picture"));
+  report.tests[1].findings[0].plot.file = "plots/test-2.svg";
+  CHECK(has(feedback(report), "![Five steps](plots/test-2.svg)"));
+  CHECK_FALSE(has(feedback(report), "No picture"));
+  report.tests[1].findings[0].plot = {};
+  CHECK_FALSE(has(feedback(report), "icture"));
+}
+
+TEST_CASE("a student's text does nothing in the feedback") {
+  const std::string text = feedback(hostile_sample());
+  check_harmless(text);
+  const std::string prose = without_code(text);
+  for (const char* part : {"<script", "![x]", "`` ```", "**bold**", "@teacher", "://"}) {
+    CAPTURE(part);
+    CHECK_FALSE(has(prose, part));
+  }
+  CHECK(has(text, "grade 2-euler/orbit-drift orbit-drift.h "));
+}
+
+TEST_CASE("a terminal of 80 columns shows the whole report") {
+  Report report = sample();
+  report.tests[1].findings[0].input = std::string(30, 'x') + " " + std::string(60, 'y');
+  std::istringstream lines(terminal(report, false));
+  for (std::string line; std::getline(lines, line);) {
+    CAPTURE(line);
+    CHECK(line.size() <= 80);
+  }
+}
+
+TEST_CASE("a student's text does nothing in a terminal") {
+  check_harmless(terminal(hostile_sample(), false));
+  const std::string coloured = terminal(hostile_sample(), true);
+  CHECK(has(coloured, "\x1b[31mdid not hold"));
+  CHECK_FALSE(has(coloured, "\x1b[31mred"));
+}
+
+TEST_CASE("every verdict has a sentence") {
+  for (int code = 0; code <= int(Verdict::grader_error); ++code) {
+    const Verdict verdict = Verdict(code);
+    CHECK_FALSE(sentence(verdict).empty());
+    CHECK(verdict_named(name(verdict)) == verdict);
+  }
+}
