@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
+#include <utility>
 
 #include "judge/describe.h"
 #include "judge/random.h"
