@@ -222,7 +222,9 @@ TEST_CASE("in a minute it swings as often as the trapezoid rule lets it",
       "a step of the trapezoid rule turns an undamped spring by 2 atan(h "
       "omega/2), half a turn is one passage, and both ends may cut one";
   if (!finding.held) {
-    finding.hint = "A larger divisor makes a heavier mass, and a heavier mass is slower.";
+    finding.hint =
+        "The divisor acts like a mass: too large, and the swing is slow; too small, and it is "
+        "fast.";
     finding.plot = scene.plot(got);
   }
   check(finding);
