@@ -112,8 +112,8 @@ std::string who_misses(const Chain& chain, const Beads& end, double within) {
     ++count;
     first = i;
   }
-  return "of " + std::to_string(chain.count()) + " beads " + std::to_string(count) +
-         " miss their lines, the first of them bead " + std::to_string(first);
+  return "the lines are missed at " + std::to_string(count) + " of " +
+         std::to_string(chain.count()) + " beads, first at bead " + std::to_string(first);
 }
 
 std::vector<std::string> recognised(const Chain& chain, const Beads& end, double within) {
