@@ -16,22 +16,22 @@ inline Row row(const std::vector<double>& x, const std::vector<double>& v, doubl
           v[i] + h * (next * (after - x[i]) - left * (x[i] - before))};
 }
 
-// Eliminates from the free end to the wall, in a change of velocity, C style.
+// Eliminates from the free end to the wall, for the change of velocity.
 inline void step(std::vector<double>& x, std::vector<double>& v, double h,
                  const std::vector<double>& k) {
-  const int n = static_cast<int>(x.size());
-  std::vector<Row> rows(x.size());
-  for (int i = n - 1; i >= 0; --i) {
+  const std::size_t n = x.size();
+  std::vector<Row> rows(n);
+  for (std::size_t i = n; i-- > 0;) {
     Row& here = rows[i];
     here = row(x, v, h, k, i);
     here.right -= here.middle * v[i] + (i > 0 ? here.below * v[i - 1] : 0);
-    if (i == n - 1) continue;
+    if (i + 1 == n) continue;
     here.right -= here.above * v[i + 1];
     here.middle -= here.above * rows[i + 1].below / rows[i + 1].middle;
     here.right -= here.above * rows[i + 1].right / rows[i + 1].middle;
   }
   double change = 0;
-  for (int i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     change = (rows[i].right - rows[i].below * change) / rows[i].middle;
     v[i] += change;
     x[i] += h * v[i];
