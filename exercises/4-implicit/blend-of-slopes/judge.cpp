@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT-0
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <complex>
+
+#include "judge/diagnose.h"
+#include "judge/random.h"
+#include "judge/session.h"
+#include "judge/tests.h"
+#include "words.h"
+
+using namespace judge;
+
+namespace {
+
+using grade::number;
+using Rate = std::complex<double>;
+
+enum Function { brake, swing, longest, least };
+
+double ask(Student& student, Function function, double a, double b = 0, double c = 0) {
+  return student.call(function, {a, b, c}, 1)[0];
+}
+
+Rate factor(double theta, Rate z) {
+  return (1.0 + (1 - theta) * z) / (1.0 - theta * z);
+}
+
+std::string with(const std::string& name, double value) {
+  return name + " = " + number(value, 17);
+}
+
+struct Spring {
+  static constexpr double halved_until = 1e-14;
+
+  double theta, omega, zeta;
+
+  // By how much the worse of its two motions grows in a step.
+  double growth(double h) const {
+    const Rate root = std::sqrt(Rate(zeta * zeta - 1));
+    return std::max(std::abs(factor(theta, h * omega * (-zeta + root))),
+                    std::abs(factor(theta, h * omega * (-zeta - root))));
+  }
+
+  // Where the growth passes 1: 0 if every step grows, infinite if none of them does.
+  double longest() const {
+    double low = 1e-6 / omega, high = 1e6 / omega;
+    if (growth(high) <= 1) return INFINITY;
+    if (growth(low) > 1) return 0;
+    while (high > low * (1 + halved_until)) {
+      const double middle = std::sqrt(low * high);
+      (growth(middle) > 1 ? high : low) = middle;
+    }
+    return low;
+  }
+
+  // How far two steps may be apart before their growths can be told apart.
+  Tolerance apart(double limit) const {
+    if (!std::isfinite(limit) || limit == 0) return {0, "there is nothing to round"};
+    const double slope = (growth(1.01 * limit) - growth(0.99 * limit)) / (0.02 * limit);
+    return {rounding(1).value / slope + halved_until * limit,
+            "rounding of the growth, over how fast it changes with the step"};
+  }
+
+  std::string described() const {
+    return with("theta", theta) + ", " + with("omega", omega) + ", " + with("zeta", zeta);
+  }
+};
+
+void holds_until(Student& student, const Spring& spring) {
+  const double expected = spring.longest();
+  const double got = ask(student, longest, spring.theta, spring.omega, spring.zeta);
+  const double off = got == expected ? 0 : std::abs(got - expected);
+  const Tolerance tolerance = spring.apart(expected);
+
+  grade::Finding finding;
+  finding.held = off <= tolerance.value;
+  finding.asked = "the longest step at which a spring does not grow";
+  finding.input = spring.described();
+  finding.expected = number(expected, 12);
+  finding.got = number(got, 12);
+  finding.error = number(off, 3);
+  finding.tolerance = number(tolerance.value, 2);
+  finding.tolerance_from = tolerance.from;
+  if (!finding.held) {
+    finding.hint =
+        "What are the spring's two lambda here, and what does the condition say of "
+        "each? Which way does it turn when theta passes one half?";
+    finding.diagnoses = diagnose(got, expected);
+    if (std::isfinite(got) && got > 0) {
+      finding.diagnoses.push_back("a step a thousandth shorter than yours multiplies by " +
+                                  number(spring.growth(0.999 * got), 8) +
+                                  ", one a thousandth longer by " +
+                                  number(spring.growth(1.001 * got), 8));
+    }
+  }
+  check(finding);
+}
+
+}  // namespace
+
+TEST_CASE("a brake keeps what the factor says, with its sign",
+          "[4-implicit/blend-of-slopes][2 points]") {
+  Student student;
+  Random random;
+  for (const double ch :
+       {random.between(0.1, 0.9), random.between(2.5, 9), random.between(1e3, 1e5)}) {
+    const double theta = random.between(0.1, 0.9);
+    is_exact("what one step leaves of a velocity on a brake",
+             with("theta", theta) + ", " + with("c h", ch), ask(student, brake, theta, ch),
+             factor(theta, -ch).real(), rounding((1 + ch) / (1 + theta * ch)),
+             "A brake has lambda = -c, and the share of the end stands in the divisor. Long steps "
+             "turn the velocity round, and the sign tells.");
+  }
+}
+
+TEST_CASE("an undamped spring keeps what the factor says",
+          "[4-implicit/blend-of-slopes][2 points]") {
+  Student student;
+  Random random;
+  for (const double homega : {random.between(0.1, 0.9), random.between(2, 20)}) {
+    const double theta = random.between(0.1, 0.9),
+                 expected = std::abs(factor(theta, Rate(0, homega)));
+    is_exact("what one step leaves of the swing of an undamped spring",
+             with("theta", theta) + ", " + with("h omega", homega),
+             ask(student, swing, theta, homega), expected, rounding(expected),
+             "An undamped spring has lambda = i omega. The swing goes with the size of R, which "
+             "is a root of two squares.");
+  }
+}
+
+TEST_CASE("just below the longest step a damped spring shrinks, just above it grows",
+          "[4-implicit/blend-of-slopes][4 points]") {
+  Student student;
+  Random random;
+  const auto low = [&] { return random.between(0, 0.4); };
+  const auto omega = [&] { return random.between(5, 50); };
+  holds_until(student, {low(), omega(), random.between(0.1, 0.9)});
+  holds_until(student, {low(), omega(), random.between(1.2, 3)});
+  holds_until(student, {low(), omega(), 1});
+  holds_until(student, {low(), omega(), 0});
+  holds_until(student, {random.between(0.6, 1), omega(), random.between(0.1, 3)});
+}
+
+TEST_CASE("the least theta brakes to a stop and no further",
+          "[4-implicit/blend-of-slopes][2 points]") {
+  Student student;
+  Random random;
+  // Where the factor of a share of one half is still positive, below c h = 2, no more is needed.
+  for (const double ch :
+       {random.between(3, 10), random.between(0.2, 1.8), random.between(50, 500)}) {
+    is_exact("the least theta, from one half on, that does not turn a brake round", with("c h", ch),
+             ask(student, least, ch), ch > 2 ? (ch - 1) / ch : 0.5, rounding(1),
+             "Where is the numerator of R zero? And which theta may the dial not go below?");
+  }
+}

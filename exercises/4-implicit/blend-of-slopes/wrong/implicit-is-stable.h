@@ -1,0 +1,22 @@
+// fails: just below the longest step a damped spring shrinks, just above it grows
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// Any share of the end is thought to make it hold.
+inline double left_of_brake(double theta, double ch) {
+  return (1 - (1 - theta) * ch) / (1 + theta * ch);
+}
+
+inline double left_of_swing(double theta, double homega) {
+  return std::hypot(1, (1 - theta) * homega) / std::hypot(1, theta * homega);
+}
+
+inline double longest_step(double theta, double omega, double zeta) {
+  if (theta > 0) return INFINITY;
+  return 2 * std::min(zeta, 1.0) / omega;
+}
+
+inline double least_theta(double ch) {
+  return std::max(0.5, 1 - 1 / ch);
+}

@@ -1,0 +1,23 @@
+// fails: an undamped spring keeps what the factor says
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// Puts h omega where i h omega belongs.
+inline double left_of_brake(double theta, double ch) {
+  return (1 - (1 - theta) * ch) / (1 + theta * ch);
+}
+
+inline double left_of_swing(double theta, double homega) {
+  return std::abs((1 - (1 - theta) * homega) / (1 + theta * homega));
+}
+
+inline double longest_step(double theta, double omega, double zeta) {
+  if (theta >= 0.5) return INFINITY;
+  const double rate = zeta > 1 ? 1 / (zeta + std::sqrt(zeta * zeta - 1)) : zeta;
+  return 2 * rate / (omega * (1 - 2 * theta));
+}
+
+inline double least_theta(double ch) {
+  return std::max(0.5, 1 - 1 / ch);
+}

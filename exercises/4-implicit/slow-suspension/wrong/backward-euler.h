@@ -1,0 +1,10 @@
+// fails: without a damper its energy stays for a minute
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// The h^2 of backward Euler, all of it; and its position.
+inline void step(double& x, double& v, double h, double omega, double zeta) {
+  v = (v - h * omega * omega * x) / (1 + 2 * zeta * h * omega + h * h * omega * omega);
+  x += h * v;
+}
