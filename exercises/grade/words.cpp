@@ -12,7 +12,7 @@ std::string number(double value, int digits) {
 }
 
 std::string megabytes(std::size_t bytes) {
-  return number(static_cast<double>(bytes) / 1e6, 3) + " MB";
+  return number(static_cast<double>(bytes) / 1e6, 4) + " MB";
 }
 
 std::string seconds(const cage::Limits& limits) {

@@ -97,7 +97,8 @@ void note_ending(const cage::Ended& ended, Moment moment) {
     case How::processor_limit:
       return note(Verdict::time_limit,
                   "Your code did not come back within " + grade::seconds(session().limits) +
-                      ". Is there a loop that never ends, such as one that waits for t == end?");
+                      ". Is there a loop that never ends, such as one that waits for t == end? Or "
+                      "work that grows faster than what it is asked for?");
     case How::chatter_limit:
       return note(Verdict::output_limit, "Your code printed more than " +
                                              grade::megabytes(session().limits.chatter) + ".");
