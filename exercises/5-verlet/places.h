@@ -26,7 +26,9 @@ struct Asked {
   std::string input;
   Tolerance tolerance;
   std::string hint;
-  std::vector<double> times;  ///< of the places [s]; none if a picture would say nothing
+  std::vector<double> times;             ///< of the places [s]; none if a picture would say nothing
+  std::vector<std::string> called = {};  ///< the places, if they have names
+  std::vector<std::string> remarks = {};  ///< what else there is to say of wrong ones
 };
 
 /// The places in an answer, three numbers each.
@@ -58,7 +60,7 @@ inline std::vector<std::string> recognised(const std::vector<Vec>& yours,
                                            const Tolerance& tolerance) {
   for (std::size_t n = 0; n < yours.size(); ++n) {
     if (std::isfinite(length(yours[n]))) continue;
-    return {"place " + std::to_string(n + 1) + " is not a finite number"};
+    return {"the first place that is not a finite number is number " + std::to_string(n + 1)};
   }
   for (const Places& known : mistakes) {
     if (alike(yours, known.x, tolerance)) return {"this is " + known.name};
@@ -68,6 +70,12 @@ inline std::vector<std::string> recognised(const std::vector<Vec>& yours,
     return {"right to seven digits and no further: a float, or a constant with an f?"};
   }
   return {};
+}
+
+/// What a message calls place n.
+inline std::string name_of(const Asked& asked, std::size_t n, std::size_t count) {
+  if (!asked.called.empty()) return asked.called[n] + ": ";
+  return count == 1 ? "" : "place " + std::to_string(n + 1) + ": ";
 }
 
 /// The places are where they should be, each of them.
@@ -83,12 +91,13 @@ inline void are_places(const Asked& asked, const std::vector<Vec>& yours, const 
   finding.tolerance = grade::number(asked.tolerance.value, 2);
   finding.tolerance_from = asked.tolerance.from;
   if (finding.held) return check(finding);
-  const std::string which = yours.size() == 1 ? "" : "place " + std::to_string(n + 1) + ": ";
+  const std::string which = name_of(asked, n, yours.size());
   finding.expected = which + describe(expected.x[n], 12);
   finding.got = which + describe(yours[n], 12);
   finding.error = grade::number(length(yours[n] - expected.x[n]), 3);
   finding.hint = asked.hint;
   finding.diagnoses = recognised(yours, expected.x, mistakes, asked.tolerance);
+  finding.diagnoses.insert(finding.diagnoses.end(), asked.remarks.begin(), asked.remarks.end());
   if (!asked.times.empty()) {
     finding.plot = {"Where it goes",
                     "time [s]",
