@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include <catch2/catch_test_macros.hpp>
 
+#include "../order.h"
 #include "flight.h"
 
 using namespace judge;
@@ -89,41 +90,21 @@ TEST_CASE("half as long frames leave a quarter of the error on a spring",
   const Start start = random.start();
   const std::vector<double> pattern = draw_frames(random, 8);
   Student student;
-  std::vector<double> errors;
+  Halvings runs{
+      "the same uneven frames eight times, then all half as long and twice as many, and so "
+      "on, on a free spring with omega = " +
+          grade::number(omega, 17) + "/s",
+      describe(start) + ", frames",
+      {},
+      {},
+      "An error that only halves: each push is counted, but not by the two frames on whose "
+      "border it stands.",
+      "An error that stays, however short the frames: the speed or the force is wrong on "
+      "average."};
+  for (const double h : pattern) runs.input += " " + grade::number(h, 17);
   for (const int parts : {1, 2, 4, 8}) {
-    errors.push_back(error_on_spring(student, pattern, omega, start, parts));
+    runs.steps.push_back(*std::max_element(pattern.begin(), pattern.end()) / parts);
+    runs.errors.push_back(error_on_spring(student, pattern, omega, start, parts));
   }
-  const double order = std::log2(errors[2] / errors[3]);
-  grade::Finding finding;
-  finding.held =
-      std::abs(order - 2) <= 0.1 && std::abs(order - std::log2(errors[1] / errors[2])) <= 0.1;
-  finding.asked =
-      "order two: the same uneven frames eight times, then all half as long and twice as "
-      "many, and so on, on a free spring with omega = " +
-      grade::number(omega, 17) + "/s";
-  finding.input = describe(start) + ", frames";
-  for (const double h : pattern) finding.input += " " + grade::number(h, 17);
-  finding.expected = "half the length divides the error by 4";
-  finding.got = "errors";
-  for (const double error : errors) finding.got += " " + grade::number(error, 3);
-  finding.got += " m";
-  finding.error = "order " + grade::number(order, 3) + " instead of 2";
-  finding.tolerance = "0.1";
-  finding.tolerance_from =
-      "successive estimates of the right formula differ by less at these frames";
-  if (!finding.held) {
-    finding.hint = order > 0.5 ? "An error that only halves: each push is counted, but not by the "
-                                 "two frames on whose border it stands."
-                               : "An error that stays, however short the frames: the speed or the "
-                                 "force is wrong on average.";
-    finding.plot = {"Error and frame",
-                    "frame, as a part of the longest",
-                    "largest error [m]",
-                    {{"yours", {1, 0.5, 0.25, 0.125}, errors},
-                     {"order 2",
-                      {1, 0.5, 0.25, 0.125},
-                      {errors[0], errors[0] / 4, errors[0] / 16, errors[0] / 64}}}};
-    finding.plot.logarithmic = true;
-  }
-  check(finding);
+  has_order_two(runs);
 }
