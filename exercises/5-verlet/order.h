@@ -9,7 +9,7 @@
 #include "judge/session.h"
 #include "words.h"
 
-namespace judge {
+namespace judge::verlet {
 
 /// Four runs, each with steps half as long as the one before.
 struct Halvings {
@@ -51,4 +51,4 @@ inline void has_order_two(const Halvings& runs) {
   check(finding);
 }
 
-}  // namespace judge
+}  // namespace judge::verlet

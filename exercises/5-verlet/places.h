@@ -12,7 +12,7 @@
 #include "judge/tests.h"
 #include "words.h"
 
-namespace judge {
+namespace judge::verlet {
 
 /// A path, place after place, and how a message calls it.
 struct Places {
@@ -107,4 +107,4 @@ inline void are_places(const Asked& asked, const std::vector<Vec>& yours, const 
   check(finding);
 }
 
-}  // namespace judge
+}  // namespace judge::verlet

@@ -4,6 +4,7 @@
 #include "link.h"
 
 using namespace judge;
+using namespace judge::verlet;
 
 namespace {
 

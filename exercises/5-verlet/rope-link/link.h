@@ -5,7 +5,7 @@
 #include "../places.h"
 #include "judge/random.h"
 
-namespace judge {
+namespace judge::verlet {
 
 struct Link {
   Vec a, b;
@@ -66,4 +66,4 @@ struct Link {
   }
 };
 
-}  // namespace judge
+}  // namespace judge::verlet

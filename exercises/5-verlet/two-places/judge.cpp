@@ -5,6 +5,7 @@
 #include "judge/random.h"
 
 using namespace judge;
+using namespace judge::verlet;
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include "../places.h"
 #include "judge/random.h"
 
-namespace judge {
+namespace judge::verlet {
 
 /// What the student's step is given.
 struct Flight {
@@ -87,4 +87,4 @@ inline std::vector<Places> mistakes(const Flight& flight) {
   };
 }
 
-}  // namespace judge
+}  // namespace judge::verlet

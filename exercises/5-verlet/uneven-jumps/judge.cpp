@@ -5,6 +5,7 @@
 #include "flight.h"
 
 using namespace judge;
+using namespace judge::verlet;
 
 namespace {
 

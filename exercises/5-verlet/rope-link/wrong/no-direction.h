@@ -8,7 +8,6 @@ inline void pull(Vec& a, Vec& b, double rest, double inverse_a, double inverse_b
   const double both = inverse_a + inverse_b;
   if (both == 0) return;
   const Vec d = b - a;
-  const Vec excess = (1 - rest / length(d)) * d;
   const double stretch = length(d) - rest;
   a += inverse_a / both * stretch * d;
   b -= inverse_b / both * stretch * d;
