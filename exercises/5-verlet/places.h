@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Places beside those where they should be.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "judge/describe.h"
+#include "judge/session.h"
+#include "judge/tests.h"
+#include "words.h"
+
+namespace judge::verlet {
+
+/// A path, place after place, and how a message calls it.
+struct Places {
+  std::string name;
+  std::vector<Vec> x;  ///< [m]
+};
+
+/// What a test asks, apart from the places themselves.
+struct Asked {
+  std::string what;
+  std::string input;
+  Tolerance tolerance;
+  std::string hint;
+  std::vector<double> times;             ///< of the places [s]; none if a picture would say nothing
+  std::vector<std::string> called = {};  ///< the places, if they have names
+  std::vector<std::string> remarks = {};  ///< what else there is to say of wrong ones
+};
+
+/// The places in an answer, three numbers each.
+inline std::vector<Vec> as_places(const std::vector<double>& numbers) {
+  std::vector<Vec> places;
+  for (std::size_t n = 0; n + 3 <= numbers.size(); n += 3) {
+    places.push_back({numbers[n], numbers[n + 1], numbers[n + 2]});
+  }
+  return places;
+}
+
+/// No further from each other than rounding explains, all along.
+inline bool alike(const std::vector<Vec>& a, const std::vector<Vec>& b,
+                  const Tolerance& tolerance) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Vec& one, const Vec& other) {
+    return length(one - other) <= tolerance.value;
+  });
+}
+
+inline grade::Curve curve(const Places& places, const std::vector<double>& times) {
+  grade::Curve curve{places.name, times, {}};
+  for (const Vec& x : places.x) curve.y.push_back(x.y);
+  return curve;
+}
+
+inline std::vector<std::string> recognised(const std::vector<Vec>& yours,
+                                           const std::vector<Vec>& expected,
+                                           const std::vector<Places>& mistakes,
+                                           const Tolerance& tolerance) {
+  for (std::size_t n = 0; n < yours.size(); ++n) {
+    if (std::isfinite(length(yours[n]))) continue;
+    return {"the first place that is not a finite number is number " + std::to_string(n + 1)};
+  }
+  for (const Places& known : mistakes) {
+    if (alike(yours, known.x, tolerance)) return {"this is " + known.name};
+  }
+  const double off = length(yours[0] - expected[0]) / length(expected[0]);
+  if (off > 1e-10 && off < 2e-6) {
+    return {"right to seven digits and no further: a float, or a constant with an f?"};
+  }
+  return {};
+}
+
+/// What a message calls place n.
+inline std::string name_of(const Asked& asked, std::size_t n, std::size_t count) {
+  if (!asked.called.empty()) return asked.called[n] + ": ";
+  return count == 1 ? "" : "place " + std::to_string(n + 1) + ": ";
+}
+
+/// The places are where they should be, each of them.
+/// @param mistakes  paths that people arrive at, to recognise a student's by
+inline void are_places(const Asked& asked, const std::vector<Vec>& yours, const Places& expected,
+                       const std::vector<Places>& mistakes) {
+  std::size_t n = 0;
+  while (n < yours.size() && length(yours[n] - expected.x[n]) <= asked.tolerance.value) ++n;
+  grade::Finding finding;
+  finding.held = n == expected.x.size();
+  finding.asked = asked.what;
+  finding.input = asked.input;
+  finding.tolerance = grade::number(asked.tolerance.value, 2);
+  finding.tolerance_from = asked.tolerance.from;
+  if (finding.held) return check(finding);
+  const std::string which = name_of(asked, n, yours.size());
+  finding.expected = which + describe(expected.x[n], 12);
+  finding.got = which + describe(yours[n], 12);
+  finding.error = grade::number(length(yours[n] - expected.x[n]), 3);
+  finding.hint = asked.hint;
+  finding.diagnoses = recognised(yours, expected.x, mistakes, asked.tolerance);
+  finding.diagnoses.insert(finding.diagnoses.end(), asked.remarks.begin(), asked.remarks.end());
+  if (!asked.times.empty()) {
+    finding.plot = {"Where it goes",
+                    "time [s]",
+                    "place along y [m]",
+                    {curve({"yours", yours}, asked.times), curve(expected, asked.times)}};
+  }
+  check(finding);
+}
+
+}  // namespace judge::verlet

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT-0
+#include <catch2/catch_test_macros.hpp>
+
+#include "curtain.h"
+#include "judge/random.h"
+#include "judge/session.h"
+#include "judge/tests.h"
+
+using namespace judge;
+using namespace judge::verlet;
+
+namespace {
+
+using grade::number;
+
+enum Function { stretch, plan };
+
+constexpr int scenes = 4;  // in each test, so that no lucky guess passes
+
+// What a pull costs, a move costs so many times.
+Curtain draw(Random& random, double frame, double least, double most) {
+  Curtain curtain{random.whole(20, 40), frame, random.between(0.02, 0.08), 0,
+                  random.between(0.1, 0.3)};
+  curtain.move = curtain.pull * random.between(least, most);
+  return curtain;
+}
+
+// So many that a judge can count them, and at least one: else there is nothing to hang up.
+void is_plan(const Curtain& curtain, double substeps, double iterations) {
+  grade::Finding finding;
+  constexpr double most = 1e6;
+  finding.held = substeps >= 1 && iterations >= 1 && substeps <= most && iterations <= most;
+  finding.asked = "a plan";
+  finding.input = curtain.in_words();
+  finding.expected = "at least one substep, and one iteration, and a million of each at most";
+  finding.got = "substeps = " + number(substeps) + ", iterations = " + number(iterations);
+  finding.error = "no plan";
+  finding.tolerance = "none";
+  finding.tolerance_from = "a frame has at least one step, and a link must be pulled";
+  finding.hint = "Where does a number below one come from? From a root that was cut off?";
+  check(finding);
+}
+
+// The price first, so that no plan takes the judge longer than the right one.
+void is_cheap(const Curtain& curtain, const Split& yours) {
+  const Split best = curtain.best();
+  const double price = curtain.price(yours), least = curtain.price(best);
+  grade::Finding finding;
+  finding.held = price <= least * (1 + 1e-12);
+  finding.asked = "the cheapest plan that the rule allows";
+  finding.input = curtain.in_words();
+  finding.expected = "a price of at most " + number(least) + " us a link";
+  finding.got = yours.in_words() + ": " + number(price) + " us a link";
+  finding.error = number(100 * (price / least - 1), 3) + " % too dear";
+  finding.tolerance = "none but rounding";
+  finding.tolerance_from = "the judge tries every number of iterations up to that of the links";
+  if (!finding.held) {
+    finding.hint = "What is the price of n iterations, each with as few substeps as will do?";
+    finding.diagnoses = curtain.why_dear(yours);
+  }
+  check(finding);
+}
+
+void holds(const Curtain& curtain, const Split& yours) {
+  const double stretched = hung_up(curtain.links, curtain.frame, yours);
+  grade::Finding finding;
+  finding.held = stretched <= curtain.most;
+  finding.asked = "a rope, hung up with your plan for a minute";
+  finding.input = curtain.in_words() + ", " + yours.in_words();
+  finding.expected = "stretched by at most " + number(curtain.most) + " m";
+  finding.got = number(stretched) + " m";
+  finding.error = number(stretched - curtain.most, 3) + " m too long";
+  finding.tolerance = number(curtain.most) + " m";
+  finding.tolerance_from =
+      "what the curtain may stretch; the rule foretells a little more than the "
+      "rope does, so that a plan by the rule holds";
+  if (!finding.held) {
+    finding.hint = "Is the number of substeps rounded up, and does the step count twice?";
+    finding.diagnoses = {"by the rule your plan leaves " +
+                         number(rule(curtain.links, curtain.frame, yours), 3) + " m"};
+  }
+  check(finding);
+}
+
+void check_plan(Student& student, const Curtain& curtain) {
+  const std::vector<double> got = student.call(
+      plan,
+      {static_cast<double>(curtain.links), curtain.frame, curtain.most, curtain.move, curtain.pull},
+      2);
+  is_plan(curtain, got[0], got[1]);
+  const Split yours{static_cast<int>(got[0]), static_cast<int>(got[1])};
+  is_cheap(curtain, yours);
+  holds(curtain, yours);
+}
+
+}  // namespace
+
+TEST_CASE("the stretch is foretold within a seventh", "[5-verlet/pulls-for-a-curtain][2 points]") {
+  Random random;
+  Student student;
+  for (int n = 0; n < scenes; ++n) {
+    const int links = random.whole(20, 40);
+    const double frame = 1.0 / random.whole(30, 144);
+    const Split split{random.whole(4, 10), random.whole(1, links / 4)};
+    const double measured = hung_up(links, frame, split);
+    const double got =
+        student.call(stretch,
+                     {static_cast<double>(links), frame, static_cast<double>(split.substeps),
+                      static_cast<double>(split.iterations)},
+                     1)[0];
+    is_exact(
+        "how much too long a rope hangs, in metres",
+        "links = " + std::to_string(links) + ", frame = " + number(frame, 17) + ", " +
+            split.in_words(),
+        got, measured,
+        {measured / 7,
+         "the rule holds within a seventh while the iterations are few beside "
+         "the links: here a quarter at most"},
+        "Which of the numbers count twice in the rule? And how long is a step, if the frame is "
+        "split?");
+  }
+}
+
+TEST_CASE("where a move is cheap the curtain holds at the least price",
+          "[5-verlet/pulls-for-a-curtain][2 points]") {
+  Random random;
+  Student student;
+  for (int n = 0; n < scenes; ++n) check_plan(student, draw(random, 1.0 / 60, 0.1, 0.9));
+}
+
+TEST_CASE("where a move costs many pulls the curtain holds at the least price",
+          "[5-verlet/pulls-for-a-curtain][4 points]") {
+  Random random;
+  Student student;
+  for (int n = 0; n < scenes; ++n) check_plan(student, draw(random, 1.0 / 60, 4, 12));
+}
+
+TEST_CASE("at every frame rate the curtain holds at the least price",
+          "[5-verlet/pulls-for-a-curtain][2 points]") {
+  Random random;
+  Student student;
+  for (const double rate : {24, 30, 90, 120}) check_plan(student, draw(random, 1 / rate, 0.5, 8));
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// The point that stays, and each end at its new distance from it.
+inline void pull(Vec& a, Vec& b, double rest, double inverse_a, double inverse_b) {
+  if (inverse_a + inverse_b <= 0) return;
+  const double share = inverse_a / (inverse_a + inverse_b);
+  const Vec d = b - a, still = a + share * d;
+  const Vec link = d * (rest / std::hypot(d.x, d.y, d.z));
+  a = still - share * link;
+  b = still + (1 - share) * link;
+}

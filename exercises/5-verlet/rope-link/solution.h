@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+/// Moves the ends of a link until it has its length again.
+inline void pull(Vec& a, Vec& b, double rest, double inverse_a, double inverse_b) {
+  const double both = inverse_a + inverse_b;
+  if (both == 0) return;
+  const Vec d = b - a;
+  const Vec excess = (1 - rest / length(d)) * d;
+  a += inverse_a / both * excess;
+  b -= inverse_b / both * excess;
+}

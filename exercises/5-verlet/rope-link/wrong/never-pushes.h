@@ -1,0 +1,15 @@
+// fails: a link that is too short is pushed apart by the masses of its ends
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// A rope, which bends, but the task asks for a link.
+inline void pull(Vec& a, Vec& b, double rest, double inverse_a, double inverse_b) {
+  const double both = inverse_a + inverse_b;
+  if (both == 0) return;
+  const Vec d = b - a;
+  const Vec excess = (1 - rest / length(d)) * d;
+  if (length(d) < rest) return;
+  a += inverse_a / both * excess;
+  b -= inverse_b / both * excess;
+}

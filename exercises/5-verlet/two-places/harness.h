@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT-0
+#pragma once
+
+Vec (*const wanted)(const Vec& x, const Vec& x_previous, const Vec& a, double h) = next_place;
+Vec (*const wanted_before)(const Vec& x, const Vec& v, const Vec& a, double h) = place_before;
+
+// The velocity that drag sees is the last distance over its time.
+inline void take_steps(harness::Call& call) {
+  const harness::Run run(call);
+  Vec x = run.x, v = run.v;
+  Vec x_previous = wanted_before(x, v, run.acceleration(x, v, run.t), run.h);
+  for (int n = 0; n < run.steps; ++n) {
+    v = (x - x_previous) / run.h;
+    const Vec next = wanted(x, x_previous, run.acceleration(x, v, run.t + n * run.h), run.h);
+    x_previous = x;
+    x = next;
+    if ((n + 1) % run.every != 0) continue;
+    call.answer(x);
+    call.answer((x - x_previous) / run.h);
+  }
+}
+
+void answer(harness::Call& call) {
+  if (call.function() == 0) return take_steps(call);
+  const Vec x = call.vector(), other = call.vector(), a = call.vector();
+  call.answer((call.function() == 1 ? wanted : wanted_before)(x, other, a, call.number()));
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT-0
+#include <catch2/catch_test_macros.hpp>
+
+#include "../places.h"
+#include "judge/random.h"
+
+using namespace judge;
+using namespace judge::verlet;
+
+namespace {
+
+enum Function { steps, next_place, place_before };
+
+struct Line {
+  Vec x, other, a;
+  double h = 0;
+
+  // So large a step that no term is lost beside another.
+  static Line draw() {
+    Random random;
+    const Start start = random.start();
+    return {start.x, start.v, random.vector(2, 9), random.between(0.3, 0.7)};
+  }
+
+  std::vector<Vec> by(Student& student, Function function) const {
+    return as_places(
+        student.call(function, {x.x, x.y, x.z, other.x, other.y, other.z, a.x, a.y, a.z, h}, 3));
+  }
+
+  std::string in_words(const std::string& name) const {
+    return "x = " + describe(x, 17) + ", " + name + " = " + describe(other, 17) +
+           ", a = " + describe(a, 17) + ", h = " + grade::number(h, 17);
+  }
+
+  Tolerance tolerance() const { return rounding(length(x) + length(other) + length(a)); }
+};
+
+}  // namespace
+
+TEST_CASE("the next place is as far again and a push further", "[5-verlet/two-places][3 points]") {
+  Student student;
+  const Line line = Line::draw();
+  const auto& [x, before, a, h] = line;
+  const Vec far = x + (x - before);
+  are_places({"next_place",
+              line.in_words("x_previous"),
+              line.tolerance(),
+              "In the last step it went from x_previous to x. It goes as far again, and the push "
+              "comes on top.",
+              {}},
+             line.by(student, next_place), {"position Verlet", {far + h * h * a}},
+             {{"where it would be without a push", {far}},
+              {"a push of half that size: the half belongs to the start", {far + h * h / 2 * a}},
+              {"a push of h instead of h^2", {far + h * a}},
+              {"a push to the other side", {far - h * h * a}},
+              {"the way back: from x to x_previous and on", {before + (before - x) + h * h * a}},
+              {"the last distance taken off instead of added", {before + h * h * a}}});
+}
+
+TEST_CASE("the place before the start is the one of Taylor's formula",
+          "[5-verlet/two-places][3 points]") {
+  Student student;
+  const Line line = Line::draw();
+  const auto& [x, v, a, h] = line;
+  are_places({"place_before",
+              line.in_words("v"),
+              line.tolerance(),
+              "Put -h for h into the path of constant acceleration. Which sign does each term get?",
+              {}},
+             line.by(student, place_before), {"Taylor's formula", {x - h * v + h * h / 2 * a}},
+             {{"the start of a thing that stood still", {x}},
+              {"the way without the push: that start has order one", {x - h * v}},
+              {"twice the push", {x - h * v + h * h * a}},
+              {"the push to the other side: h is squared, so its sign is gone",
+               {x - h * v - h * h / 2 * a}},
+              {"the place one step after the start", {x + h * v + h * h / 2 * a}}});
+}
+
+TEST_CASE("five steps under a hidden force are those of position Verlet",
+          "[5-verlet/two-places][2 points]") {
+  Student student;
+  is_method(student, position_verlet,
+            "Both lines are in use here: the one at the start, the other in each step.", steps);
+}
+
+TEST_CASE("a spark that only falls passes through its true places",
+          "[5-verlet/two-places][2 points]") {
+  Random random;
+  const Start start = random.start();
+  const double g = random.between(5, 15), h = random.between(0.02, 0.05);
+  constexpr int count = 40;
+  Student student;
+  const Path path = student.run(start, h, count, 1, {harness::Force::falling, {g, 0, 0}}, steps);
+  Asked asked{std::to_string(count) + " steps of a spark that only gravity pulls, g = " +
+                  grade::number(g, 17) + " m/s^2 along -y",
+              describe(start) + ", h = " + grade::number(h, 17),
+              {},
+              "With the right start nothing is left out under a constant force. Where is yours "
+              "after the first step?",
+              {}};
+  std::vector<Vec> yours;
+  Places exact{"true", {}},
+      swapped{"where symplectic Euler goes: half a push short at the start", {}};
+  for (int n = 1; n <= count; ++n) {
+    const double t = n * h;
+    asked.times.push_back(t);
+    yours.push_back(path.states[static_cast<std::size_t>(n)].x);
+    exact.x.push_back(start.x + t * start.v - Vec{0, g * t * t / 2, 0});
+    swapped.x.push_back(exact.x.back() - Vec{0, g * t * h / 2, 0});
+  }
+  asked.tolerance = rounding(count, 1 + length(exact.x.back()));
+  are_places(asked, yours, exact, {swapped});
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Frames of changing length, and where they lead.
+#pragma once
+#include "../places.h"
+#include "judge/random.h"
+
+namespace judge::verlet {
+
+/// What the student's step is given.
+struct Flight {
+  harness::Force force;
+  Vec x, x_previous;
+  double t = 0, h_previous = 0;  ///< [s]
+  std::vector<double> frames;    ///< lengths [s]
+
+  std::vector<Vec> by(Student& student) const {
+    std::vector<double> request{static_cast<double>(force.kind)};
+    request.insert(request.end(), force.a.begin(), force.a.end());
+    request.insert(request.end(), {x.x, x.y, x.z, x_previous.x, x_previous.y, x_previous.z, t,
+                                   h_previous, static_cast<double>(frames.size())});
+    request.insert(request.end(), frames.begin(), frames.end());
+    return as_places(student.call(0, request, 3 * frames.size()));
+  }
+
+  /// The same frames where the next place is x + far (x - x_previous) + push a.
+  /// @param far, push  callable `(h, h_previous)`
+  template <class Far, class Push>
+  std::vector<Vec> by(Far far, Push push) const {
+    std::vector<Vec> places{x_previous, x};
+    double now = t, last = h_previous;
+    for (const double h : frames) {
+      const Vec here = places.back(), distance = here - places[places.size() - 2];
+      places.push_back(here + far(h, last) * distance +
+                       push(h, last) * force(here, distance / last, now));
+      now += h;
+      last = h;
+    }
+    return {places.begin() + 2, places.end()};
+  }
+
+  /// When each frame ends, from the start on [s].
+  std::vector<double> ends() const {
+    std::vector<double> ends;
+    double now = 0;
+    for (const double h : frames) ends.push_back(now += h);
+    return ends;
+  }
+
+  std::string in_words() const {
+    std::string text = "x = " + describe(x, 17) + ", x_previous = " + describe(x_previous, 17) +
+                       ", t = " + grade::number(t, 17) +
+                       ", h_previous = " + grade::number(h_previous, 17) + ", then h =";
+    for (const double h : frames) text += " " + grade::number(h, 17);
+    return text;
+  }
+};
+
+inline double ratio(double h, double last) {
+  return h / last;
+}
+inline double none(double, double) {
+  return 1;
+}
+inline double half_of_both(double h, double last) {
+  return h * (h + last) / 2;
+}
+inline double squared(double h, double) {
+  return h * h;
+}
+
+/// What people make of it.
+inline std::vector<Places> mistakes(const Flight& flight) {
+  const auto with_last = [](double h, double last) { return h * last; };
+  const auto upside_down = [](double h, double last) { return last / h; };
+  Flight forgetful = flight;
+  forgetful.h_previous = flight.frames[0];
+  return {
+      {"the distance corrected and the push not: the starter", flight.by(ratio, squared)},
+      {"the push corrected and the distance not", flight.by(none, half_of_both)},
+      {"no correction at all", flight.by(none, squared)},
+      {"a push of h h_previous: as if both halves were the last frame's",
+       flight.by(ratio, with_last)},
+      {"the ratio of the frames upside down", flight.by(upside_down, half_of_both)},
+      {"right from the second frame on: in the first, h_previous is taken for h",
+       forgetful.by(ratio, half_of_both)},
+  };
+}
+
+}  // namespace judge::verlet

