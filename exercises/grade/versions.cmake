@@ -17,7 +17,12 @@ file(GLOB_RECURSE grader ${EXERCISES}/grade/*.h ${EXERCISES}/grade/*.cpp)
 list(SORT grader)
 set(lines)
 foreach(name IN LISTS NAMES)
-  hash_of(hash ${grader} ${EXERCISES}/${name}/judge.cpp ${EXERCISES}/${name}/harness.h)
+  # What the tests are made of: also headers that they share with others of the chapter.
+  cmake_path(GET name PARENT_PATH chapter)
+  file(GLOB tests ${EXERCISES}/${chapter}/*.h ${EXERCISES}/${name}/*.h ${EXERCISES}/${name}/judge.cpp)
+  list(FILTER tests EXCLUDE REGEX "/(starter|solution)\\.h$")
+  list(SORT tests)
+  hash_of(hash ${grader} ${tests})
   string(APPEND lines "    {\"${name}\", \"${hash}\"},\n")
 endforeach()
 file(WRITE ${OUT} "#include \"version.h\"

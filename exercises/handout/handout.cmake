@@ -10,10 +10,11 @@ file(COPY ${SOURCE}/exercises/handout/CMakeLists.txt ${SOURCE}/exercises/handout
           ${SOURCE}/exercises/handout/README.md DESTINATION ${top})
 file(COPY ${BOOK} DESTINATION ${top})
 
-# By what students get, not by what they don't: a new kind of file stays at home until it is named here.
+# Of an exercise its text, its starter and its tests with their headers; the folders right and wrong lie deeper.
 file(COPY ${SOURCE}/exercises/CMakeLists.txt ${SOURCE}/exercises/grade DESTINATION ${top}/exercises)
-file(GLOB handed RELATIVE ${SOURCE} ${SOURCE}/exercises/*/*/task.md ${SOURCE}/exercises/*/*/starter.h
-  ${SOURCE}/exercises/*/*/harness.h ${SOURCE}/exercises/*/*/judge.cpp)
+file(GLOB handed RELATIVE ${SOURCE} ${SOURCE}/exercises/*/*.h ${SOURCE}/exercises/*/*/*.h
+  ${SOURCE}/exercises/*/*/task.md ${SOURCE}/exercises/*/*/judge.cpp)
+list(FILTER handed EXCLUDE REGEX "/solution\\.h$|^exercises/(grade|handout)/")
 foreach(file IN LISTS handed)
   cmake_path(GET file PARENT_PATH folder)
   file(COPY ${SOURCE}/${file} DESTINATION ${top}/${folder})

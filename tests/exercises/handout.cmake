@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT-0
+# What students get holds all that they need and nothing that they should find out.
+# cmake -DSOURCE=repository -DBOOK=build/book -DNAMES=exercises -DWORK=folder [-DBUILD=ON] -P handout.cmake
+set(zip ${WORK}/one-step-at-a-time.zip)
+file(REMOVE_RECURSE ${WORK})
+execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE=${SOURCE} -DBOOK=${BOOK} -DOUT=${zip}
+  -P ${SOURCE}/exercises/handout/handout.cmake COMMAND_ERROR_IS_FATAL ANY)
+file(ARCHIVE_EXTRACT INPUT ${zip} DESTINATION ${WORK})
+set(top ${WORK}/one-step-at-a-time)
+
+set(wanted README.md LICENSE setup.sh CMakeLists.txt CMakePresets.json book/index.html
+  code/integrate/euler.h exercises/grade/main.cpp exercises/grade/harness/given.h)
+foreach(name IN LISTS NAMES)
+  foreach(file task.md starter.h harness.h judge.cpp)
+    list(APPEND wanted exercises/${name}/${file})
+  endforeach()
+endforeach()
+foreach(file IN LISTS wanted)
+  if(NOT EXISTS ${top}/${file})
+    message(SEND_ERROR "the handout lacks ${file}")
+  endif()
+endforeach()
+
+file(GLOB_RECURSE all RELATIVE ${top} ${top}/*)
+foreach(file IN LISTS all)
+  if(file MATCHES "solution|(^|/)(right|wrong)/|seed|^book/source-.*(right|wrong)")
+    message(SEND_ERROR "the handout has ${file}")
+  endif()
+endforeach()
+
+if(BUILD)
+  execute_process(COMMAND ${CMAKE_COMMAND} --workflow --preset grader
+    WORKING_DIRECTORY ${top} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  foreach(name IN LISTS NAMES)
+    foreach(way "solution.h 0" "starter.h 1")
+      separate_arguments(way UNIX_COMMAND ${way})
+      list(POP_FRONT way file wanted)
+      execute_process(COMMAND ${top}/build/exercises/grade ${name} ${SOURCE}/exercises/${name}/${file}
+        --exit-status verdict OUTPUT_VARIABLE said RESULT_VARIABLE result)
+      if(NOT result EQUAL wanted)
+        message(SEND_ERROR "${file} of ${name} came back with ${result}: ${said}")
+      endif()
+    endforeach()
+  endforeach()
+endif()
