@@ -65,28 +65,36 @@ std::vector<std::string> recognise(const Shot& shot, const Vec& before, const Ve
                                    double frame, const Vec& got) {
   const Vec way = target - before;
   const double went = dot(got - before, way) / dot(way, way), part = shot.part;
-  const auto is = [&](double other) { return std::abs(went - other) < 1e-10; };
-  std::vector<std::string> found;
-  if (is(part)) found.push_back("each frame goes the part, however long it is");
-  if (is(60 * frame * part)) {
-    found.push_back("a step of Euler's method: the way grows with the frame, without end");
-  } else if (is(1)) {
-    found.push_back("the camera is at its target at once");
+  const double right = 1 - left(part, frame), off = std::abs(went - right);
+  if (went > 1 + 1e-12) {
+    return {"the camera is beyond its target, at " + number(went, 4) + " times the way"};
   }
-  if (is(1 - std::exp(-60 * frame * part))) {
-    found.push_back("the part is taken for a rate; at sixty frames a second this goes " +
-                    number(1 - std::exp(-part)) + " of the way instead of " + number(part));
-  }
-  if (is(1 - std::pow(part, 60 * frame))) {
-    found.push_back("the part of the way that it goes is taken for the part that is left");
-  }
-  if (is(0)) found.push_back("the camera does not move");
-  if (went > 1 + 1e-12) found.push_back("the camera is beyond its target");
-  const double off = std::abs(went - (1 - left(part, frame)));
   if (off > 1e-10 && off < 2e-6) {
-    found.push_back("right to seven digits and no further: a float, or a constant with an f?");
+    return {"right to seven digits: a float, or a constant with an f, or a jump at the end?"};
   }
-  return found;
+  const std::vector<std::pair<double, std::string>> known{
+      {0, "the camera does not move"},
+      {1, "the camera is at its target at once"},
+      {part, "each frame goes the part, however long it is"},
+      {60 * frame * part, "a step of Euler's method: the way grows with the frame, without end"},
+      {1 - std::exp(-60 * frame * part),
+       "the part is taken for a rate; at sixty frames a second this goes " +
+           number(1 - std::exp(-part)) + " of the way instead of " + number(part)},
+      {1 - std::pow(part, 60 * frame),
+       "the part of the way that it goes is taken for the part that is left"}};
+  for (const auto& [other, says] : known) {
+    if (std::abs(went - other) < 1e-10) return {says};
+  }
+  if (went <= 0 || went >= 1) return {};
+  return {"the camera went as far as it should in " +
+          number(std::log1p(-went) / std::log1p(-part) / 60, 4) + " s"};
+}
+
+// Whether a program that has just begun does right what this one did wrong.
+bool right_when_fresh(const Vec& camera, const Vec& target, double part, double frame,
+                      const Vec& expected, double tolerance) {
+  Student fresh;
+  return length(ask(fresh, camera, target, part, frame) - expected) <= tolerance;
 }
 
 void follows(Student& student, const Shot& shot, const std::string& which,
@@ -122,6 +130,11 @@ void follows(Student& student, const Shot& shot, const std::string& which,
     finding.hint = hint;
     finding.diagnoses =
         recognise(shot, yours.camera[n - 1], right.target[n], shot.frames[n - 1], yours.camera[n]);
+    if (right_when_fresh(yours.camera[n - 1], right.target[n], shot.part, shot.frames[n - 1],
+                         right.camera[n], tolerance.value)) {
+      finding.diagnoses.push_back(
+          "as the first frame of a program it is right: what is remembered?");
+    }
     finding.plot = {"How far the camera is from its target",
                     "time [s]",
                     "along x [m]",
