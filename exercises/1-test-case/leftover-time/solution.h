@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+/// How many steps are due in a frame.
+/// @param saved  time that the frames before left over [s]; leaves what is not yet spent
+/// @param length  how long the frame took [s]
+/// @param h  step size [s]
+inline int steps_due(double& saved, double length, double h) {
+  saved += length;
+  int steps = 0;
+  for (; saved >= h; saved -= h) ++steps;
+  return steps;
+}
+
+/// How far the picture is between the last two states: 0 at the older one, 1 at the newer.
+inline double blend(double saved, double h) {
+  return saved / h;
+}

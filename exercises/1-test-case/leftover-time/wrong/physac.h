@@ -1,0 +1,19 @@
+// fails: uneven frames are paid with as many steps as fit into them
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// Takes the frame off where the step should be taken off, as physac did (raylib, pull request 653).
+inline int steps_due(double& saved, double length, double h) {
+  saved = saved + length;
+  int due = 0;
+  while (saved >= h) {
+    due++;
+    saved = saved - length;
+  }
+  return due;
+}
+
+inline double blend(double saved, double h) {
+  return saved / h;
+}

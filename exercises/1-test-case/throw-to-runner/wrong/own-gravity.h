@@ -1,0 +1,10 @@
+// fails: a ball lands on a target that stands still
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// Knows what gravity is, and does not look.
+inline Vec throw_velocity(const Vec& from, const Vec& target, const Vec& runner, const Vec& a,
+                          double time) {
+  return (target - from) / time + runner - 0.5 * time * Vec{0, -9.81, 0};
+}

@@ -1,0 +1,10 @@
+// fails: a ball lands on a target that stands still
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+inline Vec throw_velocity(const Vec& from, const Vec& target, const Vec& runner, const Vec& a,
+                          double time) {
+  const float seconds = static_cast<float>(time);
+  return (target - from) / seconds + runner - 0.5 * seconds * a;
+}

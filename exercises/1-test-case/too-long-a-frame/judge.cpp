@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT-0
+#include <catch2/catch_test_macros.hpp>
+
+#include "judge/random.h"
+#include "judge/session.h"
+#include "judge/tests.h"
+#include "words.h"
+
+using namespace judge;
+
+namespace {
+
+using grade::number;
+
+struct Machine {
+  double draw, cost, h;
+  int most;
+
+  double settled() const {
+    const double at_most = draw + most * cost;
+    return cost < h ? std::min(draw / (1 - cost / h), at_most) : at_most;
+  }
+};
+
+std::string describe(const Machine& machine) {
+  return "draw = " + number(machine.draw, 17) + " s, cost = " + number(machine.cost, 17) +
+         " s, h = " + number(machine.h, 17) + " s, most = " + std::to_string(machine.most);
+}
+
+// A machine of which a step costs so many times what it covers.
+Machine draw_machine(Random& random, double cost) {
+  const double h = 1 / random.between(50, 200);
+  return {random.between(0.3, 1.2) * h, cost * h, h, random.whole(5, 9)};
+}
+
+// A machine that keeps up: frames settle at least two steps under the limit.
+Machine draw_fast(Random& random) {
+  Machine machine = draw_machine(random, random.between(0.2, 0.7));
+  machine.most = static_cast<int>(std::ceil(machine.settled() / machine.h)) + random.whole(4, 7);
+  return machine;
+}
+
+struct Frame {
+  double length, steps, saved;
+};
+
+Frame spend(Student& student, const Machine& machine, double saved, double length) {
+  const std::vector<double> answer =
+      student.call(0, {saved, length, machine.h, static_cast<double>(machine.most)}, 2);
+  return {length, answer[0], answer[1]};
+}
+
+// Each frame lasts as long as the one before made it; number 20 has a hitch. Ends early when frames
+// are hopelessly long.
+std::vector<Frame> live(Student& student, const Machine& machine, int count, double hitch) {
+  std::vector<Frame> frames;
+  double saved = 0, length = machine.draw;
+  for (int n = 0; n < count && length < 10; ++n) {
+    frames.push_back(spend(student, machine, saved, length));
+    saved = frames.back().saved;
+    length = machine.draw + frames.back().steps * machine.cost + (n == 20 ? hitch : 0);
+  }
+  return frames;
+}
+
+grade::Plot plot(const std::vector<Frame>& frames, const Machine& machine) {
+  grade::Curve yours{"yours", {}, {}}, settled{"where it settles", {}, {}};
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    const double at = static_cast<double>(n + 1);
+    yours.x.push_back(at);
+    yours.y.push_back(frames[n].length);
+    settled.x.push_back(at);
+    settled.y.push_back(machine.settled());
+  }
+  return {"How long frames are", "frame", "length [s]", {yours, settled}};
+}
+
+// A rest that differs by a whole step is the same place of the picture, and rounding may choose.
+double rest_apart(double a, double b, double h) {
+  return std::abs(std::remainder(a - b, h));
+}
+
+Tolerance rest_tolerance(double length, double h) {
+  const double sums = length / h + 4;
+  return {sums * length * std::numeric_limits<double>::epsilon(),
+          "rounding: one sum for each step that the frame covers"};
+}
+
+void spends(Student& student, const Machine& machine, double saved, double length,
+            const std::string& hint) {
+  const Frame got = spend(student, machine, saved, length);
+  const double due = std::floor((saved + length) / machine.h);
+  const double steps = std::min<double>(due, machine.most), rest = saved + length - due * machine.h;
+  const Tolerance tolerance = rest_tolerance(saved + length, machine.h);
+
+  grade::Finding finding;
+  finding.held = got.steps == steps && std::abs(got.saved - rest) <= tolerance.value;
+  finding.asked = "the steps that are due in a frame in which " + number(due) + " fit";
+  finding.input = "saved = " + number(saved, 17) + " s, length = " + number(length, 17) +
+                  " s, h = " + number(machine.h, 17) + " s, most = " + std::to_string(machine.most);
+  finding.expected = number(steps) + " steps, and " + number(rest, 12) + " s saved";
+  finding.got = number(got.steps) + " steps, and " + number(got.saved, 12) + " s saved";
+  finding.error = number(std::abs(got.steps - steps)) + " steps, " +
+                  number(std::abs(got.saved - rest), 3) + " s of what is saved";
+  finding.tolerance = "no step, and " + number(tolerance.value, 2) + " s";
+  finding.tolerance_from = tolerance.from;
+  if (!finding.held) {
+    finding.hint = hint;
+    if (got.steps > machine.most) finding.diagnoses.push_back("more steps than a frame may take");
+    if (got.saved > machine.h && rest_apart(got.saved, rest, machine.h) <= tolerance.value) {
+      finding.diagnoses.push_back("the debt is kept, and the next frames have to pay it");
+    }
+    if (got.saved == 0) finding.diagnoses.push_back("the part of a step is dropped, too");
+  }
+  check(finding);
+}
+
+}  // namespace
+
+TEST_CASE("no frame takes more steps than it may, and a hitch is forgotten",
+          "[1-test-case/too-long-a-frame][3 points]") {
+  Student student;
+  Random random;
+  for (int n = 0; n < 12; ++n) {
+    const Machine machine = draw_machine(random, 1);
+    // Every third frame is within the limit.
+    const int whole =
+        n % 3 == 0 ? random.whole(2, machine.most) : random.whole(machine.most + 2, 60);
+    const double part = random.between(0.55, 0.95), saved = random.between(0.05, 0.5) * machine.h;
+    spends(student, machine, saved, (whole + part) * machine.h - saved,
+           "Count what fits, take what is allowed, and leave in saved what is less than a step.");
+  }
+}
+
+TEST_CASE("a machine too slow for its steps slows the game and not the screen",
+          "[1-test-case/too-long-a-frame][2 points]") {
+  Student student;
+  Random random;
+  const Machine machine = draw_machine(random, random.between(1.2, 3));
+  const std::vector<Frame> frames = live(student, machine, 200, 0);
+  const double got = frames.back().length, expected = machine.settled();
+  const Tolerance tolerance = rounding(expected);
+
+  grade::Finding finding;
+  finding.held = frames.size() == 200 && std::abs(got - expected) <= tolerance.value;
+  finding.asked = "two hundred frames, each as long as its drawing and the steps of the one before";
+  finding.input = describe(machine);
+  finding.expected = "frames of " + number(expected) + " s in the end";
+  finding.got = "frame " + std::to_string(frames.size()) + " takes " + number(got) + " s";
+  finding.error = number(std::abs(got - expected), 3) + " s";
+  finding.tolerance = number(tolerance.value, 2);
+  finding.tolerance_from = tolerance.from;
+  if (!finding.held) {
+    finding.hint = "A step costs more than it covers here. Which number keeps a frame short?";
+    if (got > 2 * expected) {
+      finding.diagnoses = {"each frame is up to " + number(machine.cost / machine.h, 3) +
+                           " times as long as the one before: the game hangs"};
+    }
+    finding.plot = plot(frames, machine);
+  }
+  check(finding);
+}
+
+TEST_CASE("a machine that keeps up makes good a hitch",
+          "[1-test-case/too-long-a-frame][2 points]") {
+  Student student;
+  Random random;
+  const Machine machine = draw_fast(random);
+  const double hitch = (machine.most - 1) * machine.h - machine.settled() - machine.h;
+  const std::vector<Frame> frames = live(student, machine, 300, hitch);
+  double time = 0, steps = 0;
+  for (const Frame& frame : frames) {
+    time += frame.length;
+    steps += frame.steps;
+  }
+  const double got = steps * machine.h + frames.back().saved;
+  const double sums = static_cast<double>(frames.size()) * (machine.most + 4);
+  const Tolerance tolerance{sums * time * std::numeric_limits<double>::epsilon(),
+                            "rounding: one sum for each frame and each of its steps"};
+
+  grade::Finding finding;
+  finding.held = std::abs(got - time) <= tolerance.value;
+  finding.asked = "three hundred frames, one of them longer by " + number(hitch) +
+                  " s, which the limit still allows: no time may be lost";
+  finding.input = describe(machine);
+  finding.expected = "steps and rest for all of the " + number(time, 12) + " s";
+  finding.got = number(got, 12) + " s";
+  finding.error = number(std::abs(got - time), 3) + " s";
+  finding.tolerance = number(tolerance.value, 2);
+  finding.tolerance_from = tolerance.from;
+  if (!finding.held) {
+    finding.hint = "Only whole steps beyond the limit may be dropped, and here there are none.";
+    finding.diagnoses = {"the game runs at " + number(got / time, 4) + " times its speed"};
+    finding.plot = plot(frames, machine);
+  }
+  check(finding);
+}
+
+TEST_CASE("the length that frames settle at is foretold",
+          "[1-test-case/too-long-a-frame][3 points]") {
+  Student student;
+  Random random;
+  for (int n = 0; n < 6; ++n) {
+    // Fast enough; too slow for its steps; fast enough for those, but not with its drawing.
+    Machine machine = n % 3 == 0 ? draw_fast(random) : draw_machine(random, random.between(1.1, 4));
+    if (n % 3 == 2) {
+      machine.cost = random.between(0.5, 0.8) * machine.h;
+      machine.draw = random.between(1.1, 2) * machine.most * (machine.h - machine.cost);
+    }
+    const double got = student.call(
+        1, {machine.draw, machine.cost, machine.h, static_cast<double>(machine.most)}, 1)[0];
+    is_exact("how long frames are in the end", describe(machine), got, machine.settled(),
+             rounding(machine.settled()),
+             machine.cost < machine.h
+                 ? "A frame F asks for F/h steps, if so many are allowed. When is F the same again?"
+                 : "A step costs more than it covers: every frame takes all the steps it may.");
+  }
+}

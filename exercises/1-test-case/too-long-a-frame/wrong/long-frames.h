@@ -1,0 +1,16 @@
+// fails: the length that frames settle at is foretold
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// Takes the larger of the two.
+inline int steps_due(double& saved, double length, double h, int most) {
+  const double all = saved + length;
+  const double due = std::floor(all / h);
+  saved = all - due * h;
+  return static_cast<int>(std::min<double>(due, most));
+}
+
+inline double settled_frame(double draw, double cost, double h, int most) {
+  return cost < h ? std::max(draw / (1 - cost / h), draw + most * cost) : draw + most * cost;
+}

@@ -1,0 +1,17 @@
+// fails: the length that frames settle at is foretold
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// Where the next frame is, not where they settle.
+inline int steps_due(double& saved, double length, double h, int most) {
+  const double all = saved + length;
+  const double due = std::floor(all / h);
+  saved = all - due * h;
+  return static_cast<int>(std::min<double>(due, most));
+}
+
+inline double settled_frame(double draw, double cost, double h, int most) {
+  const double next = draw + cost * draw / h;
+  return std::min(next, draw + most * cost);
+}

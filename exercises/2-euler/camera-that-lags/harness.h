@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT-0
+#pragma once
+
+Vec (*const wanted)(const Vec& camera, const Vec& target, double part, double frame) = follow;
+
+void answer(harness::Call& call) {
+  const Vec camera = call.vector(), target = call.vector();
+  const double part = call.number();
+  call.answer(wanted(camera, target, part, call.number()));
+}

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT-0
+#include <catch2/catch_test_macros.hpp>
+
+#include "judge/describe.h"
+#include "judge/random.h"
+#include "judge/session.h"
+#include "judge/tests.h"
+#include "words.h"
+
+using namespace judge;
+
+namespace {
+
+using grade::number;
+
+double left(double part, double frame) {
+  return std::pow(1 - part, 60 * frame);
+}
+
+Vec ask(Student& student, const Vec& camera, const Vec& target, double part, double frame) {
+  const std::vector<double> got =
+      student.call(0, {camera.x, camera.y, camera.z, target.x, target.y, target.z, part, frame}, 3);
+  return {got[0], got[1], got[2]};
+}
+
+struct Shot {
+  Vec camera, target;
+  double part;
+  std::vector<double> frames;
+  double jump = 0;  // of the target, to either side after every frame [m]
+};
+
+struct Film {
+  std::vector<double> time;
+  std::vector<Vec> camera, target;
+};
+
+// What a camera does, if this is how it moves in a frame.
+template <class Follow>
+Film film(const Shot& shot, Follow follow) {
+  Film film{{0}, {shot.camera}, {shot.target}};
+  Vec camera = shot.camera, target = shot.target;
+  double time = 0, side = 1;
+  for (const double frame : shot.frames) {
+    camera = follow(camera, target, frame);
+    time += frame;
+    film.time.push_back(time);
+    film.camera.push_back(camera);
+    film.target.push_back(target);
+    target = target + side * shot.jump * Vec{1, 0, -1};
+    side = -side;
+  }
+  return film;
+}
+
+grade::Curve curve(const std::string& name, const Film& film) {
+  grade::Curve curve{name, film.time, {}};
+  for (std::size_t n = 0; n < film.camera.size(); ++n) {
+    curve.y.push_back(film.camera[n].x - film.target[n].x);
+  }
+  return curve;
+}
+
+std::vector<std::string> recognise(const Shot& shot, const Vec& before, const Vec& target,
+                                   double frame, const Vec& got) {
+  const Vec way = target - before;
+  const double went = dot(got - before, way) / dot(way, way), part = shot.part;
+  const double right = 1 - left(part, frame), off = std::abs(went - right);
+  if (went > 1 + 1e-12) {
+    return {"the camera is beyond its target, at " + number(went, 4) + " times the way"};
+  }
+  if (off > 1e-10 && off < 2e-6) {
+    return {"right to seven digits: a float, or a constant with an f, or a jump at the end?"};
+  }
+  const std::vector<std::pair<double, std::string>> known{
+      {0, "the camera does not move"},
+      {1, "the camera is at its target at once"},
+      {part, "each frame goes the part, however long it is"},
+      {60 * frame * part, "a step of Euler's method: the way grows with the frame, without end"},
+      {1 - std::exp(-60 * frame * part),
+       "the part is taken for a rate; at sixty frames a second this goes " +
+           number(1 - std::exp(-part)) + " of the way instead of " + number(part)},
+      {1 - std::pow(part, 60 * frame),
+       "the part of the way that it goes is taken for the part that is left"}};
+  for (const auto& [other, says] : known) {
+    if (std::abs(went - other) < 1e-10) return {says};
+  }
+  if (went <= 0 || went >= 1) return {};
+  return {"the camera went as far as it should in " +
+          number(std::log1p(-went) / std::log1p(-part) / 60, 4) + " s"};
+}
+
+// Whether a program that has just begun does right what this one did wrong.
+bool right_when_fresh(const Vec& camera, const Vec& target, double part, double frame,
+                      const Vec& expected, double tolerance) {
+  Student fresh;
+  return length(ask(fresh, camera, target, part, frame) - expected) <= tolerance;
+}
+
+void follows(Student& student, const Shot& shot, const std::string& which,
+             const std::string& hint) {
+  const Film yours = film(shot, [&](const Vec& camera, const Vec& target, double frame) {
+    return ask(student, camera, target, shot.part, frame);
+  });
+  const Film right = film(shot, [&](const Vec& camera, const Vec& target, double frame) {
+    return target + left(shot.part, frame) * (camera - target);
+  });
+  const int frames = static_cast<int>(shot.frames.size());
+  const double size = length(shot.camera) + length(shot.target) + frames * shot.jump;
+  const Tolerance each = rounding(size), tolerance{frames * each.value, each.from + ", a frame"};
+  std::size_t n = 1;
+  while (n + 1 < yours.camera.size() &&
+         length(yours.camera[n] - right.camera[n]) <= tolerance.value) {
+    ++n;
+  }
+  const double off = length(yours.camera[n] - right.camera[n]);
+
+  grade::Finding finding;
+  finding.held = off <= tolerance.value;
+  finding.asked = "where the camera is after " + which;
+  finding.input = "camera " + describe(yours.camera[n - 1], 17) + ", target " +
+                  describe(right.target[n], 17) + ", part " + number(shot.part, 17) + ", frame " +
+                  number(shot.frames[n - 1], 17) + " s";
+  finding.expected = describe(right.camera[n], 12);
+  finding.got = describe(yours.camera[n], 12);
+  finding.error = number(off, 3) + " m, after frame " + std::to_string(n);
+  finding.tolerance = number(tolerance.value, 2);
+  finding.tolerance_from = tolerance.from;
+  if (!finding.held) {
+    finding.hint = hint;
+    finding.diagnoses =
+        recognise(shot, yours.camera[n - 1], right.target[n], shot.frames[n - 1], yours.camera[n]);
+    if (right_when_fresh(yours.camera[n - 1], right.target[n], shot.part, shot.frames[n - 1],
+                         right.camera[n], tolerance.value)) {
+      finding.diagnoses.push_back(
+          "as the first frame of a program it is right: what is remembered?");
+    }
+    finding.plot = {"How far the camera is from its target",
+                    "time [s]",
+                    "along x [m]",
+                    {curve("yours", yours), curve("even frames, as many as you like", right)}};
+  }
+  check(finding);
+}
+
+Shot draw(Random& random, double part, const std::vector<double>& frames) {
+  return {random.vector(-2, 2), random.vector(4, 9), part, frames};
+}
+
+std::vector<double> uneven(Random& random, int count) {
+  std::vector<double> frames;
+  for (int n = 0; n < count; ++n) frames.push_back(random.between(0.004, 0.05));
+  return frames;
+}
+
+}  // namespace
+
+TEST_CASE("a frame of any length takes the camera as far as frames of a sixtieth would",
+          "[2-euler/camera-that-lags][3 points]") {
+  Student student;
+  Random random;
+  const std::string hint =
+      "In each sixtieth of a second the distance is multiplied by the same number. How often is "
+      "that in a frame?";
+  for (const double rate : {60.0, random.between(100, 240), random.between(20, 50)}) {
+    const Shot shot = draw(random, random.between(0.05, 0.3), {1 / rate});
+    follows(student, shot, "one frame, at " + number(rate, 4) + " frames a second", hint);
+  }
+  Shot close = draw(random, random.between(0.05, 0.3), {1 / random.between(100, 240)});
+  close.camera = close.target + random.vector(0.001, 0.01);
+  follows(student, close, "one frame that begins within two centimetres of the target", hint);
+}
+
+TEST_CASE("uneven frames leave the camera where even ones do",
+          "[2-euler/camera-that-lags][3 points]") {
+  Student student;
+  Random random;
+  const Shot shot = draw(random, random.between(0.03, 0.1), uneven(random, 60));
+  follows(student, shot, "sixty uneven frames",
+          "Two frames after each other must leave what one frame of both lengths leaves.");
+}
+
+TEST_CASE("after a hitch the camera is near its target and not beyond it",
+          "[2-euler/camera-that-lags][2 points]") {
+  Student student;
+  Random random;
+  for (const double hitch : {random.between(0.15, 0.4), random.between(0.5, 2)}) {
+    const Shot shot = draw(random, random.between(0.1, 0.3), {1.0 / 60, 1.0 / 60, hitch, 1.0 / 60});
+    follows(student, shot, "a frame of " + number(hitch, 3) + " s",
+            "What is left of the distance can become very small, but never less than nothing.");
+  }
+}
+
+TEST_CASE("a target that jumps is followed from where the camera is",
+          "[2-euler/camera-that-lags][2 points]") {
+  Student student;
+  Random random;
+  Shot shot = draw(random, random.between(0.05, 0.3), uneven(random, 30));
+  shot.jump = random.between(1, 3);
+  follows(student, shot, "thirty uneven frames, after each of which the target jumps",
+          "All that counts is where the camera and the target are now.");
+}

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+/// Where the camera is after a frame [m].
+/// @param camera  where it was [m]
+/// @param target  where it wants to be [m]
+/// @param part  of the way that it goes in one frame at sixty frames a second, between 0 and 1
+/// @param frame  how long the frame took [s]
+inline Vec follow(const Vec& camera, const Vec& target, double part, double frame) {
+  return camera + part * 60 * frame * (target - camera);
+}

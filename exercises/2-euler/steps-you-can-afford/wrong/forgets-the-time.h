@@ -1,0 +1,26 @@
+// fails: the thing ends within the wanted error
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// Looks at the force of time 0 for the whole run.
+inline Vec place(Vec x, Vec v, double duration, int steps, const Acceleration& acceleration) {
+  const double h = duration / steps;
+  for (int n = 0; n < steps; ++n) {
+    const Vec a = acceleration(x, v, 0);
+    x += h * v;
+    v += h * a;
+  }
+  return x;
+}
+
+inline int steps_needed(const Vec& x, const Vec& v, double duration, double wanted,
+                        const Acceleration& acceleration) {
+  Vec coarse = place(x, v, duration, 16, acceleration);
+  for (int steps = 32;; steps *= 2) {
+    const Vec fine = place(x, v, duration, steps, acceleration);
+    const double needed = steps * length(fine - coarse) / wanted;
+    if (needed < 3 * steps) return static_cast<int>(std::ceil(1.03 * needed));
+    coarse = fine;
+  }
+}

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT-0
+#pragma once
+
+double (*const wanted)(double k, double c, double m) = longest_step;
+
+void answer(harness::Call& call) {
+  const double k = call.number(), c = call.number();
+  call.answer(wanted(k, c, call.number()));
+}

@@ -1,0 +1,11 @@
+// fails: a leash like a wall keeps its digits
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// Right on paper: a difference of two large numbers that are nearly equal.
+inline double longest_step(double k, double c, double m) {
+  const double omega = std::sqrt(k / m), zeta = c / (2 * std::sqrt(k * m));
+  if (zeta <= 1) return 2 * zeta / omega;
+  return 2 * (zeta - std::sqrt(zeta * zeta - 1)) / omega;
+}
