@@ -25,6 +25,7 @@ TEST_CASE("an orbit gains the energy that Euler's method gives it",
 
 TEST_CASE("half the step halves the error", "[2-euler/orbit-drift][1 point]") {
   Student student;
-  has_order(student, 1, 512, "The method has order one. Is something wrong by the same amount "
-                             "however small the step is?");
+  has_order(student, 1, 512,
+            "The method has order one. Is something wrong by the same amount "
+            "however small the step is?");
 }
