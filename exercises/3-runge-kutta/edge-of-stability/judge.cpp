@@ -49,9 +49,12 @@ std::vector<std::string> looks_like(double got, double omega, double zeta) {
     if (near(got, value)) found.push_back(says);
   };
   add_if(limit(zeta, 4), "this is h omega, and the step is asked for, in seconds");
+  add_if(furthest / omega, "no step of your search grew; is something in it not a number?");
   add_if(limit(zeta, 1) / omega, "this is the limit of Euler's method");
   add_if(limit(zeta, 2) / omega, "this is the limit of the midpoint method");
   add_if(limit(zeta, 3) / omega, "a term of the polynomial is missing: the fourth power");
+  const double off = std::abs(got * omega / limit(zeta, 4) - 1);
+  if (off > 1e-6 && off < 1e-3) found.push_back("nearly: the search ends too soon");
   if (zeta > 0) add_if(std::sqrt(8) / omega, "this is the limit without damping");
   if (zeta > 1) {
     const double slow = zeta - std::sqrt(zeta * zeta - 1);
@@ -107,8 +110,8 @@ TEST_CASE("a step stretches every motion as the polynomial of RK4 does",
              "re = " + number(z.real(), 17) + ", im = " + number(z.imag(), 17),
              student.call(0, {z.real(), z.imag()}, 1).front(), stretch(z, 4),
              rounding(std::exp(size)),
-             "RK4 keeps the terms of e^z up to the fourth power. The size of a complex number has "
-             "both parts in it.");
+             "RK4 keeps the terms of e^z up to the fourth power. The size of a complex number is "
+             "the root of the sum of its parts squared.");
   }
 }
 
