@@ -14,7 +14,7 @@ inline void rk4(Vec& x, Vec& v, double t, double h, const Acceleration& accelera
 
 inline void fly(Vec& x, Vec& v, double t, double duration, double tolerance,
                 const Acceleration& acceleration) {
-  tolerance = 1e-6;
+  tolerance = 1e-5;
   const double end = t + duration;
   double h = duration / 100;
   while (t < end) {
