@@ -20,7 +20,7 @@ double allowed(int digits) {
 }
 
 // More questions than any test needs; after them nothing pulls any more, so that it ends soon.
-constexpr int patience = 30'000;
+constexpr int patience = 15'000;
 
 struct Scene {
   std::string name;

@@ -7,19 +7,19 @@
 inline void step(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration,
                  const std::vector<std::vector<double>>& parts,
                  const std::vector<double>& weights) {
-  const int stages = int(parts.size());
+  const std::size_t stages = parts.size();
   std::vector<Vec> a;
   const auto ahead = [&](const std::vector<double>& row, Vec& place, Vec& velocity) {
     double reach = 0;
-    for (int j = 0; j < int(row.size()); ++j) {
+    for (std::size_t j = 0; j < row.size(); ++j) {
       reach += row[j];
       velocity += h * (row[j] * a[j]);
-      for (int k = 0; k < j; ++k) place += h * h * row[j] * parts[j][k] * a[k];
+      for (std::size_t k = 0; k < j; ++k) place += h * h * row[j] * parts[j][k] * a[k];
     }
     place += reach * h * v;
     return t + reach * h;
   };
-  for (int i = 0; i < stages; ++i) {
+  for (std::size_t i = 0; i < stages; ++i) {
     Vec place = x, velocity = v;
     const double time = ahead(parts[i], place, velocity);
     a.push_back(acceleration(place, velocity, time));
