@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT-0
+#include <catch2/catch_test_macros.hpp>
+
+#include "integrate/dopri5.h"
+#include "judge/random.h"
+#include "judge/session.h"
+#include "judge/tests.h"
+#include "words.h"
+
+using namespace judge;
+
+namespace {
+
+struct Table {
+  std::string name;
+  std::vector<std::vector<double>> parts;
+  std::vector<double> weights;
+};
+
+double hundredths(Random& random, int low, int high) {
+  return random.whole(low, high) / 100.0;
+}
+
+// Its weights add up to one, as in every method that is of use.
+Table draw(Random& random, std::size_t stages) {
+  Table table{"the method of a table with " + std::to_string(stages) + " stages", {}, {}};
+  double left = 1;
+  for (std::size_t i = 0; i < stages; ++i) {
+    table.parts.emplace_back();
+    for (std::size_t j = 0; j < i; ++j) table.parts[i].push_back(hundredths(random, -30, 60));
+    table.weights.push_back(i + 1 < stages ? hundredths(random, 10, 50) : left);
+    left -= table.weights[i];
+  }
+  return table;
+}
+
+Table dormand_prince() {
+  Table table{"Dormand and Prince's method", {{}}, {}};
+  for (std::size_t row = 0; row < 5; ++row) {
+    const auto* first = integrate::dopri5_weights[row];
+    table.parts.emplace_back(first, first + row + 1);
+  }
+  table.weights.assign(integrate::dopri5_weights[5], integrate::dopri5_weights[5] + 6);
+  return table;
+}
+
+Method method_of(const Table& table) {
+  return method(table.name,
+                [table](Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) {
+                  std::vector<State> slopes;
+                  const auto along = [&](const std::vector<double>& row, State state) {
+                    for (std::size_t j = 0; j < row.size(); ++j) {
+                      state.x += h * row[j] * slopes[j].x;
+                      state.v += h * row[j] * slopes[j].v;
+                    }
+                    return state;
+                  };
+                  for (const std::vector<double>& row : table.parts) {
+                    double reach = 0;
+                    for (const double part : row) reach += part;
+                    const State stage = along(row, {x, v});
+                    slopes.push_back({stage.v, acceleration(stage.x, stage.v, t + reach * h)});
+                  }
+                  const State end = along(table.weights, {x, v});
+                  x = end.x;
+                  v = end.v;
+                });
+}
+
+std::string described(const std::vector<double>& row) {
+  std::string text = "(";
+  for (const double value : row) text += (text == "(" ? "" : ", ") + grade::number(value, 17);
+  return text + ")";
+}
+
+// A student who has been given a table, and a finding that says which: without it no case can be
+// tried again at home.
+class Given {
+ public:
+  Given(Student& student, const Table& table) {
+    std::vector<double> numbers{static_cast<double>(table.parts.size())};
+    for (const auto& row : table.parts) {
+      numbers.insert(numbers.end(), row.begin(), row.end());
+      rows_ += (rows_.empty() ? "" : " ") + described(row);
+    }
+    numbers.insert(numbers.end(), table.weights.begin(), table.weights.end());
+    rows_ += ", weights " + described(table.weights);
+    student.call(0, numbers, 0);
+  }
+  ~Given() {
+    auto& findings = session().tests.back().findings;
+    if (!findings.empty()) findings.back().input += ", rows " + rows_;
+  }
+
+ private:
+  std::string rows_;
+};
+
+}  // namespace
+
+TEST_CASE("a table that nobody has published is followed to rounding",
+          "[3-runge-kutta/any-table][4 points]") {
+  Student student;
+  Random random;
+  const Table table = draw(random, 4);
+  const Given given(student, table);
+  is_method(student, method_of(table),
+            "A stage may go along every slope before it, and each of the sums starts at the start "
+            "of the step.",
+            1);
+}
+
+TEST_CASE("each stage asks once, at the time that its row adds up to",
+          "[3-runge-kutta/any-table][2 points]") {
+  Student student;
+  Random random;
+  const Table table = draw(random, 3);
+  const Given given(student, table);
+  evaluates(student, method_of(table), 3, 0,
+            "Once for each row. The clock of a stage is t plus h times the sum of that row.", 1);
+}
+
+TEST_CASE("with Kutta's table of three rows half the step divides the error by eight",
+          "[3-runge-kutta/any-table][2 points]") {
+  Student student;
+  const Given given(
+      student, {"Kutta's method of order 3", {{}, {0.5}, {-1, 2}}, {1.0 / 6, 4.0 / 6, 1.0 / 6}});
+  has_order(student, 3, 256,
+            "The third row goes back along the first slope and twice as far along the second.", 1);
+}
+
+TEST_CASE("a short table after Dormand and Prince's finds nothing of it left",
+          "[3-runge-kutta/any-table][2 points]") {
+  Student student;
+  Random random;
+  for (const Table& table : {dormand_prince(), draw(random, 2)}) {
+    const Given given(student, table);
+    is_method(student, method_of(table),
+              "The number of stages is the number of rows, from one to as many as a table has. "
+              "Start each step with nothing in hand.",
+              1);
+  }
+}

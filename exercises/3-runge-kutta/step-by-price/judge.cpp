@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT-0
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "judge/describe.h"
+#include "judge/random.h"
+#include "judge/session.h"
+#include "judge/tests.h"
+#include "words.h"
+
+using namespace judge;
+using grade::number;
+
+namespace {
+
+// The errors of the steps add up, and grow on their way: what the task allows.
+double allowed(int digits) {
+  return 1000 * std::pow(10, -digits);
+}
+
+// More questions than any test needs; after them nothing pulls any more, so that it ends soon.
+constexpr int patience = 15'000;
+
+struct Scene {
+  std::string name;
+  Start start;
+  double duration = 0;
+  Acceleration acceleration;
+  State end;  // the truth
+};
+
+// From one side of its ellipse past the sun to the same place on the other side: the one passage
+// of which Kepler gives the end without a root to find.
+Scene comet(Random& random) {
+  const double e = random.between(0.94, 0.97), a = random.between(80, 120);
+  const double rate = 2 * std::numbers::pi / random.between(15, 25), mu = a * a * a * rate * rate;
+  const double tilt = random.between(0.2, 1.2), anomaly = random.between(2.2, 2.9);
+  const Vec across{0, std::cos(tilt), std::sin(tilt)};
+  const auto at = [&](double angle) {
+    const double b = a * std::sqrt(1 - e * e), turning = rate / (1 - e * std::cos(angle));
+    return State{Vec{a * (std::cos(angle) - e), 0, 0} + (b * std::sin(angle)) * across,
+                 turning * (Vec{-a * std::sin(angle), 0, 0} + (b * std::cos(angle)) * across)};
+  };
+  const State before = at(-anomaly);
+  const harness::Force sun{harness::Force::orbit, {mu}};
+  return {"a comet on " + describe(sun),
+          {before.x, before.v, 0},
+          2 * (anomaly - e * std::sin(anomaly)) / rate,
+          sun,
+          at(anomaly)};
+}
+
+// How often the acceleration had been asked for, against time.
+grade::Plot plot(const Path& path) {
+  grade::Curve yours{"yours", {}, {}};
+  for (const Evaluation& evaluation : path.evaluations) {
+    yours.x.push_back(evaluation.t);
+    yours.y.push_back(static_cast<double>(yours.x.size()));
+  }
+  return {"Where the questions go", "time [s]", "questions so far", {yours}};
+}
+
+struct Flight {
+  Path path;
+  double off = 0, questions = 0;
+  int digits = 0;  // of the tolerance
+};
+
+Flight fly(Student& student, const Scene& scene, int digits) {
+  int asked = 0;
+  const Acceleration counted = [&](const Vec& x, const Vec& v, double t) {
+    return ++asked > patience ? Vec{} : scene.acceleration(x, v, t);
+  };
+  const Path path = student.watch(scene.start, scene.duration, 1, counted, digits);
+  return {path, distance(path.states.back(), scene.end), double(asked), digits};
+}
+
+std::vector<std::string> looks_like(const Flight& flight) {
+  if (flight.questions == 0) return {"it never asked for the acceleration"};
+  if (!is_finite(flight.path.states.back())) return {"the end is not finite"};
+  if (flight.questions <= patience) return {};
+  return {"after " + number(patience) + " questions the judge let nothing pull any more"};
+}
+
+void check_flight(const Scene& scene, const Flight& flight, double most, const std::string& why,
+                  const std::string& hint) {
+  const double bound = allowed(flight.digits);
+  grade::Finding finding;
+  finding.held = flight.off <= bound && flight.questions <= most;
+  finding.asked = scene.name + ", with a tolerance of 1e-" + std::to_string(flight.digits);
+  finding.input = describe(scene.start) + ", duration = " + number(scene.duration, 17);
+  finding.expected =
+      "at " + describe(scene.end, 9) + ", for at most " + number(most) + " questions";
+  finding.got = "at " + describe(flight.path.states.back(), 9) + ", for " +
+                number(flight.questions) + " questions";
+  finding.error = number(flight.off, 3) + " off, and " + number(flight.questions / most, 3) +
+                  " times the questions";
+  finding.tolerance = number(bound) + " m and m/s, and " + number(most) + " questions";
+  finding.tolerance_from = "a thousand times the tolerance, as the task says; " + why;
+  if (!finding.held) {
+    finding.hint = hint;
+    finding.plot = plot(flight.path);
+    finding.diagnoses = looks_like(flight);
+  }
+  check(finding);
+}
+
+// The questions of the fewest equal steps of RK4, to a twentieth, that end as near.
+double equal_steps(const Scene& scene, double off) {
+  for (int steps = 100;; steps += steps / 20) {
+    const Path path =
+        run(rk4, scene.start, scene.duration / steps, steps, steps, scene.acceleration);
+    if (distance(path.states.back(), scene.end) <= off) return 4.0 * steps;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a comet costs a fifth of what equal steps cost for the same error",
+          "[3-runge-kutta/step-by-price][3 points]") {
+  Student student;
+  Random random;
+  const Scene scene = comet(random);
+  const Flight flight = fly(student, scene, 5);
+  const double error = flight.off > 1e-5 ? std::min(flight.off, allowed(5)) : 1e-5;
+  const double equal = equal_steps(scene, error);
+  check_flight(
+      scene, flight, std::floor(equal / 5),
+      "RK4 in equal steps asks " + number(equal) + " times to end " + number(error, 2) + " off",
+      "Far from the sun the steps should be a hundred times longer than near it. Do they "
+      "grow again after the pass, and soon?");
+}
+
+TEST_CASE("ten thousand times the accuracy costs at most ten times the questions",
+          "[3-runge-kutta/step-by-price][2 points]") {
+  Student student;
+  Random random;
+  const Scene scene = comet(random);
+  const Flight rough = fly(student, scene, 3);
+  check_flight(scene, rough, patience, "it should end",
+               "How far two answers are apart says how wrong a step was. Keep it only if that is "
+               "at most the tolerance.");
+  check_flight(scene, fly(student, scene, 7), 10 * rough.questions,
+               "with a tolerance of 1e-3 it asked " + number(rough.questions) + " times",
+               "Does the step depend on the tolerance? With a method of low order each further "
+               "digit costs too much.");
+}
+
+TEST_CASE("in a wind that changes it arrives at the time that was asked for",
+          "[3-runge-kutta/step-by-price][2 points]") {
+  Student student;
+  Random random;
+  for (int n = 0; n < 4; ++n) {
+    const harness::Force force = random.wild();
+    Scene scene{describe(force), random.start(), random.between(0.01, 3), force, {}};
+    scene.end = truth(scene.start, scene.duration, 1, 1, force).states.back();
+    check_flight(scene, fly(student, scene, 7), patience, "it should end",
+                 "Each stage has its own time, the clock moves on by the step that was taken, and "
+                 "the last step ends where the flight does.");
+  }
+}
+
+TEST_CASE("a coasting probe costs next to nothing", "[3-runge-kutta/step-by-price][1 point]") {
+  Student student;
+  Random random;
+  Scene scene{"a probe that nothing pulls",
+              random.start(),
+              random.between(20, 40),
+              [](const Vec&, const Vec&, double) { return Vec{}; },
+              {}};
+  scene.end = {scene.start.x + scene.duration * scene.start.v, scene.start.v};
+  check_flight(
+      scene, fly(student, scene, 6), 12 * std::ceil(std::log2(scene.duration / 1e-6)),
+      "so many take a first step of a microsecond that doubles every twelve questions",
+      "Where the estimate is zero no step is too long, and there is nothing to divide by.");
+}
+
+// The burn is short: an embedded pair may take a start between two stages for 200 times less than
+// it is, and a wrong velocity is carried on for as long as the engine burns.
+TEST_CASE("a step that meets an engine's start is taken back",
+          "[3-runge-kutta/step-by-price][2 points]") {
+  Student student;
+  Random random;
+  for (int n = 0; n < 2; ++n) {
+    const double coasts = random.between(10, 25), burns = random.between(1, 3);
+    const Vec push = random.vector(0.5, 2);
+    Scene scene{"an engine that starts after " + number(coasts, 17) + " s with " +
+                    describe(push, 17) + " m/s^2",
+                random.start(),
+                coasts + burns,
+                {},
+                {}};
+    const double on = scene.start.t + coasts;
+    scene.acceleration = [=](const Vec&, const Vec&, double t) { return t < on ? Vec{} : push; };
+    scene.end = {scene.start.x + scene.duration * scene.start.v + (burns * burns / 2) * push,
+                 scene.start.v + burns * push};
+    check_flight(scene, fly(student, scene, 4), patience, "it should end",
+                 "If a step is too wrong, x, v and the clock must be what they were before it, and "
+                 "the next try shorter.");
+  }
+}
