@@ -169,7 +169,8 @@ TEST_CASE("Our other children live on") {
 }
 
 TEST_CASE("A program inherits no descriptor, no ignored signal and no environment") {
-  const cage::File low(::open("/dev/null", O_RDONLY)), high(::fcntl(low.get(), F_DUPFD, 77));
+  const cage::File low(::open("/dev/null", O_RDONLY)), middle(::fcntl(low.get(), F_DUPFD, 6)),
+      high(::fcntl(low.get(), F_DUPFD, 77));
   ::setenv("SECRET", "42", 1);
   ::signal(SIGTERM, SIG_IGN);
   const Ended ended = end_of(

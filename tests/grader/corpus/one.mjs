@@ -44,12 +44,13 @@ export function checker({grade, alone, exercises, build}) {
     return verdict === 'PARTIAL' ? score > 0 && score < points : score === 0;
   }
 
-  // What a student may see must not name what is ours, nor hold what was not for them.
+  // What a student may see must not name what is ours, nor hold what was not for them: the inputs of
+  // tests behind the one in which the program came to its end.
   function leaks({report, feedback, shown}, source) {
     const seen = [JSON.stringify(report), feedback, shown].join('\n');
     const secrets = ['root:x:', exercises, build, 'harness.h', 'judge.cpp', 'glue.cpp'];
     return secrets.some(secret => seen.includes(secret) && !source.includes(secret)) ||
-        report.tests.some(test => !test.ran && test.findings.length > 0) ||
+        report.tests.filter(test => !test.ran).slice(1).some(test => test.findings.length > 0) ||
         /^\s*::|##\[|\x1b/m.test(shown);
   }
 
