@@ -12,7 +12,7 @@ import { slug } from './text.mjs';
 
 // The pages before and after the chapters, book/NAME.md each.
 const BEFORE = ['index', 'preface'];
-const AFTER = ['talks', 'glossary', 'references'];
+const AFTER = ['talks', 'teaching', 'glossary', 'references'];
 
 // The folder of the program and the figures of the start page. The others have a number in front.
 const OPENING = 'front';

@@ -20,13 +20,13 @@ const front = (text = '\\figure{race, A race}\nAfter \\number{turns}.\n\\endfigu
 
 test('the pages follow each other, and stand in the menu', () => {
   const read = weaves();
-  const order = ['index', 'preface', '2-euler', 'talks', 'glossary', 'references'];
+  const order = ['index', 'preface', '2-euler', 'talks', 'teaching', 'glossary', 'references'];
   order.forEach((name, i) => {
     const page = read(`${name}.html`);
     assert.equal(page.match(/<a rel="next" href="(.*?)\.html"/)?.[1], order[i + 1], name);
     assert.equal(page.match(/<a rel="prev" href="(.*?)\.html"/)?.[1], order[i - 1], name);
     const menu = [...page.match(/<ol class="toc">([\s\S]*?)<div class="tools">/)[1].matchAll(/href="(.*?)\.html"/g)].map(([, href]) => href);
-    assert.deepEqual(menu, ['preface', '2-euler', 'snippets', 'talks', 'glossary', 'references', 'claims', 'reference']);
+    assert.deepEqual(menu, ['preface', '2-euler', 'snippets', 'talks', 'teaching', 'glossary', 'references', 'claims', 'reference']);
   });
 });
 
