@@ -65,8 +65,10 @@ TEST_CASE("feedback says of a failed test all that was found") {
 TEST_CASE("feedback shows a picture, or says why there is none") {
   Report report = sample();
   CHECK(has(feedback(report), "No picture"));
+  CHECK(has(terminal(report, false), "Picture    drawn by --out FOLDER"));
   report.tests[1].findings[0].plot.file = "plots/test-2.svg";
   CHECK(has(feedback(report), "![Five steps](plots/test-2.svg)"));
+  CHECK(has(terminal(report, false), "Picture    plots/test-2.svg"));
   CHECK_FALSE(has(feedback(report), "No picture"));
   report.tests[1].findings[0].plot = {};
   CHECK_FALSE(has(feedback(report), "icture"));
