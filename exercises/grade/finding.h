@@ -19,7 +19,7 @@ struct Plot {
   std::vector<Curve> curves;  ///< the student's first; points that are not finite are left out
   bool same_scale = false;    ///< x and y in the same unit, as a path is
   bool logarithmic = false;   ///< both axes; points that are not positive are left out
-  std::string file{};         ///< where it was drawn, seen from the report; empty if it was not
+  std::string file = "";      ///< where it was drawn, seen from the report; empty if it was not
 };
 
 /// One comparison, held or not.

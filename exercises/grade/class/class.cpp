@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "class/conclude.h"
+#include "class/pool.h"
 #include "class/work.h"
 #include "one.h"
 #include "report/escape.h"
@@ -74,7 +75,11 @@ int grade_class(const Class& work) {
     return refuse(Exit::bad_input, "a student's folder can't be called " + student->name +
                                        ", since a table is; rename it");
   }
-  return grade_roll(roll, work);
+  try {
+    return grade_roll(roll, work);
+  } catch (const Interrupted& stopped) {
+    return refuse(Exit::try_again, stopped.what());
+  }
 }
 
 }  // namespace grade

@@ -4,6 +4,7 @@
 #pragma once
 #include <chrono>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,15 @@ struct Task {
   std::chrono::milliseconds limit;     ///< on the clock; then it is killed with its process group
 };
 
-/// Runs all tasks, each in a process group of its own that dies with this process.
+/// Somebody wants this to end.
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("stopped; the same command goes on from here") {}
+};
+
+/// Runs all tasks, each in a process group of its own that dies with this process. May be called
+/// only where nothing else starts processes.
 /// @param ended  is told which task ended
+/// @throws Interrupted  at SIGINT, SIGTERM or SIGHUP, when no task runs any more
 void run_all(const std::vector<Task>& tasks, std::size_t at_a_time,
              const std::function<void(std::size_t)>& ended);
 

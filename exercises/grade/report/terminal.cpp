@@ -92,12 +92,16 @@ std::string labelled(const Line& line) {
   return label + "\n" + barred(line.text);
 }
 
+std::string where(const Plot& plot) {
+  return plot.file.empty() ? "drawn by --out FOLDER, if gnuplot is installed" : plot.file;
+}
+
 std::string section(const TestResult& test, const Paint& paint) {
   std::string text = "\n" + paint.strong("  " + wrapped(test.name, 2));
   for (const Finding& finding : test.findings) {
     if (finding.held) continue;
     for (const Line& line : lines(finding)) text += labelled(line);
-    if (!finding.plot.file.empty()) text += labelled({"Picture", finding.plot.file});
+    if (has_plot(finding)) text += labelled({"Picture", where(finding.plot)});
   }
   return text;
 }

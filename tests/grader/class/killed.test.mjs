@@ -41,6 +41,18 @@ test('killed half-way, nothing runs on, and the next run grades the rest', async
   assert.deepEqual(graded, ['c', 'd', 'e', 'f'].map(name => `${name} 1-first/one`));
 });
 
+test('asked to end, it ends with all that it started, and says how to go on', async () => {
+  for (const signal of ['SIGINT', 'SIGTERM']) {
+    const room = classroom(handedIn());
+    const run = room.start();
+    await until(() => room.has('c/1-first/one/report.json'));
+    const ended = new Promise(resolve => run.on('exit', code => resolve(code)));
+    run.kill(signal);
+    assert.equal(await ended, 75);
+    assert.deepEqual(processesAbout(room.submissions), []);
+  }
+});
+
 test('the seed in a file is in no list of processes', async () => {
   const room = classroom(handedIn());
   const secret = '90210902109021';

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT-0
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <sstream>
 
@@ -64,8 +65,10 @@ TEST_CASE("feedback says of a failed test all that was found") {
 TEST_CASE("feedback shows a picture, or says why there is none") {
   Report report = sample();
   CHECK(has(feedback(report), "No picture"));
+  CHECK(has(terminal(report, false), "Picture    drawn by --out FOLDER"));
   report.tests[1].findings[0].plot.file = "plots/test-2.svg";
   CHECK(has(feedback(report), "![Five steps](plots/test-2.svg)"));
+  CHECK(has(terminal(report, false), "Picture    plots/test-2.svg"));
   CHECK_FALSE(has(feedback(report), "No picture"));
   report.tests[1].findings[0].plot = {};
   CHECK_FALSE(has(feedback(report), "icture"));
@@ -82,9 +85,24 @@ TEST_CASE("a student's text does nothing in the feedback") {
   CHECK(has(text, "grade 2-euler/orbit-drift orbit-drift.h "));
 }
 
+TEST_CASE("neither does it in one line") {
+  Report report = hostile_sample();
+  std::string line = hostile;
+  std::ranges::replace(line, '\n', ' ');
+  report.why = report.tests[1].findings[0].got = report.tests[1].findings[0].diagnoses[0] = line;
+  report.warnings.clear();
+  const std::string text = feedback(report);
+  check_harmless(text);
+  for (const char* part : {"<script", "![x]", "`` ```", "**bold**", "@teacher", "://"}) {
+    CAPTURE(part);
+    CHECK_FALSE(has(text, part));
+  }
+}
+
 TEST_CASE("a terminal of 80 columns shows the whole report") {
   Report report = sample();
   report.tests[1].findings[0].input = std::string(30, 'x') + " " + std::string(60, 'y');
+  for (int n = 0; n < 99; ++n) report.tests[1].name += " of " + std::to_string(n);
   std::istringstream lines(terminal(report, false));
   for (std::string line; std::getline(lines, line);) {
     CAPTURE(line);
