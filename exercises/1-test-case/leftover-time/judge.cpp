@@ -117,7 +117,7 @@ void keeps_time(Student& student, double h, const std::vector<double>& frames,
   if (!finding.held) {
     finding.hint = hint;
     finding.diagnoses = recognise(got, time, h);
-    if (before) finding.diagnoses.push_back(before);
+    if (before) finding.diagnoses.emplace_back(before);
     finding.plot = plot(got, time, h);
   }
   check(finding);

@@ -106,11 +106,12 @@ void spends(Student& student, const Machine& machine, double saved, double lengt
   finding.tolerance_from = tolerance.from;
   if (!finding.held) {
     finding.hint = hint;
-    if (got.steps > machine.most) finding.diagnoses.push_back("more steps than a frame may take");
+    if (got.steps > machine.most)
+      finding.diagnoses.emplace_back("more steps than a frame may take");
     if (got.saved > machine.h && rest_apart(got.saved, rest, machine.h) <= tolerance.value) {
-      finding.diagnoses.push_back("the debt is kept, and the next frames have to pay it");
+      finding.diagnoses.emplace_back("the debt is kept, and the next frames have to pay it");
     }
-    if (got.saved == 0) finding.diagnoses.push_back("the part of a step is dropped, too");
+    if (got.saved == 0) finding.diagnoses.emplace_back("the part of a step is dropped, too");
   }
   check(finding);
 }

@@ -132,7 +132,7 @@ void follows(Student& student, const Shot& shot, const std::string& which,
         recognise(shot, yours.camera[n - 1], right.target[n], shot.frames[n - 1], yours.camera[n]);
     if (right_when_fresh(yours.camera[n - 1], right.target[n], shot.part, shot.frames[n - 1],
                          right.camera[n], tolerance.value)) {
-      finding.diagnoses.push_back(
+      finding.diagnoses.emplace_back(
           "as the first frame of a program it is right: what is remembered?");
     }
     finding.plot = {"How far the camera is from its target",

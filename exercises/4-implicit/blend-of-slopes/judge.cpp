@@ -89,10 +89,10 @@ void holds_until(Student& student, const Spring& spring) {
         "each? Which way does it turn when theta passes one half?";
     finding.diagnoses = diagnose(got, expected);
     if (std::isfinite(got) && got > 0) {
-      finding.diagnoses.push_back("a step a thousandth shorter than yours multiplies by " +
-                                  number(spring.growth(0.999 * got), 8) +
-                                  ", one a thousandth longer by " +
-                                  number(spring.growth(1.001 * got), 8));
+      finding.diagnoses.emplace_back("a step a thousandth shorter than yours multiplies by " +
+                                     number(spring.growth(0.999 * got), 8) +
+                                     ", one a thousandth longer by " +
+                                     number(spring.growth(1.001 * got), 8));
     }
   }
   check(finding);

@@ -50,7 +50,7 @@ void runs_backwards(Student& student, const std::string& hint, int function) {
   finding.tolerance = number(tolerance.value, 2);
   finding.tolerance_from = tolerance.from;
   if (!moved)
-    finding.diagnoses.push_back(
+    finding.diagnoses.emplace_back(
         "on its way it is further from the truth than half of what a straight line is");
   if (!finding.held) finding.hint = hint;
   check(finding);
