@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
 
 /// The needle one frame later, exactly.
 inline void settle(double& x, double& v, double target, double omega, double h) {

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
 
 /// The needle one frame later, exactly.
 /// @param x  where it points, replaced by where it points after the frame

@@ -13,7 +13,9 @@ class Clock {
     ++seconds_;
   }
 
-  double seconds() const { return seconds_ + static_cast<double>(ticks_) / rate_; }
+  double seconds() const {
+    return static_cast<double>(seconds_) + static_cast<double>(ticks_) / rate_;
+  }
 
   bool strikes() const { return ticks_ == 0; }
 
