@@ -46,8 +46,8 @@ inline std::pair<Shuttle, int> fly_by(double paces, Shuttle s, double end,
 }
 
 inline void fly(Vec& x, Vec& v, double t, double seconds, const Acceleration& acceleration) {
-  const int taken = fly_by(0.5, {x, v, t}, t + seconds, acceleration).second;
-  const double paces = 0.5 * taken / (0.9 * (1200 / 6 - taken));
+  const int taken = fly_by(0.3, {x, v, t}, t + seconds, acceleration).second;
+  const double paces = 0.3 * taken / (0.9 * (1200 / 6 - taken));
   const Shuttle there = fly_by(paces, {x, v, t}, t + seconds, acceleration).first;
   x = there.x;
   v = there.v;
