@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT-0
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+
+#include "judge/session.h"
+#include "judge/tests.h"
+#include "sledge.h"
+
+using namespace judge;
+using namespace sledge;
+using grade::number;
+
+namespace {
+
+grade::Finding compare(const Ride& ride, const State& yours, const State& expected,
+                       const Tolerance& tolerance) {
+  grade::Finding finding;
+  const double apart = distance(yours, expected);
+  finding.held = apart <= tolerance.value;
+  finding.input = ride.input();
+  finding.expected = describe(expected);
+  finding.got = describe(yours);
+  finding.error = number(apart, 3);
+  finding.tolerance = number(tolerance.value, 2);
+  finding.tolerance_from = tolerance.from;
+  return finding;
+}
+
+}  // namespace
+
+TEST_CASE("a few steps of a sledge are braked after the push, by division",
+          "[6-symplectic/sledge-that-grips][4 points]") {
+  Student student;
+  Random random;
+  for (int n = 0; n < 2; ++n) {
+    const Ride ride{Sledge::draw(random), random.start(), random.wild(), random.between(0.05, 0.3),
+                    5};
+    const auto yours = ride.by(student), expected = ride.by(right);
+    for (std::size_t step = 0; step < yours.size(); ++step) {
+      grade::Finding finding = compare(ride, yours[step], expected[step],
+                                       rounding(ride.steps, 1 + distance(expected[step], State{})));
+      finding.asked = "step " + std::to_string(step + 1) + " under a hidden push";
+      if (!finding.held) {
+        finding.hint =
+            "Push first, then divide each part of the velocity by its own 1 + c h, then "
+            "move.";
+        finding.diagnoses = recognised(ride, yours);
+      }
+      check(finding);
+    }
+  }
+}
+
+TEST_CASE("pulled at a rope it ends at one speed, however long the step",
+          "[6-symplectic/sledge-that-grips][3 points]") {
+  Student student;
+  Random random;
+  const Sledge drawn = Sledge::draw(random);
+  const double g = random.between(3, 12);
+  const Vec pull{0, -g, 0}, glide = dot(pull, drawn.along) * drawn.along;
+  const Vec expected = glide / drawn.c_along + (pull - glide) / drawn.c_across;
+  for (const double ch : {0.1, 1.0, 10.0, 1000.0}) {
+    const double h = ch / drawn.c_along;
+    // So many that less than a rounding is missing of the final speed.
+    const int steps =
+        static_cast<int>(std::log(1 / std::numeric_limits<double>::epsilon()) / std::log1p(ch)) + 1;
+    const Ride ride{drawn, random.start(), {harness::Force::falling, {g}}, h, steps, steps};
+    const Vec yours = ride.by(student).back().v;
+    grade::Finding finding =
+        compare(ride, {{}, yours}, {{}, expected}, rounding(1, 1 + length(expected)));
+    finding.asked = std::to_string(steps) + " steps under a pull of " + number(g, 17) +
+                    " m/s^2 along -y, with c h = " + number(ch) + " along the runners";
+    finding.expected = "v = " + describe(expected);
+    finding.got = "v = " + describe(yours);
+    if (!finding.held) {
+      finding.hint =
+          "When the speed is final, one push and one brake together change nothing. "
+          "Which factor does that ask for after the push?";
+      finding.diagnoses = recognised(ride, ride.by(student));
+    }
+    check(finding);
+  }
+}
+
+TEST_CASE("a braked spring lets go at 2 (sqrt(1 + zeta^2) + zeta), and not before",
+          "[6-symplectic/sledge-that-grips][3 points]") {
+  Student student;
+  Random random;
+  const double zeta = random.between(0.2, 1);
+  is_stable_until(
+      student, zeta, 2 * (std::sqrt(1 + zeta * zeta) + zeta),
+      "Divided after the push, a brake gives room; divided before it, or as a force, it "
+      "takes room away. (The spring's drag is the same in all directions here.)",
+      1);
+}

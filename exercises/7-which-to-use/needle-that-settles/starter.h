@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+/// The needle one frame later, exactly.
+/// @param x  where it points, replaced by where it points after the frame
+/// @param v  how fast it turns [units of x per s], replaced likewise
+/// @param target  where it should point, the same during all of the frame
+/// @param omega  frequency of the spring [rad/s]
+/// @param h  length of the frame [s]
+inline void settle(double& x, double& v, double target, double omega, double h) {
+  // Your lines.
+}

@@ -1,0 +1,14 @@
+// fails: one frame of any length ends where the formula says
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+// The exponential replaced by a fraction, from T. Lowe, Critically Damped Ease-In/Ease-Out
+// Smoothing, Game Programming Gems 4 (2004); shipped in the smoothing functions of many engines.
+inline void settle(double& x, double& v, double target, double omega, double h) {
+  const double z = omega * h, y = x - target;
+  const double left = 1 / (1 + z + 0.48 * z * z + 0.235 * z * z * z);
+  const double rush = (v + omega * y) * h;
+  v = (v - omega * rush) * left;
+  x = target + (y + rush) * left;
+}
