@@ -118,7 +118,7 @@ int main(int count, char** arguments) {
   bool good = is_right(*exercise, exercise->folder / "solution.h", seeds);
   const auto right = headers(exercise->folder / "right"),
              wrong = headers(exercise->folder / "wrong");
-  for (const auto& file : right) good = is_right(*exercise, file, 1) && good;
+  for (const auto& file : right) good = is_right(*exercise, file, seeds) && good;
   good = is_nothing(*exercise, exercise->folder / "starter.h") && good;
   for (const auto& file : wrong) good = is_caught(*exercise, file) && good;
   good = are_enough("right ways", right.size(), 2) && good;
