@@ -124,6 +124,11 @@ TEST_CASE("Errors name the student's file and line") {
          {"drift.h:1:34: error: no match for 'operator+'", "given.h:"}});
 }
 
+TEST_CASE("What follows from the student's own error is left out") {
+  CHECK_THAT(compile("#error stop\n").message,
+             ContainsSubstring("#error stop") && !ContainsSubstring("step is missing"));
+}
+
 TEST_CASE("A signature that is not the one asked for is shown beside it") {
   check({"inline void step(Vec x) {}\n",
          Verdict::compile_error,

