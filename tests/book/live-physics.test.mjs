@@ -41,6 +41,26 @@ test('the term with half a h squared is exact without air, and worse than Euler 
   assert.ok(await error('drag', 'constant_acceleration') > await error('drag', 'euler'));
 });
 
+test('for the same evaluations Euler takes four steps and RK4 one, and each misses the circle by what its formula says', async () => {
+  const omega = 2 * Math.PI / 8, seconds = 80;
+  for (const rate of [16, 60]) {
+    const now = {};
+    for (const method of ['euler', 'midpoint', 'rk4']) now[method] = await end('equal-cost', `method=${method}&rate=${rate}`);
+    assert.deepEqual([now.euler.steps, now.midpoint.steps, now.rk4.steps], [1, 2, 4].map(cost => seconds * rate / cost));
+    const distance = Math.hypot(now.euler['euler x'], now.euler['euler y']);
+    assert.ok(Math.abs(distance / (10 * (1 + (omega / rate) ** 2) ** (seconds * rate / 2)) - 1) < 1e-9, `${distance}`);
+    // What RK4 lacks in each step is the fifth power of e^(i h omega); what follows is smaller by h omega, squared where it counts.
+    const angle = 4 * omega / rate, lack = 10 * now.rk4.steps * angle ** 5 / 120;
+    assert.ok(Math.abs(now.rk4['rk4 error'] / lack - 1) < angle ** 2, `${now.rk4['rk4 error']} instead of ${lack}`);
+  }
+});
+
+test('on sixteen evaluations a second the ellipse is lost by Euler, and kept near its shape by symplectic Euler', async () => {
+  const now = await end('equal-cost', 'orbit=ellipse&rate=16');
+  const distance = method => Math.hypot(now[`${method} x`], now[`${method} y`]);
+  assert.ok(distance('euler') > 10 * 16 && distance('symplectic_euler') < 1.1 * 16, `${distance('euler')} ${distance('symplectic_euler')}`);
+});
+
 test('a chart marks where its curve leaves it, and none that stays', async () => {
   const exit = async query => { await end('drone-spiral', query); return tab.evaluate(() => globalThis.Live.opened['drone-spiral'].chart.exits); };
   assert.deepEqual(await exit('method=euler&rate=60'), []);
