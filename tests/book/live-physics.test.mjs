@@ -61,6 +61,26 @@ test('on sixteen evaluations a second the ellipse is lost by Euler, and kept nea
   assert.ok(distance('euler') > 10 * 16 && distance('symplectic_euler') < 1.1 * 16, `${distance('euler')} ${distance('symplectic_euler')}`);
 });
 
+test('a rope is lost in one substep less than the minimum, and the solved one loses energy at every stiffness', async () => {
+  for (const k of [1e3, 1e4, 1e5]) {
+    const { minimum } = await end('hanging-rope', `k=${k}`);
+    // The fastest mode of a long chain has twice the frequency of one spring, that of a short one a little less.
+    const whole = Math.sqrt(k / 0.01) / 60;
+    assert.ok(minimum < whole && minimum > 0.99 * whole, `${minimum} instead of ${whole}`);
+    const held = await end('hanging-rope', `k=${k}&substeps=${Math.ceil(minimum)}`);
+    const lost = await end('hanging-rope', `k=${k}&substeps=${Math.floor(minimum)}`);
+    assert.ok(Math.abs(held['stepped energy']) < 0.2 && !(lost['stepped energy'] < 1e6), `${held['stepped energy']} ${lost['stepped energy']}`);
+    // It cannot lose more than a rope that hangs at rest has lost, one half and what the springs give way.
+    assert.ok(held['solved energy'] < -0.2 && held['solved energy'] > -0.51, `${held['solved energy']}`);
+  }
+});
+
+test('a solved frame of the rope costs the same at every stiffness, and substeps cost by their number', async () => {
+  const soft = await end('hanging-rope', 'k=1000&substeps=10'), stiff = await end('hanging-rope', 'k=100000&substeps=60');
+  assert.equal(soft['solved work'], stiff['solved work']);
+  assert.equal(stiff['stepped work'], 6 * soft['stepped work']);
+});
+
 test('a chart marks where its curve leaves it, and none that stays', async () => {
   const exit = async query => { await end('drone-spiral', query); return tab.evaluate(() => globalThis.Live.opened['drone-spiral'].chart.exits); };
   assert.deepEqual(await exit('method=euler&rate=60'), []);
