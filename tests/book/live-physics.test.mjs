@@ -82,7 +82,8 @@ test('a solved frame of the rope costs the same at every stiffness, and substeps
 });
 
 test('a chart marks where its curve leaves it, and none that stays', async () => {
-  const exit = async query => { await end('drone-spiral', query); return tab.evaluate(() => globalThis.Live.opened['drone-spiral'].chart.exits); };
+  const exit = async (query, name = 'drone-spiral') => { await end(name, query); return tab.evaluate(of => globalThis.Live.opened[of].chart.exits, name); };
+  assert.deepEqual(await exit('rate=16', 'equal-cost'), [], 'an error of nothing, at the start, is under every logarithmic axis');
   assert.deepEqual(await exit('method=euler&rate=60'), []);
   const [{ t, up }] = await exit('method=euler&rate=15');
   const growth = (1 + (2 * Math.PI / 8 / 15) ** 2) ** 15;
