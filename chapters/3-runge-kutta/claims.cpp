@@ -11,6 +11,7 @@
 #include "burnout.h"
 #include "comet.h"
 #include "energy.h"
+#include "equal_cost.h"
 #include "limits.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
@@ -218,6 +219,24 @@ TEST_CASE("On 240 evaluations a second midpoint is 200 times nearer than Euler, 
   CHECK(one / two < 300);
   CHECK(two / four > 20'000);
   CHECK(two / four < 40'000);
+}
+
+TEST_CASE(
+    "On sixteen evaluations a second RK4 keeps the circle to a centimetre, and nobody the "
+    "ellipse") {
+  const auto off = [](auto step, const auto& scene) {
+    const double rate = price / double(measure::evaluations_per_step(step, scene, h));
+    return measure::largest_error(step, scene, 1 / rate, std::lround(time_for_them * rate))
+        .position;
+  };
+  CHECK(off(rk4, drone) < 0.01);
+  CHECK(off(midpoint, drone) > 0.1);
+  CHECK(off(measure::symplectic_euler, drone) > 0.1);
+  CHECK(off(euler, drone) > 1);
+  CHECK(off(rk4, ellipse) > 1);
+  CHECK(off(midpoint, ellipse) > 1);
+  CHECK(off(measure::symplectic_euler, ellipse) > 1);
+  CHECK(off(euler, ellipse) > 1);
 }
 
 TEST_CASE("Across the end of a burn RK4 has order one") {

@@ -8,6 +8,7 @@
 #include "burnout.h"
 #include "comet.h"
 #include "energy.h"
+#include "equal_cost.h"
 #include "limits.h"
 #include "measure/cost.h"
 #include "measure/linear_methods.h"
@@ -209,6 +210,7 @@ int main(int argc, char** argv) {
     first_try(record);
     one_step(record);
     work(record);
+    equal_cost(record);
     burnout(record);
     energy(record);
     large_steps(record);

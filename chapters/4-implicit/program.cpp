@@ -106,6 +106,7 @@ int main(int argc, char** argv) {
     from_the_end(record);
     matrices(record);
     costs(record);
+    costs_on_a_nail(record);
     predictors(record);
     a_second(record);
     hard_blow(record);

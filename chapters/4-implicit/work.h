@@ -4,14 +4,13 @@
 #pragma once
 #include <Eigen/SparseCholesky>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
-#include "integrate/symplectic_euler.h"
+#include "hanging.h"
 #include "measure/record.h"
 #include "struck.h"
-#include "tallied.h"
+#include "substeps.h"
 
 using Sparse = Eigen::SparseMatrix<double>;
 
@@ -45,31 +44,6 @@ inline double work_of_solving(const Sparse& factor) {
   return work;
 }
 
-/// Multiplications and the like in what `run` does.
-template <class Run>
-double tally(Run run) {
-  Tallied::operations = 0;
-  run();
-  return double(Tallied::operations);
-}
-
-/// Multiplications of one step of symplectic Euler.
-template <class Scene>
-double work_of_substep(const Scene& scene) {
-  auto s = scene.start();
-  return tally([&] { integrate::symplectic_euler(s.x, s.v, 0.0, Tallied(frame), scene); });
-}
-
-/// Multiplications of one step of backward Euler with a band.
-template <class Scene>
-double work_of_step(const Scene& scene) {
-  auto s = scene.start();
-  auto system = system_of(scene);
-  return tally([&] {
-    if (!integrate::backward_euler(s.x, s.v, 0.0, Tallied(frame), scene, system)) std::abort();
-  });
-}
-
 /// The same for cloth, whose factor is not made of counted numbers but of counted entries.
 inline double work_of_step(const scenes::Cloth<Tallied>& scene) {
   const auto s = scene.start();
@@ -81,28 +55,6 @@ inline double work_of_step(const scenes::Cloth<Tallied>& scene) {
                    [&](int, int, Tallied dadx, Tallied dadv) { sum += p * dadx + q * dadv; });
   });
   return filling + work_of_substep(scene) + double(s.x.size()) + work_of_solving(factor);
-}
-
-/// The frequency of the fastest mode, by the power method, from below [rad/s].
-template <class Scene>
-double fastest(const Scene& scene) {
-  const auto s = scene.start();
-  Eigen::VectorXd mode = struck(scene, 1).v;
-  double squared = 0;
-  for (int n = 0; n < 200; ++n) {
-    Eigen::VectorXd pulled = Eigen::VectorXd::Zero(mode.size());
-    scene.jacobian(s.x, s.v, 0.0,
-                   [&](int i, int j, double dadx, double) { pulled[i] -= dadx * mode[j]; });
-    squared = pulled.norm();
-    mode = pulled / squared;
-  }
-  return std::sqrt(squared);
-}
-
-/// Fewest steps of symplectic Euler in a frame that hold a scene.
-template <class Scene>
-int substeps_for(const Scene& scene) {
-  return int(std::ceil(frame * fastest(scene) / 2));
 }
 
 /// Where the matrices of chain, rope and cloth are not zero.
@@ -159,4 +111,22 @@ inline void costs(measure::Record& record) {
   record.number("cloth-loses", 1 / ratio(10), 2);
   record.number("factor-small", table.rows[6][2].value, 2);
   record.number("factor-large", table.rows[10][2].value, 2);
+}
+
+/// The same for a rope on a nail, over the stiffness of its springs.
+inline void costs_on_a_nail(measure::Record& record) {
+  auto& table = record.table("nail", {{"stiffness", "N/m", measure::whole},
+                                      {"substeps", "", measure::whole},
+                                      {"all substeps", "", measure::whole},
+                                      {"solving", "", measure::whole}});
+  const auto row = [](double stiffness) -> std::vector<measure::Cell> {
+    const auto counted = rope_on_a_nail<Tallied>(stiffness);
+    const double substeps = substeps_for(rope_on_a_nail(stiffness));
+    return {stiffness, substeps, substeps * work_of_substep(counted), work_of_step(counted)};
+  };
+  for (int n = 0; n <= 148; ++n) table.add(row(100 * std::pow(10, n / 40.0)));
+  const auto ten = row(1e4);
+  record.number("nail-substeps", ten[1].value, measure::whole);
+  record.number("nail-stepped", ten[2].value, measure::whole);
+  record.number("nail-solved", ten[3].value, measure::whole);
 }

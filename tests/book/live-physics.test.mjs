@@ -41,8 +41,54 @@ test('the term with half a h squared is exact without air, and worse than Euler 
   assert.ok(await error('drag', 'constant_acceleration') > await error('drag', 'euler'));
 });
 
+test('for the same evaluations Euler takes four steps and RK4 one, and each misses the circle by what its formula says', async () => {
+  const omega = 2 * Math.PI / 8, seconds = 80;
+  for (const rate of [16, 60]) {
+    const now = {};
+    for (const method of ['euler', 'midpoint', 'rk4']) now[method] = await end('equal-cost', `method=${method}&rate=${rate}`);
+    assert.deepEqual([now.euler.steps, now.midpoint.steps, now.rk4.steps], [1, 2, 4].map(cost => seconds * rate / cost));
+    const distance = Math.hypot(now.euler['euler x'], now.euler['euler y']);
+    assert.ok(Math.abs(distance / (10 * (1 + (omega / rate) ** 2) ** (seconds * rate / 2)) - 1) < 1e-9, `${distance}`);
+    // What RK4 lacks in each step is the fifth power of e^(i h omega); what follows is smaller by h omega, squared where it counts.
+    const angle = 4 * omega / rate, lack = 10 * now.rk4.steps * angle ** 5 / 120;
+    assert.ok(Math.abs(now.rk4['rk4 error'] / lack - 1) < angle ** 2, `${now.rk4['rk4 error']} instead of ${lack}`);
+  }
+});
+
+test('on the circle RK4 is nearer than symplectic Euler on sixteen evaluations a second, and farther on four', async () => {
+  const ratio = async rate => { const now = await end('equal-cost', `rate=${rate}`); return now['rk4 error'] / now['symplectic_euler error']; };
+  assert.ok(await ratio(16) < 1 / 4 && await ratio(4) > 1.5, `${await ratio(16)} ${await ratio(4)}`);
+});
+
+test('on sixteen evaluations a second the ellipse is lost by Euler, and kept near its shape by symplectic Euler', async () => {
+  const now = await end('equal-cost', 'orbit=ellipse&rate=16');
+  const distance = method => Math.hypot(now[`${method} x`], now[`${method} y`]);
+  assert.ok(distance('euler') > 10 * 16 && distance('symplectic_euler') < 1.1 * 16, `${distance('euler')} ${distance('symplectic_euler')}`);
+});
+
+test('a rope is lost in one substep less than the minimum, and the solved one loses energy at every stiffness', async () => {
+  for (const k of [1e3, 1e4, 1e5]) {
+    const { minimum } = await end('hanging-rope', `k=${k}`);
+    // The fastest mode of a long chain has twice the frequency of one spring, that of a short one a little less.
+    const whole = Math.sqrt(k / 0.01) / 60;
+    assert.ok(minimum < whole && minimum > 0.99 * whole, `${minimum} instead of ${whole}`);
+    const held = await end('hanging-rope', `k=${k}&substeps=${Math.ceil(minimum)}`);
+    const lost = await end('hanging-rope', `k=${k}&substeps=${Math.floor(minimum)}`);
+    assert.ok(Math.abs(held['stepped energy']) < 0.2 && !(lost['stepped energy'] < 1e6), `${held['stepped energy']} ${lost['stepped energy']}`);
+    // It cannot lose more than a rope that hangs at rest has lost, one half and what the springs give way.
+    assert.ok(held['solved energy'] < -0.2 && held['solved energy'] > -0.51, `${held['solved energy']}`);
+  }
+});
+
+test('a solved frame of the rope costs the same at every stiffness, and substeps cost by their number', async () => {
+  const soft = await end('hanging-rope', 'k=1000&substeps=10'), stiff = await end('hanging-rope', 'k=100000&substeps=60');
+  assert.equal(soft['solved work'], stiff['solved work']);
+  assert.equal(stiff['stepped work'], 6 * soft['stepped work']);
+});
+
 test('a chart marks where its curve leaves it, and none that stays', async () => {
-  const exit = async query => { await end('drone-spiral', query); return tab.evaluate(() => globalThis.Live.opened['drone-spiral'].chart.exits); };
+  const exit = async (query, name = 'drone-spiral') => { await end(name, query); return tab.evaluate(of => globalThis.Live.opened[of].chart.exits, name); };
+  assert.deepEqual(await exit('rate=16', 'equal-cost'), [], 'an error of nothing, at the start, is under every logarithmic axis');
   assert.deepEqual(await exit('method=euler&rate=60'), []);
   const [{ t, up }] = await exit('method=euler&rate=15');
   const growth = (1 + (2 * Math.PI / 8 / 15) ** 2) ** 15;

@@ -6,17 +6,19 @@
 
   Live.Chart = class {
     // `beside` is the picture of the scene, whose height the chart takes within bounds.
-    constructor(box, beside, { curves, from, to, log }, seconds) {
+    constructor(box, beside, { curves, from, to, log, marks }, seconds) {
       Object.assign(this, { box, beside, curves, from, to, log, exits: [] });
       const paint = name => () => Live.colour(box, name);
       const axis = { stroke: paint('soft'), grid: { stroke: paint('grid'), width: 1 }, ticks: { show: false }, font: FONT };
       // Of the marks of a logarithmic axis, the powers of ten.
       const powers = (_, marks) => marks.map(mark => (Math.abs(Math.log10(mark) - Math.round(Math.log10(mark))) < 1e-9 ? mark : null));
       const logarithmic = log && { filter: powers, grid: { ...axis.grid, filter: powers }, values: (_, marks) => marks.map(mark => (mark === null ? '' : String(mark))) };
+      // [[value, name]], where the numbers alone would be hard to read.
+      const named = marks && { splits: () => marks.map(([value]) => value), values: () => marks.map(([, name]) => name), filter: (_, all) => all, grid: { ...axis.grid, filter: (_, all) => all } };
       this.plot = new globalThis.uPlot({
         ...this.size, legend: { show: false }, cursor: { show: false }, padding: [8, 12, 0, 0],
         scales: { x: { time: false, range: [0, seconds] }, y: { range: [from, to], distr: log ? 3 : 1 } },
-        axes: [{ ...axis, size: 24, label: 'time [s]', labelSize: 20, labelFont: FONT }, { ...axis, size: 44, ...logarithmic }],
+        axes: [{ ...axis, size: 24, label: 'time [s]', labelSize: 20, labelFont: FONT }, { ...axis, size: 44, ...logarithmic, ...named }],
         series: [{}, ...curves.map(curve => this.seriesOf(curve))],
         hooks: { draw: [plot => this.exits.forEach((exit, i) => this.markExit(plot, exit, i === 0))] },
       }, [[], ...curves.map(() => [])], box);
@@ -47,9 +49,12 @@
       this.plot.setData([times, ...this.curves.map(({ value }) => whole(value).map(drawn))], false);
       this.plot.redraw(false, true);
     }
+    // A curve that begins outside, as an error of nothing does on a logarithmic axis, has first to come in.
     exitOf(curve, times, values) {
-      const at = values.findIndex(value => !(value >= this.from && value <= this.to));
-      if (at < 0) return null;
+      const within = value => value >= this.from && value <= this.to;
+      const first = values.findIndex(within);
+      const at = values.findIndex((value, i) => i > first && !within(value));
+      if (first < 0 || at < 0) return null;
       const up = !(values[at] < this.from);
       return { t: this.crossing(times.slice(at - 1, at + 1), values.slice(at - 1, at + 1), up ? this.to : this.from), up, curve };
     }

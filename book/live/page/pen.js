@@ -49,10 +49,23 @@
       }
       this.stroke(look);
     }
-    circle(x, y, radius, look = {}) {
+    circle(x, y, radius, look = {}) { this.ellipse(x, y, radius, radius, look); }
+    ellipse(x, y, across, up, look = {}) {
       this.context.beginPath();
-      this.context.arc(this.x(x), this.y(y), radius * this.metre, 0, 2 * Math.PI);
+      this.context.ellipse(this.x(x), this.y(y), across * this.metre, up * this.metre, 0, 0, 2 * Math.PI);
       this.stroke(look);
+    }
+    // Draws within a field and nothing beyond it, and then its frame.
+    within(xs, ys, frame, draw) {
+      const { context } = this, [left, right] = xs.map(this.x), [bottom, top] = ys.map(this.y);
+      const box = () => { context.beginPath(); context.rect(left, top, right - left, bottom - top); };
+      context.save();
+      box();
+      context.clip();
+      draw();
+      context.restore();
+      box();
+      this.stroke(frame);
     }
     // A dot of some pixels.
     dot(x, y, pixels, colour = 'ink') {
