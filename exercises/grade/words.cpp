@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT-0
 #include "words.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace grade {
 
 std::string number(double value, int digits) {
+  if (std::isnan(value)) return "NaN";  // whose sign means nothing
   char text[40];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
