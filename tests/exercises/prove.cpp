@@ -39,13 +39,20 @@ bool say(const Report& report, const std::filesystem::path& file, bool as_it_sho
   return as_it_should;
 }
 
+// Which tests it failed, by their place in the list above.
 std::string failed(const Report& report) {
-  std::string names;
-  for (const grade::TestResult& test : report.tests) {
-    if (test.held) continue;
-    names += (names.empty() ? "failed: " : "; ") + test.name;
+  std::string places;
+  for (std::size_t n = 0; n < report.tests.size(); ++n) {
+    places += report.tests[n].held ? " ." : " " + std::to_string(n + 1);
   }
-  return names;
+  return "fails" + places;
+}
+
+void print_tests(const grade::Exercise& exercise, const Report& report) {
+  std::printf("%s\n", exercise.name.c_str());
+  for (std::size_t n = 0; n < report.tests.size(); ++n) {
+    std::printf("       %zu  %s\n", n + 1, report.tests[n].name.c_str());
+  }
 }
 
 bool is_right(const grade::Exercise& exercise, const std::filesystem::path& file, int seeds) {
@@ -85,8 +92,10 @@ bool is_caught(const grade::Exercise& exercise, const std::filesystem::path& fil
   if (named == report.tests.end())
     return say(report, file, false, "there is no test \"" + name + "\"");
   const bool caught = !named->held && (named->ran || grade::name(report.verdict) != "PARTIAL");
-  return say(report, file, caught && report.score < report.points,
-             caught ? failed(report) : "passed: " + name);
+  return say(
+      report, file, caught && report.score < report.points,
+      caught ? failed(report) + ", named for " + std::to_string(named - report.tests.begin() + 1)
+             : "passed: " + name);
 }
 
 std::vector<std::filesystem::path> headers(const std::filesystem::path& folder) {
@@ -114,7 +123,7 @@ int main(int count, char** arguments) {
     return 2;
   }
   const int seeds = count > 2 ? std::max(1, std::atoi(arguments[2])) : 3;
-  std::printf("%s\n", exercise->name.c_str());
+  print_tests(*exercise, grade_file(*exercise, exercise->folder / "solution.h", 1));
   bool good = is_right(*exercise, exercise->folder / "solution.h", seeds);
   const auto right = headers(exercise->folder / "right"),
              wrong = headers(exercise->folder / "wrong");
