@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "grade.h"
+#include "judge/session.h"
 
 namespace {
 
@@ -48,10 +49,11 @@ std::string failed(const Report& report) {
   return "fails" + places;
 }
 
-void print_tests(const grade::Exercise& exercise, const Report& report) {
-  std::printf("%s\n", exercise.name.c_str());
-  for (std::size_t n = 0; n < report.tests.size(); ++n) {
-    std::printf("       %zu  %s\n", n + 1, report.tests[n].name.c_str());
+void print_tests(const std::string& exercise) {
+  std::printf("%s\n", exercise.c_str());
+  int place = 0;
+  for (const grade::TestResult& test : judge::tests_of(exercise)) {
+    std::printf("       %d  %s\n", ++place, test.name.c_str());
   }
 }
 
@@ -123,7 +125,7 @@ int main(int count, char** arguments) {
     return 2;
   }
   const int seeds = count > 2 ? std::max(1, std::atoi(arguments[2])) : 3;
-  print_tests(*exercise, grade_file(*exercise, exercise->folder / "solution.h", 1));
+  print_tests(exercise->name);
   bool good = is_right(*exercise, exercise->folder / "solution.h", seeds);
   const auto right = headers(exercise->folder / "right"),
              wrong = headers(exercise->folder / "wrong");
