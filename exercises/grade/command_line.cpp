@@ -68,6 +68,15 @@ Shard shard(const std::string& text) {
   return shard;
 }
 
+bool lies_within(const std::filesystem::path& inner, const std::filesystem::path& outer) {
+  const auto whole = [](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(path / "");
+  };
+  const auto above = whole(outer), below = whole(inner);
+  const auto differ = std::ranges::mismatch(above, below);
+  return differ.in1 == above.end() || differ.in1->empty();
+}
+
 void add_class(Command& command, const Options& options) {
   if (!options.exercise.empty()) throw Usage("--class takes no EXERCISE; choose with --exercise");
   if (options.sandbox == "none") throw Usage("a class is graded in the sandbox only");
@@ -76,6 +85,9 @@ void add_class(Command& command, const Options& options) {
   for (const std::string& name : options.exercises) work.exercises.push_back(exercise_named(name));
   work.submissions = options.submissions;
   work.results = folder(options.out);
+  if (lies_within(work.results, work.submissions)) {
+    throw Usage("--out lies within the submissions; name a folder beside them");
+  }
   work.seed = seed(options);
   work.seed_file = options.seed_file;
   work.jobs = options.jobs.empty() ? std::max(1U, std::thread::hardware_concurrency())

@@ -74,17 +74,23 @@ std::string not_found(const std::string& chapter, const std::string& header,
                       const std::vector<std::string>& names) {
   std::string why = "there is no " + header + " here, nor " + chapter + "/" + header;
   if (names.empty()) return why + ": the folder is empty";
-  if (const std::string near = nearest(header, names); !near.empty())
-    return why + "; is it " + shown(near) + "? Then name it " + header;
+  const std::string near = nearest(header, names);
+  if (near.ends_with(".zip")) return why + "; unpack " + shown(near);
+  if (!near.empty()) return why + "; is it " + shown(near) + "? Then name it " + header;
   return why + "; there is " + listed(names);
 }
 
 Submission take_from_folder(const Entry& folder, const std::string& chapter,
                             const std::string& header) {
+  const auto below = entry(folder.file.get(), chapter);
+  const bool chapters = below && below->is_folder();
+  // A draft that lies above the chapters does not count where there is one in its place.
+  if (chapters) {
+    if (auto taken = take_from(*below, header)) return *taken;
+  }
   if (auto taken = take_from(folder, header)) return *taken;
   std::vector<std::string> names = names_in(folder);
-  if (const auto below = entry(folder.file.get(), chapter); below && below->is_folder()) {
-    if (auto taken = take_from(*below, header)) return *taken;
+  if (chapters) {
     std::erase(names, chapter);
     const auto more = names_in(*below);
     names.insert(names.begin(), more.begin(), more.end());

@@ -9,6 +9,7 @@
 #include "class/work.h"
 #include "one.h"
 #include "report/escape.h"
+#include "report/folder.h"
 
 namespace grade {
 namespace {
@@ -31,10 +32,17 @@ int grade_roll(const Roll& roll, const Class& work) {
                                         grade::exercises().front().name +
                                         ".h or like another that --list names");
   }
+  for (const std::string& file : without_exercise(roll.students, grade::exercises())) {
+    std::printf("Belongs to no exercise: %s\n", printable_name(file).c_str());
+  }
   const std::vector<Job> all = all_jobs(work, roll.students, exercises);
   std::vector<Job> jobs = part_of(all, work.shard);
   const std::size_t before = jobs.size();
-  std::erase_if(jobs, [&](const Job& job) { return is_done(job, work.seed); });
+  std::erase_if(jobs, [&](const Job& job) {
+    const bool done = is_done(job, work.seed);
+    if (done && !work.emits.empty()) emit(kept_report(job), job.out, work.emits);
+    return done;
+  });
   if (jobs.size() < before) {
     std::printf("%s graded before and skipped\n",
                 count(before - jobs.size(), "submission").c_str());

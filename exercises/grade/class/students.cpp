@@ -45,4 +45,25 @@ std::vector<Exercise> handed_in(const std::vector<Student>& students,
   return found;
 }
 
+std::vector<std::string> without_exercise(const std::vector<Student>& students,
+                                          const std::vector<Exercise>& exercises) {
+  const auto known = [&](const std::string& name) {
+    return std::ranges::any_of(exercises, [&](const Exercise& e) { return e.name + ".h" == name; });
+  };
+  std::vector<std::string> found;
+  for (const Student& student : students) {
+    std::error_code unreadable;  // which the grading itself will say
+    for (const auto& chapter : std::filesystem::directory_iterator(student.folder, unreadable)) {
+      if (!is_folder(chapter)) continue;
+      for (const auto& file : std::filesystem::directory_iterator(chapter.path(), unreadable)) {
+        const std::string name =
+            chapter.path().filename().string() + "/" + file.path().filename().string();
+        if (name.ends_with(".h") && !known(name)) found.push_back(student.name + "/" + name);
+      }
+    }
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
 }  // namespace grade

@@ -30,4 +30,8 @@ Roll call_roll(const std::filesystem::path& submissions);
 std::vector<Exercise> handed_in(const std::vector<Student>& students,
                                 const std::vector<Exercise>& exercises);
 
+/// Headers in the place of an exercise that there is not: `ada/2-euler/orbit-drfit.h`.
+std::vector<std::string> without_exercise(const std::vector<Student>& students,
+                                          const std::vector<Exercise>& exercises);
+
 }  // namespace grade

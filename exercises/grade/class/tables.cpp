@@ -46,14 +46,16 @@ std::string grades_csv(const Results& results) {
 }
 
 std::string report_csv(const Results& results) {
-  std::string text = row({"student", "exercise", "verdict", "score", "points", "seed", "grader"});
+  std::string text =
+      row({"student", "exercise", "verdict", "score", "points", "seed", "grader", "why"});
   for (std::size_t s = 0; s < results.students.size(); ++s) {
     for (std::size_t e = 0; e < results.exercises.size(); ++e) {
       const Report& report = results.report(s, e);
       text += row({printable_name(results.students[s].name), results.exercises[e].name,
                    std::string(name(report.verdict)),
                    is_graded(report) ? std::to_string(report.score) : "",
-                   std::to_string(report.points), std::to_string(report.seed), report.version});
+                   std::to_string(report.points), std::to_string(report.seed), report.version,
+                   printable(report.why.substr(0, report.why.find('\n')))});
     }
   }
   return text;

@@ -101,24 +101,6 @@ std::string where(const Evaluation& asked, const Path& path, double tolerance) {
          clock(asked.t, path, tolerance) + ")";
 }
 
-// The first place at which the force was asked for, and should not have been.
-std::vector<std::string> evaluations(const Path& yours, const Path& expected) {
-  const std::size_t both = std::min(yours.evaluations.size(), expected.evaluations.size());
-  const double tolerance = ten_digits * size(expected);
-  for (std::size_t n = 0; n < both; ++n) {
-    const Evaluation &a = yours.evaluations[n], &b = expected.evaluations[n];
-    const double off = std::max({length(a.x - b.x), length(a.v - b.v), std::abs(a.t - b.t)});
-    if (off <= tolerance) continue;
-    return {"evaluation " + std::to_string(n + 1) + " of the acceleration was at " +
-            where(a, expected, tolerance) + "; here it should be at " +
-            where(b, expected, tolerance)};
-  }
-  if (yours.evaluations.size() == expected.evaluations.size()) return {};
-  return {"it evaluated the acceleration " + std::to_string(yours.evaluations.size()) +
-          " times in these steps; this method does " + std::to_string(expected.evaluations.size()) +
-          " times"};
-}
-
 struct Ratio {
   double value;
   const char* says;
@@ -136,6 +118,23 @@ constexpr std::array<Ratio, 8> ratios{{
 }};
 
 }  // namespace
+
+std::vector<std::string> asked_elsewhere(const Path& yours, const Path& expected) {
+  const std::size_t both = std::min(yours.evaluations.size(), expected.evaluations.size());
+  const double tolerance = ten_digits * size(expected);
+  for (std::size_t n = 0; n < both; ++n) {
+    const Evaluation &a = yours.evaluations[n], &b = expected.evaluations[n];
+    const double off = std::max({length(a.x - b.x), length(a.v - b.v), std::abs(a.t - b.t)});
+    if (off <= tolerance) continue;
+    return {"evaluation " + std::to_string(n + 1) + " of the acceleration was at " +
+            where(a, expected, tolerance) + "; here it should be at " +
+            where(b, expected, tolerance)};
+  }
+  if (yours.evaluations.size() == expected.evaluations.size()) return {};
+  return {"it evaluated the acceleration " + std::to_string(yours.evaluations.size()) +
+          " times in these steps; this method does " + std::to_string(expected.evaluations.size()) +
+          " times"};
+}
 
 std::vector<std::string> diagnose(const Path& yours, const Path& expected,
                                   const std::function<Path(const Method&)>& run_by) {
@@ -159,7 +158,7 @@ std::vector<std::string> diagnose(const Path& yours, const Path& expected,
     found.push_back("right to seven digits and no further: a float, or a constant with an f?");
     return found;
   }
-  const std::vector<std::string> asked = evaluations(yours, expected);
+  const std::vector<std::string> asked = asked_elsewhere(yours, expected);
   found.insert(found.end(), asked.begin(), asked.end());
   return found;
 }

@@ -17,6 +17,10 @@ namespace judge {
 std::vector<std::string> diagnose(const Path& yours, const Path& expected,
                                   const std::function<Path(const Method&)>& run_by);
 
+/// The first place at which the force was asked for, and should not have been, or how often it was
+/// asked for in vain; nothing if all is as expected.
+std::vector<std::string> asked_elsewhere(const Path& yours, const Path& expected);
+
 /// What can be said of a single number: its sign, its unit, its precision.
 std::vector<std::string> diagnose(double yours, double expected);
 

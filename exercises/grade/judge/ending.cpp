@@ -59,8 +59,9 @@ void note_exit(const cage::Ended& ended, Moment moment) {
   } else if (ended.code == no_memory) {
     note(Verdict::runtime_error, "Your code asked for memory that there is not: std::bad_alloc.");
   } else if (ended.code == forbidden) {
-    note(Verdict::runtime_error, "Your code asked the system for something that is not allowed.",
-         ended.err);
+    note(Verdict::runtime_error,
+         "Your code asked the system for something that is not allowed here. " +
+             grade::printable(ended.err, 2000));
   } else if (ended.code != 0) {
     note(Verdict::runtime_error,
          "Your code ended the program with exit code " + std::to_string(ended.code) + ".",

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #include <algorithm>
 
+#include "judge/case.h"
 #include "judge/describe.h"
 #include "judge/diagnose.h"
-#include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
 #include "words.h"
@@ -13,18 +13,7 @@ namespace {
 
 using grade::number;
 
-constexpr int steps = 5;
-
-struct Case {
-  Start start;
-  double h = 0;
-  harness::Force force;
-};
-
-// Steps so coarse that no two methods agree by being right.
-Case draw(Random& random) {
-  return {random.start(), random.between(0.12, 0.25), random.wild()};
-}
+constexpr int steps = case_steps;
 
 grade::Curve curve(const std::string& name, const Path& path) {
   grade::Curve curve{name, {}, {}};
@@ -91,33 +80,6 @@ void is_method(Student& student, const Method& method, const std::string& hint, 
   const Case first = draw(random), second = draw(random);
   check_once(student, method, first, hint, function, "");
   check_once(student, method, second, hint, function, ", in a second run of the same program");
-}
-
-void evaluates(Student& student, const Method& method, int per_step, int to_begin,
-               const std::string& hint, int function) {
-  Random random;
-  const Case with = draw(random);
-  const Path yours = student.watch(with.start, with.h, steps, with.force, function);
-  const auto by = [&](const Method& other) {
-    return watch(other, with.start, with.h, steps, with.force);
-  };
-  grade::Finding finding = compare(yours, by(method), with, method.name);
-  const std::size_t expected = static_cast<std::size_t>(per_step * steps + to_begin);
-  const bool counted = yours.evaluations.size() == expected;
-  finding.asked += ", with " + std::to_string(expected) + " evaluations of the acceleration";
-  if (finding.held && counted) return check(finding);
-  finding.hint = hint;
-  finding.diagnoses = diagnose(yours, by(method), by);
-  if (finding.held) {
-    finding.expected = std::to_string(expected) + " evaluations";
-    finding.got = std::to_string(yours.evaluations.size()) + " evaluations, and the right path";
-    finding.error =
-        std::to_string(yours.evaluations.size()) + " instead of " + std::to_string(expected);
-    finding.tolerance = "none";
-    finding.tolerance_from = "evaluations are counted";
-  }
-  finding.held = false;
-  check(finding);
 }
 
 }  // namespace judge

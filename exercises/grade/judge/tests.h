@@ -17,8 +17,8 @@ namespace judge {
 /// @param function  of harness.h, if it is not the first
 void is_method(Student& student, const Method& method, const std::string& hint, int function = 0);
 
-/// The acceleration is evaluated so many times a step, after so many to begin with, and at the
-/// places where the method does.
+/// The acceleration is evaluated so many times a step, after so many to begin with, and where the
+/// method evaluates it in the states that the student's own steps come to.
 void evaluates(Student& student, const Method& method, int per_step, int to_begin,
                const std::string& hint, int function = 0);
 

@@ -11,14 +11,26 @@
 namespace grade {
 namespace {
 
+void write_or_remove(bool wanted, const std::filesystem::path& file, const std::string& text) {
+  if (wanted) {
+    write_whole(file, text);
+  } else {
+    std::filesystem::remove(file);
+  }
+}
+
 void write_rest(const Report& report, const std::filesystem::path& folder,
                 const std::set<Emit>& emits) {
   write_whole(folder / "feedback.md", feedback(report));
-  if (emits.contains(Emit::gradescope)) write_whole(folder / "results.json", gradescope(report));
-  if (emits.contains(Emit::junit)) write_whole(folder / "junit.xml", junit(report));
+  emit(report, folder, emits);
 }
 
 }  // namespace
+
+void emit(const Report& report, const std::filesystem::path& folder, const std::set<Emit>& emits) {
+  write_or_remove(emits.contains(Emit::gradescope), folder / "results.json", gradescope(report));
+  write_or_remove(emits.contains(Emit::junit), folder / "junit.xml", junit(report));
+}
 
 void keep_provisional(const Request& request, const std::string& version,
                       const std::filesystem::path& folder, const std::set<Emit>& emits) {
