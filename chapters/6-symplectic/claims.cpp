@@ -16,7 +16,7 @@
 #include "planets.h"
 #include "scenes/projectile.h"
 #include "shadow.h"
-#include "shuttle.h"
+#include "turning.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
