@@ -14,7 +14,7 @@
       const powers = (_, marks) => marks.map(mark => (Math.abs(Math.log10(mark) - Math.round(Math.log10(mark))) < 1e-9 ? mark : null));
       const logarithmic = log && { filter: powers, grid: { ...axis.grid, filter: powers }, values: (_, marks) => marks.map(mark => (mark === null ? '' : String(mark))) };
       this.plot = new globalThis.uPlot({
-        ...this.size, legend: { show: false }, cursor: { show: false }, padding: [8, 12, 0, 0],
+        ...this.size, legend: { show: false }, cursor: { show: false }, padding: [8, 20, 0, 0],
         scales: { x: { time: false, range: [0, seconds] }, y: { range: [from, to], distr: log ? 3 : 1 } },
         axes: [{ ...axis, size: 24, label: 'time [s]', labelSize: 20, labelFont: FONT }, { ...axis, size: 44, ...logarithmic }],
         series: [{}, ...curves.map(curve => this.seriesOf(curve))],
@@ -29,7 +29,8 @@
     colourOf({ colour }) { return Live.colour(this.box, colour === 'method' ? this.method : colour); }
 
     get size() {
-      const height = Math.max(200, Math.min(280, this.beside.clientHeight));
+      const { clientHeight } = this.beside;
+      const height = Math.max(200, Math.min(Math.max(280, 0.7 * clientHeight), clientHeight));
       return { width: Math.max(120, this.box.clientWidth), height };
     }
     resize() {
