@@ -83,3 +83,21 @@ test('for a thousand turns symplectic Euler sways within what its first turns sh
   assert.ok(slow > 8 && fast < slow / 2 ** 4, `${slow} ${fast}`);
   assert.ok((await end('turning', 'method=euler&rate=15'))['most energy'] > 0);
 });
+
+test('each method loses the spring where the chapter says that it does', async () => {
+  const lost = async query => { await end('your-spring', query); return tab.evaluate(() => globalThis.Live.opened['your-spring'].drawing.lost); };
+  assert.deepEqual(await lost('omega=40&zeta=1&rate=30'), ['symplectic_euler', 'velocity_verlet', 'yoshida4', 'predicted_euler']);
+  assert.deepEqual(await lost('omega=40&zeta=0&rate=60'), ['euler']);
+  assert.deepEqual(await lost('omega=60&zeta=2&rate=15'), ['euler', 'midpoint', 'rk4', 'dopri5', 'symplectic_euler', 'velocity_verlet', 'yoshida4', 'predicted_euler']);
+  assert.deepEqual(await lost('omega=10&zeta=1&rate=240'), []);
+});
+
+test('symplectic Euler loses what lies outside of its limit, and the map beside it shows that limit', async () => {
+  const limit = zeta => 2 * (Math.sqrt(1 + zeta ** 2) - zeta);
+  for (const [omega, rate, zeta] of [[50, 30, 1], [60, 30, 0.5], [20, 60, 0.2]]) {
+    const { x } = await end('your-spring', `omega=${omega}&rate=${rate}&zeta=${zeta}&method=symplectic_euler`);
+    assert.equal(Number.isNaN(x), omega / rate > limit(zeta), `${omega} ${rate} ${zeta}`);
+  }
+  const map = await tab.evaluate(() => globalThis.Live.descriptions['your-spring'].columns);
+  map['ζ'].forEach((zeta, i) => assert.ok(Math.abs(map['symplectic Euler'][i] / limit(zeta) - 1) < 1e-4, `${zeta}`));
+});
