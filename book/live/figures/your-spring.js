@@ -41,6 +41,6 @@ globalThis.Live.figure('your-spring', {
   tell({ x, 'true x': truth }, { method }) {
     const number = value => value.toFixed(2).replace('-', '\u2212');
     const lost = this.lost.map(name => this.names[name]).join(', ');
-    return `${this.names[method]} ${Number.isNaN(x) ? 'has lost it' : `has it at ${number(x)}`}, and it should be at ${number(truth)}. ${lost ? `Lost: ${lost}` : 'None is lost'}.`;
+    return `${this.names[method]} ${Number.isNaN(x) ? 'has lost it' : `has it at ${number(x)}`}, and it should be at ${number(truth)}. ${lost ? `Lost: ${lost}` : 'None is lost yet'}.`;
   },
 });
