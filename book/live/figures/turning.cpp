@@ -20,6 +20,8 @@ constexpr std::tuple methods{Method{"euler", measure::euler},
                              Method{"yoshida4", measure::yoshida4}, Method{"rk4", measure::rk4}};
 
 class Turning final : public Figure {
+  static constexpr double picture = 40;  // [m] from the planet, and none of it is seen
+
   double method_ = 1, rate_ = 1 / tick;
   std::unique_ptr<Run<Vec>> run_;
   std::vector<double> x_, y_, last_x_, last_y_;                   // this turn and the last
@@ -65,11 +67,11 @@ class Turning final : public Figure {
     least_ = most_ = energy();
   }
 
-  // What flies away needs no long path: two turns' time is more than the picture holds.
+  // The path of what flies away ends where it has left the picture.
   void note() {
     least_ = std::min(least_, energy());
     most_ = std::max(most_, energy());
-    if (double(x_.size()) > 2 * shuttle_turn * rate_) return;
+    if (!(run_->now.x.norm() < picture)) return;
     x_.push_back(run_->now.x.x());
     y_.push_back(run_->now.x.y());
   }
