@@ -9,11 +9,15 @@ std::unique_ptr<Figure> drone_spiral();
 std::unique_ptr<Figure> suspension();
 std::unique_ptr<Figure> equal_cost();
 std::unique_ptr<Figure> hanging_rope();
+std::unique_ptr<Figure> cats();
+std::unique_ptr<Figure> turning();
+std::unique_ptr<Figure> your_spring();
 
 std::span<const Entry> figures() {
   static constexpr Entry list[] = {
       {"thrown-ball", thrown_ball}, {"drone-spiral", drone_spiral}, {"suspension", suspension},
-      {"equal-cost", equal_cost},   {"hanging-rope", hanging_rope},
+      {"equal-cost", equal_cost},   {"hanging-rope", hanging_rope}, {"cats", cats},
+      {"turning", turning},         {"your-spring", your_spring},
   };
   return list;
 }

@@ -37,6 +37,8 @@ TRAPEZOID = 19
 DOPRI5 = 20
 PREDICTED_EULER = 21
 CONSTANT_ACCELERATION = 22
+LINEAR_DAMPING_IMPLICIT_LAST = 23
+SPRING_EXACT = 24
 
 set style line EULER            lc rgb "#000001" lw 2.2 pt 7 ps 0.6
 set style line SYMPLECTIC_EULER lc rgb "#000002" lw 2.2 pt 5 ps 0.55
@@ -60,6 +62,8 @@ set style line TRAPEZOID        lc rgb "#00000b" lw 2.2 dt (6,4) pt 14 ps 0.7
 set style line DOPRI5           lc rgb "#000004" lw 2.2 dt (6,4) pt 12 ps 0.8
 set style line PREDICTED_EULER  lc rgb "#000005" lw 2.2 dt (2,3) pt 3 ps 0.8
 set style line CONSTANT_ACCELERATION lc rgb "#00000b" lw 2.2 pt 5 ps 0.55
+set style line LINEAR_DAMPING_IMPLICIT_LAST lc rgb "#000002" lw 2.2 dt (6,4) pt 4 ps 0.55
+set style line SPRING_EXACT     lc rgb "#000007" lw 1.4 pt 6 ps 0.6
 
 set border 3 lw 1
 set tics out nomirror scale 0.6,0.3

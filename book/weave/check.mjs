@@ -7,7 +7,7 @@ import { LIVE_FOLDER, methodsOf } from './live.mjs';
 import { MARKS, NUMBERED, REFERS } from './marks.mjs';
 import { renderTex, substituteNumbers } from './math.mjs';
 import { didYouMean, nameOneOf } from './problems.mjs';
-import { tableFault } from './tables.mjs';
+import { numberColumns, tableFault } from './tables.mjs';
 import { introduction, italics } from './terms.mjs';
 
 export function checkBook(book) {
@@ -100,7 +100,7 @@ const CHECKS = {
       return;
     }
     piece.figure.used = true;
-    if (piece.live) checkLive(book, piece, report);
+    if (piece.live) checkLive(book, page, piece, report);
     for (const svg of [piece.figure.wide, piece.figure.narrow]) {
       if (!existsSync(svg)) report(`${piece.figure.script} has not drawn ${book.short(svg)}; is the chapter built?`);
     }
@@ -123,7 +123,7 @@ const CHECKS = {
   },
 };
 
-function checkLive(book, piece, report) {
+function checkLive(book, page, piece, report) {
   const [name] = piece.args;
   piece.live = book.live.get(name);
   if (!piece.live) {
@@ -139,6 +139,14 @@ function checkLive(book, piece, report) {
     const { fault } = book.snippet(path, tag);
     if (fault) report(`the live figure shows the code of its methods: ${fault}`);
   }
+  if (piece.live.table) findLiveTable(book, page, piece.live, report);
+}
+
+function findLiveTable(book, page, live, report) {
+  const tables = book.programs.get(page.owner)?.tables ?? new Map();
+  const table = tables.get(live.table);
+  if (table) live.columns = numberColumns(table);
+  else report(`${live.file} wants the table "${live.table}", and the program of this chapter writes none of that name.${nameOneOf(live.table, tables.keys())}`);
 }
 
 function claim({ book, page, piece, report }) {

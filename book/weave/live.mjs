@@ -39,9 +39,9 @@ function readJson(path, file, problems) {
   }
 }
 
-// The code of each method that a figure has to choose from: what moves x and v, cut from its header.
+// The code of each method that a figure has to choose from: what moves x and v, cut from its header, or from where `code` says.
 export const methodsOf = live => Object.entries(live.controls.find(({ name }) => name === 'method')?.choices ?? {})
-  .map(([name, label]) => ({ name, label, path: `code/integrate/${name}.h`, tag: 'move' }));
+  .map(([name, label]) => ({ name, label, path: `code/integrate/${name}.h`, tag: 'move', ...live.code?.[name] }));
 
 // What stands ready for the scripts; a page whose scripts do not run never shows it.
 export function liveHtml({ book }, live) {

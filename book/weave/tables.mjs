@@ -25,6 +25,12 @@ export function tableFault(table) {
   return undescribed && `column "${undescribed}" of ${basename(table.path)} has no row in tables.csv`;
 }
 
+// { column: its values } for a picture, which shows no more than five digits.
+export function numberColumns(table) {
+  const [header, ...rows] = readCsv(table.path);
+  return Object.fromEntries(header.map((name, i) => [name, rows.map(row => Number(Number(row[i]).toPrecision(5)))]));
+}
+
 export function tableHtml(table) {
   const [header, ...rows] = readCsv(table.path);
   const columns = header.map(name => table.columns.find(c => c.column === name));

@@ -7,6 +7,8 @@ import { sourceHref } from './source-pages.mjs';
 import { KINDS } from './tasks.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
+const GIVEN = 'exercises/grade/harness/given.h';
+
 export function taskHead({ goal, kind, difficulty, minutes }) {
   const words = ['', 'easy', 'takes some thought', 'hard'][difficulty];
   return `<p class="task"><span class="difficulty" role="img" aria-label="Difficulty ${difficulty} of 3: ${words}">${'●'.repeat(difficulty)}${'○'.repeat(3 - difficulty)}</span> `
@@ -23,5 +25,5 @@ export function taskFoot({ book, hold }, { name, exercise, folder }) {
     + `<a class="file" href="${sourceHref(starter)}">${escapeHtml(starter).replace(/\//g, '/<wbr>')}</a></figcaption>`
     + `<pre><code>${hold(codeLines(lines, lines.map((_, i) => i + 1)))}</code></pre></figure></div></details>\n`
     + `<div class="codebox terminal"><pre><code>${hold(highlightLines(commands, 'sh').join('\n'))}</code></pre></div>\n`
-    + `<p class="sources">Its tests: <a href="${sourceHref(`${folder}/judge.cpp`)}">judge.cpp</a></p>`;
+    + `<p class="sources">${book.sources.has(GIVEN) ? `What you are given: <a href="${sourceHref(GIVEN)}">given.h</a>. ` : ''}Its tests: <a href="${sourceHref(`${folder}/judge.cpp`)}">judge.cpp</a></p>`;
 }

@@ -16,7 +16,7 @@
 #include "planets.h"
 #include "scenes/projectile.h"
 #include "shadow.h"
-#include "shuttle.h"
+#include "turning.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -290,6 +290,20 @@ TEST_CASE("After a thousand turns the shuttle is on an ellipse of the size that 
   });
   CHECK_THAT(near, WithinRel(4, 0.05));
   CHECK_THAT(far, WithinRel(16, 0.07));
+}
+
+TEST_CASE("At ten steps a second RK4's shuttle sinks in a thousand turns, symplectic Euler's not") {
+  const double h = 0.1;
+  const auto farthest = [h](auto step, long before) {
+    auto s = measure::after(step, shuttle, shuttle.start(), h, before);
+    double far = 0;
+    measure::run(step, shuttle, s, h, 100,
+                 [&](double, auto& now) { far = std::max(far, now.x.norm()); });
+    return far;
+  };
+  CHECK(farthest(measure::rk4, 27'000) < 14);
+  CHECK(farthest(measure::rk4, 54'000) < 10);
+  for (const long steps : {27'000, 54'000, 81'000}) CHECK(farthest(symplectic_euler, steps) > 16);
 }
 
 TEST_CASE("The shuttle's ellipse turns by about a degree in a turn at 15 steps a second") {

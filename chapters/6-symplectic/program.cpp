@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ball.h"
-#include "cat.h"
+#include "cats.h"
 #include "drag.h"
 #include "measure/energy.h"
 #include "measure/order.h"
@@ -16,7 +16,7 @@
 #include "measure/stability.h"
 #include "planets.h"
 #include "shadow.h"
-#include "shuttle.h"
+#include "turning.h"
 
 using measure::euler;
 using measure::Record;

@@ -15,6 +15,7 @@
 #include "verdicts.h"
 #include "wall.h"
 #include "work.h"
+#include "your_spring.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -258,6 +259,18 @@ TEST_CASE("Symplectic Euler is stable on a quarter of the map, and so is Euler")
   const double damped = 1 + 3 - 2 * std::sqrt(3.0) + std::acosh(2.0);
   CHECK_THAT(stable_share(symplectic_euler), WithinAbs(100 * swings / 8, 0.3));
   CHECK_THAT(stable_share(euler), WithinAbs(100 * damped / 8, 0.3));
+}
+
+TEST_CASE(
+    "At 30 Hz a critically damped spring of 40 per second is lost by four methods, not Euler") {
+  std::string lost;
+  for (const auto& [method, way] : cameras()) {
+    INFO(method);
+    const bool gone = std::abs(way.back()) > 10 * camera.x0;
+    CHECK((gone || std::abs(way.back()) < 0.1 * camera.x0));
+    if (gone) lost += method + ", ";
+  }
+  CHECK(lost == "symplectic Euler, velocity Verlet, Yoshida 4, predicted Euler, ");
 }
 
 TEST_CASE("With drag divided symplectic Euler is stable on nine tenths of the map") {

@@ -13,6 +13,7 @@
 #include "verdicts.h"
 #include "wall.h"
 #include "work.h"
+#include "your_spring.h"
 
 using measure::Record;
 
@@ -63,6 +64,7 @@ int main(int argc, char** argv) {
     verdicts(record);
     all_work(record);
     stability_map(record);
+    your_spring(record);
     floor_of_float(record);
     memory_wall(record);
     libraries(record, folder + "/../../../peers/speed.csv");

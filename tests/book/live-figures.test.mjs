@@ -40,7 +40,7 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
       await live.control('method').locator(`[value=${method}]`).check();
       const shown = live.stage.locator('.listing:visible');
       assert.equal(await shown.count(), 1);
-      assert.equal(await shown.locator('.file').textContent(), `code/integrate/${method}.h`);
+      assert.equal(await shown.locator('.file').textContent(), figure.code?.[method]?.path ?? `code/integrate/${method}.h`);
     }
   });
 

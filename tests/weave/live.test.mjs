@@ -65,6 +65,21 @@ test('a live figure without its parts', () => refuses(
   [CHAPTER, '\\live{spiral', /^the live figure shows the code of its methods: code\/integrate\/euler\.h has no tag "move"\./],
 ));
 
+const described = change => [`${FOLDER}/spiral.json`, JSON.stringify({ ...JSON.parse(DESCRIPTION), ...change })];
+const other = live.filter(([file]) => !file.endsWith('.json'));
+
+test('a live figure may show a table of its chapter, and the code of a method from another place', () => {
+  const book = weaves(...other, described({ table: 'growth', code: { euler: { path: 'code/integrate/euler.h', tag: 'step' } } }), module);
+  const descriptions = JSON.parse(book.read('out/live/compiled.js').match(/descriptions = (.*);/)[1]);
+  assert.deepEqual(descriptions.spiral.columns.h, [0.1, 0.01, 1e-7]);
+  assert.match(book.read('out/2-euler.html'), /data-method="euler"[^]*?the old velocity[^]*?<\/template>/);
+});
+
+test('a live figure that wants a table nobody writes', () => refuses(
+  [...other, described({ table: 'growht' }), method, methodEnd],
+  [CHAPTER, '\\live{spiral', `${FOLDER}/spiral.json wants the table "growht", and the program of this chapter writes none of that name. Did you mean "growth"?`],
+));
+
 test('a description that is no JSON', () => refuses(
   [...live, [`${FOLDER}/spiral.json`, '{ "controls": ']],
   [`${FOLDER}/spiral.json`, '', /^this is no JSON: /],

@@ -16,7 +16,7 @@
       // [[value, name]], where the numbers alone would be hard to read.
       const named = marks && { splits: () => marks.map(([value]) => value), values: () => marks.map(([, name]) => name), filter: (_, all) => all, grid: { ...axis.grid, filter: (_, all) => all } };
       this.plot = new globalThis.uPlot({
-        ...this.size, legend: { show: false }, cursor: { show: false }, padding: [8, 12, 0, 0],
+        ...this.size, legend: { show: false }, cursor: { show: false }, padding: [8, 20, 0, 0],
         scales: { x: { time: false, range: [0, seconds] }, y: { range: [from, to], distr: log ? 3 : 1 } },
         axes: [{ ...axis, size: 24, label: 'time [s]', labelSize: 20, labelFont: FONT }, { ...axis, size: 44, ...logarithmic, ...named }],
         series: [{}, ...curves.map(curve => this.seriesOf(curve))],
@@ -31,7 +31,8 @@
     colourOf({ colour }) { return Live.colour(this.box, colour === 'method' ? this.method : colour); }
 
     get size() {
-      const height = Math.max(200, Math.min(280, this.beside.clientHeight));
+      const { clientHeight } = this.beside;
+      const height = Math.max(200, Math.min(Math.max(280, 0.7 * clientHeight), clientHeight));
       return { width: Math.max(120, this.box.clientWidth), height };
     }
     resize() {

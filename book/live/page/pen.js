@@ -76,6 +76,15 @@
       context.fill();
     }
     dots(xs, ys, pixels, colour) { for (let i = 0; i < xs.length; ++i) this.dot(xs[i], ys[i], pixels, colour); }
+    // What lies within a line that closes on itself.
+    area(xs, ys, { colour = 'area', faint = 1 } = {}) {
+      const { context } = this;
+      context.beginPath();
+      for (let i = 0; i < xs.length; ++i) context.lineTo(this.x(xs[i]), this.y(ys[i]));
+      Object.assign(context, { fillStyle: this.colour(colour), globalAlpha: faint });
+      context.fill();
+      context.globalAlpha = 1;
+    }
     text(x, y, words, { colour = 'soft', align = 'center' } = {}) {
       const { context } = this;
       Object.assign(context, { font: '500 13px "Book Sans", sans-serif', textAlign: align, textBaseline: 'middle', fillStyle: this.colour(colour) });

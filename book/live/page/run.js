@@ -35,7 +35,11 @@
       }
     }
     note() { for (const [name, list] of Object.entries(this.trace)) list.push(this.now[name]); }
-    // A value between the last two states, `part` of the way to the newer.
-    blend(name, part) { return this.before[name] + part * (this.now[name] - this.before[name]); }
+    // A value between the last two states, `part` of the way to the newer; of a list, each of its values.
+    blend(name, part) {
+      const between = (from, to) => from + part * (to - from);
+      const before = this.before[name], now = this.now[name];
+      return typeof now === 'number' ? between(before, now) : now.map((value, i) => between(before[i], value));
+    }
   };
 })();

@@ -20,7 +20,8 @@ TEST_CASE("an orbit gains the energy that Euler's method gives it",
           "[2-euler/orbit-drift][3 points]") {
   Student student;
   has_energy_of(student, euler, 0.2, 5, 400,
-                "On a circle each step multiplies the energy by 1 + (h omega)^2. Does yours?");
+                "Under Euler's method the orbit widens, turn after turn. Does each line use the "
+                "old x and v?");
 }
 
 TEST_CASE("half the step halves the error", "[2-euler/orbit-drift][1 point]") {

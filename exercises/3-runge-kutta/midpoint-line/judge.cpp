@@ -14,6 +14,7 @@ TEST_CASE("five steps under a hidden force are the midpoint method's",
 TEST_CASE("the acceleration is asked for twice a step, at the start and in the middle",
           "[3-runge-kutta/midpoint-line][2 points]") {
   Student student;
+  is_method(student, midpoint, "Both halves of the step begin where the step does.");
   evaluates(
       student, midpoint, 2, 0,
       "The starter asks twice already, and your line needs no third. If a place is wrong, look "

@@ -60,7 +60,7 @@ bool never_changes(const Path& path) {
 // Right to about seven digits after one step, and no further: something went through a float.
 bool single_precision(const Path& yours, const Path& expected) {
   const double first = distance(yours.states[1], expected.states[1]) / size(expected);
-  return first > 1e-10 && first < 2e-6;
+  return first > 1e-9 && first < 2e-6;
 }
 
 struct Part {
@@ -170,7 +170,7 @@ std::vector<std::string> diagnose(double yours, double expected) {
   for (const Ratio& known : ratios) {
     if (std::abs(ratio / known.value - 1) < ten_digits) return {known.says};
   }
-  if (std::abs(ratio - 1) < 2e-6 && std::abs(ratio - 1) > ten_digits) {
+  if (std::abs(ratio - 1) < 2e-6 && std::abs(ratio - 1) > 1e-9) {
     return {"right to seven digits and no further: a float, or a constant with an f?"};
   }
   return {};

@@ -89,10 +89,10 @@ bool has_plot(const Finding& finding) {
 }
 
 std::vector<std::string> next_commands(const Report& report, const std::string& file) {
-  if (report.verdict == Verdict::accepted) return {"grade --list"};
+  if (report.verdict == Verdict::accepted) return {"build/exercises/grade --list"};
   const std::string own = report.exercise.substr(report.exercise.find('/') + 1) + ".h";
   const bool usable = is_plain(file) && file.ends_with(".h");
-  std::string command = "grade " + report.exercise + " " + (usable ? file : own);
+  std::string command = "build/exercises/grade " + report.exercise + " " + (usable ? file : own);
   if (report.seed != public_seed) command += " --seed " + std::to_string(report.seed);
   return {command};
 }

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// A camera on a spring that is fast for its thirty steps a second, under every method of the map.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "map.h"
+#include "measure/record.h"
+
+inline constexpr scenes::Spring<> camera{.omega = 40, .zeta = 1};
+inline constexpr double camera_step = 1.0 / 30;  ///< [s]
+inline constexpr long camera_steps = 30;
+
+/// Every method of the map, with where it has the camera after each step.
+inline std::vector<std::pair<std::string, std::vector<double>>> cameras() {
+  std::vector<std::pair<std::string, std::vector<double>>> found;
+  for_each_map([&](const char* name, const auto& step) {
+    auto& [method, way] = found.emplace_back(name, std::vector<double>());
+    auto s = camera.start();
+    measure::run(step, camera, s, camera_step, camera_steps,
+                 [&](double, const auto& now) { way.push_back(now.x); });
+  });
+  return found;
+}
+
+inline void your_spring(measure::Record& record) {
+  const auto ways = cameras();
+  std::vector<measure::Column> columns{{"t", "s"}};
+  for (const auto& [method, way] : ways) columns.push_back({method, "m"});
+  auto& table = record.table("your-spring", columns);
+  for (std::size_t n = 0; n <= std::size_t(camera_steps); ++n) {
+    std::vector<measure::Cell> row{double(n) * camera_step};
+    for (const auto& [method, way] : ways) row.push_back(way[n]);
+    table.add(row);
+  }
+}
