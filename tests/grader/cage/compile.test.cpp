@@ -82,6 +82,12 @@ TEST_CASE("A header that compiles becomes a driver, in the cage and without") {
 }
 
 TEST_CASE("Compiling without the sandbox leaves no folder behind") {
+  // Of its own, since other tests compile beside this one.
+  std::string own = (std::filesystem::temp_directory_path() / "own-XXXXXX").string();
+  REQUIRE(::mkdtemp(own.data()));
+  std::filesystem::permissions(own, std::filesystem::perms::all);
+  const std::string usual = std::filesystem::temp_directory_path().string();
+  ::setenv("TMPDIR", own.c_str(), 1);
   const auto folders = [] {
     int count = 0;
     for (const auto& next :
@@ -93,6 +99,8 @@ TEST_CASE("Compiling without the sandbox leaves no folder behind") {
   compile(good, Sandbox::none);
   compile("#error\n", Sandbox::none);
   CHECK(folders() == before);
+  ::setenv("TMPDIR", usual.c_str(), 1);
+  std::filesystem::remove_all(own);
 }
 
 TEST_CASE("The precompiled header is used") {

@@ -106,7 +106,8 @@ TEST_CASE("a terminal of 80 columns shows the whole report") {
   std::istringstream lines(terminal(report, false));
   for (std::string line; std::getline(lines, line);) {
     CAPTURE(line);
-    CHECK(line.size() <= 80);
+    // A command stays in one piece, to be pasted.
+    if (!line.starts_with("Next: ")) CHECK(line.size() <= 80);
   }
 }
 
