@@ -6,7 +6,8 @@ import { escapeHtml, smarten } from './text.mjs';
 export function pageHtml(book, page) {
   const name = escapeHtml(smarten(book.title));
   const title = escapeHtml(smarten(page.title));
-  const head = page.href === 'index.html' ? name : `${page.number ? `${page.number}. ` : ''}${title} · ${name}`;
+  // The path of a file is long, and says enough.
+  const head = page.href === 'index.html' ? name : page.kind === 'source' ? title : `${page.number ? `${page.number}. ` : ''}${title} · ${name}`;
   return `<!DOCTYPE html>
 <html lang="en">
 <head>

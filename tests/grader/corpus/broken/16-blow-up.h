@@ -1,4 +1,4 @@
-// WRONG_ANSWER: takes the step to be a thousand times as long
+// PARTIAL: takes the step to be a thousand times as long
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// WRONG_ANSWER: turns radians into degrees
+// PARTIAL: turns radians into degrees
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include <numbers>

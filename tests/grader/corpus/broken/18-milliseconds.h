@@ -1,4 +1,4 @@
-// WRONG_ANSWER: takes the step for milliseconds
+// PARTIAL: takes the step for milliseconds
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

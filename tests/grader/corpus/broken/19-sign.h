@@ -1,4 +1,4 @@
-// WRONG_ANSWER: has the sign of the acceleration wrong
+// PARTIAL: has the sign of the acceleration wrong
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

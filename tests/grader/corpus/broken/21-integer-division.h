@@ -1,4 +1,4 @@
-// WRONG_ANSWER: divides integers
+// PARTIAL: divides integers
 // says: never changes
 // SPDX-License-Identifier: MIT-0
 #pragma once
