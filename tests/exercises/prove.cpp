@@ -93,7 +93,8 @@ bool is_caught(const grade::Exercise& exercise, const std::filesystem::path& fil
   if (name.empty()) return say(report, file, false, "its first line is not \"// fails: TEST\"");
   if (named == report.tests.end())
     return say(report, file, false, "there is no test \"" + name + "\"");
-  const bool caught = !named->held && (named->ran || grade::name(report.verdict) != "PARTIAL");
+  if (report.verdict == Verdict::grader_error) return say(report, file, false, "was not judged");
+  const bool caught = !named->held && (named->ran || report.verdict != Verdict::partial);
   return say(
       report, file, caught && report.score < report.points,
       caught ? failed(report) + ", named for " + std::to_string(named - report.tests.begin() + 1)

@@ -39,6 +39,37 @@ fs::path fresh_folder() {
   return name;
 }
 
+/// Whether the user that root becomes can get there; root's own home is often closed to others.
+bool reachable(const fs::path& folder) {
+  if (!unprivileged()) return true;
+  for (fs::path at = fs::canonical(folder);; at = at.parent_path()) {
+    if ((fs::status(at).permissions() & fs::perms::others_exec) == fs::perms::none) return false;
+    if (at == at.root_path()) return true;
+  }
+}
+
+/// The kit's harness as the cage shows it: mounted, or handed in file by file.
+struct Harness {
+  Words words;
+  std::vector<File> files;
+  std::vector<std::pair<int, int>> numbers;
+};
+
+Harness show(const fs::path& folder) {
+  constexpr int first = 10;
+  if (reachable(folder)) return {{"--ro-bind", fs::absolute(folder), "/job/harness"}, {}, {}};
+  Harness shown;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const int number = first + static_cast<int>(shown.files.size());
+    shown.files.push_back(part(entry.path()));
+    shown.numbers.emplace_back(shown.files.back().get(), number);
+    const std::string place = "/job/harness/" + entry.path().filename().string();
+    shown.words.insert(shown.words.end(),
+                       {"--perms", "0444", "--ro-bind-data", std::to_string(number), place});
+  }
+  return shown;
+}
+
 /// Lays out in a folder what the cage shows at /job.
 fs::path lay_out(const Kit& kit, std::string_view submission, const std::string& header,
                  std::string_view harness_header) {
@@ -46,7 +77,11 @@ fs::path lay_out(const Kit& kit, std::string_view submission, const std::string&
   write(folder / header, submission);
   write(folder / "exercise/harness.h", harness_header);
   write(folder / "glue.cpp", glue(header));
-  fs::create_directory_symlink(fs::absolute(kit.harness), folder / "harness");
+  if (reachable(kit.harness)) {
+    fs::create_directory_symlink(fs::absolute(kit.harness), folder / "harness");
+  } else {
+    fs::copy(kit.harness, folder / "harness");
+  }
   if (const auto user = unprivileged())
     if (::chown(folder.c_str(), *user, *user) != 0)
       throw std::runtime_error("cannot hand over " + folder.string());
@@ -63,9 +98,11 @@ Process compile(Sandbox sandbox, const Kit& kit, std::string_view submission,
   }
   const File glued = sealed(glue(header)), harness = sealed(harness_header),
              text = sealed(submission), filter = part(fs::path(kit.filters) / "compile.bpf");
-  return Process(compile_command(kit, header, limits),
-                 {{glued.get(), 6}, {harness.get(), 7}, {text.get(), 8}, {filter.get(), 9}},
-                 limits);
+  Harness kits = show(kit.harness);
+  std::vector<std::pair<int, int>> files = std::move(kits.numbers);
+  files.insert(files.end(),
+               {{glued.get(), 6}, {harness.get(), 7}, {text.get(), 8}, {filter.get(), 9}});
+  return Process(compile_command(kits.words, header, limits), files, limits);
 }
 
 Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& limits) {

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 namespace cage {
@@ -90,7 +89,7 @@ Words run_command(Sandbox sandbox, const Limits& limits) {
   return words;
 }
 
-Words compile_command(const Kit& kit, const std::string& header, const Limits& limits) {
+Words compile_command(const Words& kit, const std::string& header, const Limits& limits) {
   Words words = leash(Sandbox::bubblewrap, limits, 64);
   add(words, bubblewrap);
   add(words, {"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C", "--setenv", "TMPDIR"});
@@ -100,7 +99,7 @@ Words compile_command(const Kit& kit, const std::string& header, const Limits& l
   add(words, {"--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink",
               "usr/bin", "/bin"});
   add(words, {"--size", "134217728", "--tmpfs", "/job"});
-  add(words, {"--ro-bind", std::filesystem::absolute(kit.harness).string(), "/job/harness"});
+  add(words, kit);
   add(words, {"--perms", "0444", "--ro-bind-data", "6", "/job/glue.cpp"});
   add(words, {"--perms", "0444", "--ro-bind-data", "7", "/job/exercise/harness.h"});
   add(words, {"--perms", "0444", "--ro-bind-data", "8", "/job/" + header});

@@ -14,7 +14,7 @@ namespace cage {
 
 namespace {
 
-constexpr int first_free = 10;
+constexpr int first_free = 20;
 
 /// A copy above the numbers that a program is given, so that no dup2 overwrites a source.
 File lifted(int descriptor) {

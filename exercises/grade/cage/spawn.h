@@ -24,7 +24,7 @@ void never_block(const File& file);
 
 /// Starts a program in a session of its own, with default signals and a fixed environment.
 ///
-/// @param files  our descriptors, and their numbers (0 to 9) in the program; all others are closed
+/// @param files  our descriptors, and their numbers (0 to 19) in the program; all others are closed
 /// @returns its number, or 0 with errno set
 pid_t spawn(const std::vector<std::string>& command, const std::vector<std::pair<int, int>>& files);
 

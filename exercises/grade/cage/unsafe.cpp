@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT-0
 #include <fcntl.h>
+#include <unistd.h>
 
 #include <filesystem>
 
 #include "cage.h"
-#include "command.h"
 
 namespace cage {
 
@@ -39,22 +39,14 @@ std::string not_started(const Ended& ended) {
   return "the sandbox cannot start: " + first_line(ended.err);
 }
 
-/// The unprivileged user that root becomes must be able to read what is mounted.
-bool readable(const std::string& path) {
-  Words command = leash(Sandbox::bubblewrap, {}, 16);
-  command.insert(command.end(), {"test", "-r", path});
-  return Process(command, {}, {}).finish().code == 0;
-}
-
 }  // namespace
 
 std::optional<std::string> unsafe(const Kit& kit) {
   const File canary(::open(kit.canary.c_str(), O_RDONLY | O_CLOEXEC));
   const std::string object = std::filesystem::absolute(kit.harness) / "harness.o";
   if (!canary) return "the grader is not whole: " + kit.canary + " cannot be read";
-  if (!readable(object))
-    return object + " cannot be read by an unprivileged user: " +
-           "build the grader, and let others read it and enter the folders above it";
+  if (::access(object.c_str(), R_OK) != 0)
+    return "the grader is not whole: " + object + " cannot be read";
 
   Process process = run(Sandbox::bubblewrap, kit, canary, {});
   const std::string answer = process.receive_all(256);

@@ -81,6 +81,19 @@ TEST_CASE("A header that compiles becomes a driver, in the cage and without") {
   }
 }
 
+TEST_CASE("The kit may lie where nobody but its owner gets to, as in root's home") {
+  const Folder folder;  // has the mode 0700
+  std::filesystem::copy(kit_folder(), folder / "kit", std::filesystem::copy_options::recursive);
+  const std::string own = folder / "kit";
+  const cage::Kit closed = {own + "/harness", own, own + "/canary"};
+  CHECK(cage::unsafe(closed) == std::nullopt);
+  for (const Sandbox sandbox : {Sandbox::bubblewrap, Sandbox::none}) {
+    const Compiled compiled = grade::compile(good, "drift.h", asks, sandbox, closed, usual());
+    INFO(compiled.message);
+    CHECK_FALSE(compiled.failed);
+  }
+}
+
 TEST_CASE("Compiling without the sandbox leaves no folder behind") {
   // Of its own, since other tests compile beside this one.
   std::string own = (std::filesystem::temp_directory_path() / "own-XXXXXX").string();
