@@ -41,6 +41,14 @@ Verdict verdict(const Report& report) {
   return report.score > 0 ? Verdict::partial : Verdict::wrong_answer;
 }
 
+// What the compiler says of the header, under the name that the student has for it.
+std::string about(const std::string& name, const std::string& header, std::string said) {
+  for (auto at = said.find(header); at != said.npos; at = said.find(header, at + name.size())) {
+    said.replace(at, header.size(), name);
+  }
+  return said;
+}
+
 void judge_driver(const Request& request, const cage::Kit& kit, const cage::File& driver,
                   Report& report) {
   judge::Session& session = judge::session();
@@ -79,16 +87,17 @@ void grade_into(const Request& request, Report& report) {
     }
   }
   const auto start = Clock::now();
-  const Compiled compiled = compile(submission.text, request.exercise.header(),
-                                    read(request.exercise.folder / "harness.h"), request.sandbox,
-                                    kit, request.compile_limits);
+  const std::string header = request.exercise.header();
+  const Compiled compiled =
+      compile(submission.text, header, read(request.exercise.folder / "harness.h"), request.sandbox,
+              kit, request.compile_limits);
   report.compile_seconds = seconds_since(start);
   if (compiled.failed) {
     report.verdict = *compiled.failed;
-    report.why = compiled.message;
+    report.why = about(submission.name, header, compiled.message);
     return;
   }
-  report.warnings = compiled.message;
+  report.warnings = about(submission.name, header, compiled.message);
   judge_driver(request, kit, compiled.driver, report);
 }
 

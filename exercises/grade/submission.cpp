@@ -19,11 +19,11 @@ namespace {
 namespace fs = std::filesystem;
 
 Submission refused(const std::string& why) {
-  return {{}, why, false, {}};
+  return {{}, why, false, {}, {}};
 }
 
 Submission unreadable(const std::string& why) {
-  return {{}, why, true, {}};
+  return {{}, why, true, {}, {}};
 }
 
 std::string shown(const std::string& name) {
@@ -57,7 +57,7 @@ Submission read_header(const Entry& found, const std::string& name) {
   if (!content) return unreadable(shown(name) + " cannot be read: " + std::strerror(errno));
   if (const std::string why = not_a_header(*content); !why.empty())
     return refused(shown(name) + " " + why);
-  return {*content, {}, false, {}};
+  return {*content, {}, false, {}, shown(name)};
 }
 
 /// Reads the header in this folder, if it is there, and names what else is.

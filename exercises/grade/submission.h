@@ -14,6 +14,7 @@ struct Submission {
   std::string refused;               ///< empty if it was taken; else one line for the student
   bool unreadable = false;           ///< the path itself cannot be read: the caller's mistake
   std::vector<std::string> ignored;  ///< names beside it that were not looked at
+  std::string name;                  ///< of the file, fit to be shown
 };
 
 /// Reads a header without following links: a regular file of at most 64 KiB of UTF-8 text with one

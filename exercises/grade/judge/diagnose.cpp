@@ -170,6 +170,9 @@ std::vector<std::string> diagnose(double yours, double expected) {
   for (const Ratio& known : ratios) {
     if (std::abs(ratio / known.value - 1) < ten_digits) return {known.says};
   }
+  if (yours == std::trunc(expected) && std::abs(yours) >= 1) {
+    return {"the right answer without what stands behind its point: a division of integers?"};
+  }
   if (std::abs(ratio - 1) < 2e-6 && std::abs(ratio - 1) > 1e-9) {
     return {"right to seven digits and no further: a float, or a constant with an f?"};
   }

@@ -24,6 +24,7 @@ void note(Verdict verdict, const std::string& why, const std::string& printed = 
   if (now.stopped()) return;
   now.ended = verdict;
   now.why = why;
+  if (!now.tests.empty()) now.why += " It happened in the test \"" + now.tests.back().name + "\".";
   if (!printed.empty()) now.why += "\nIt printed:\n" + grade::printable(printed, 2000);
 }
 

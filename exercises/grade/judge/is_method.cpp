@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #include <algorithm>
+#include <cmath>
 
 #include "judge/case.h"
 #include "judge/describe.h"
@@ -15,13 +16,39 @@ using grade::number;
 
 constexpr int steps = case_steps;
 
-grade::Curve curve(const std::string& name, const Path& path) {
+// One number of a state.
+struct Component {
+  const char* label;
+  Vec State::* of;
+  double Vec::* along;
+
+  double in(const State& state) const { return state.*of.*along; }
+};
+
+constexpr Component components[] = {
+    {"place along x [m]", &State::x, &Vec::x},      {"place along y [m]", &State::x, &Vec::y},
+    {"place along z [m]", &State::x, &Vec::z},      {"velocity along x [m/s]", &State::v, &Vec::x},
+    {"velocity along y [m/s]", &State::v, &Vec::y}, {"velocity along z [m/s]", &State::v, &Vec::z}};
+
+// The one in which two states differ most.
+const Component& most_different(const State& a, const State& b) {
+  const auto apart = [&](const Component& of) { return std::abs(of.in(a)-of.in(b)); };
+  return *std::ranges::max_element(components, {}, apart);
+}
+
+grade::Curve curve(const std::string& name, const Path& path, const Component& of) {
   grade::Curve curve{name, {}, {}};
   for (std::size_t n = 0; n < path.states.size(); ++n) {
     curve.x.push_back(path.time(n));
-    curve.y.push_back(path.states[n].x.x);
+    curve.y.push_back(of.in(path.states[n]));
   }
   return curve;
+}
+
+std::string which_is_off(const State& yours, const State& expected, double tolerance) {
+  if (length(yours.x - expected.x) <= tolerance) return ", in the velocity; the place is right";
+  if (length(yours.v - expected.v) <= tolerance) return ", in the place; the velocity is right";
+  return "";
 }
 
 // The first step after which the two are further apart than rounding allows.
@@ -46,11 +73,13 @@ grade::Finding compare(const Path& yours, const Path& expected, const Case& with
   if (finding.held) return finding;
   finding.expected = "after step " + std::to_string(n) + ": " + describe(expected.states[n]);
   finding.got = "after step " + std::to_string(n) + ": " + describe(yours.states[n]);
-  finding.error = number(distance(yours.states[n], expected.states[n]), 3);
+  finding.error = number(distance(yours.states[n], expected.states[n]), 3) +
+                  which_is_off(yours.states[n], expected.states[n], tolerance.value);
+  const Component& most = most_different(yours.states.back(), expected.states.back());
   finding.plot = {"Five steps",
                   "time [s]",
-                  "place along x [m]",
-                  {curve("yours", yours), curve(name, expected)}};
+                  most.label,
+                  {curve("yours", yours, most), curve(name, expected, most)}};
   return finding;
 }
 

@@ -1,5 +1,5 @@
 // COMPILE_ERROR: lacks a semicolon
-// says: orbit-drift.h:9:16: error: expected ';'
+// says: 01-semicolon.h:9:16: error: expected ';'
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

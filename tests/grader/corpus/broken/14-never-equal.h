@@ -1,5 +1,5 @@
 // TIME_LIMIT: waits for ten times 0.1 to be 1
-// says: t == end
+// says: It happened in the test "
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
