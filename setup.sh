@@ -21,8 +21,8 @@ esac
 cd "$(dirname "${BASH_SOURCE[0]}")"
 # shellcheck source=/dev/null
 system=$({ . /etc/os-release && echo "$ID $VERSION_ID"; } 2>/dev/null) || system=unknown
-browser=chromium
-[ "$system" != "ubuntu 24.04" ] || browser=chromium-browser
+browsers="chromium firefox-esr"
+[ "$system" != "ubuntu 24.04" ] || browsers="chromium-browser firefox"
 
 # packages: what for
 needs="cmake ninja-build g++: to build the programs and the tests
@@ -37,7 +37,7 @@ clang-19: the second compiler
 libglm-dev: to try the snippets on another library's vectors
 doxygen: prose to HTML, reference of the code
 nodejs npm ca-certificates: to weave the book
-$browser: to test the book in a browser
+$browsers: to test the book in browsers
 lld-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32: live figures, C++ for the browser
 g++-aarch64-linux-gnu qemu-user: to see the same bits on 64-bit Arm
 git: to test a clean checkout"

@@ -76,7 +76,7 @@ double chain_after(int substeps) {
   Struck s = struck(chain, gentle);
   const double step = frame / substeps;
   for (int n = 0; n < 60 * substeps; ++n) symplectic_euler(s.x, s.v, 0.0, step, chain);
-  return s.x.cwiseAbs().maxCoeff();
+  return s.x.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
 }  // namespace

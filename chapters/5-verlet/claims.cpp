@@ -374,6 +374,16 @@ TEST_CASE("A hanging rope of n links is stretched by about n^2 g h^2 / (2 q)") {
   }
 }
 
+TEST_CASE(
+    "In recorded frames a rope that hangs is at times four times as stretched as it should be") {
+  const double rule = hanging(20, frame, 8);
+  for (const auto& [least, most] :
+       {hanging_in_recorded_frames(plain, 20, 8), hanging_in_recorded_frames(corrected, 20, 8)}) {
+    CHECK(most > 4 * rule);
+    CHECK(least < -rule);
+  }
+}
+
 TEST_CASE("Eight steps of one iteration stretch a rope an eighth as far as one step of eight") {
   CHECK_THAT(hanging(20, frame, 8) / hanging(20, frame / 8, 1), WithinAbs(8, 0.3));
 }

@@ -7,7 +7,7 @@
 #include "measure/methods_with_memory.h"
 #include "measure/record.h"
 #include "measure/run.h"
-#include "rope.h"
+#include "rope_in_frames.h"
 #include "toys.h"
 
 /// The length of the rope of springs [m].
@@ -62,6 +62,11 @@ inline void ropes(measure::Record& record) {
   record.number("hangs-30", 100 * hanging(20, 2 * frame, 8), 2, "%");
   record.number("hangs-120", 100 * hanging(20, frame / 2, 8), 2, "%");
   record.number("hangs-substeps", 100 * hanging(20, frame / 8, 1), 2, "%");
+  const auto recorded = [](auto move) {
+    return 100 * hanging_in_recorded_frames(move, 20, 8).second;
+  };
+  record.number("hangs-recorded", recorded(plain), 2, "%");
+  record.number("hangs-corrected", recorded(corrected), 2, "%");
   record.number("falls-8", 100 * falling(20, frame, 8), 2, "%");
 
   auto& pendulum = record.table("pendulum", {{"t", "s"}, {"one step", "m"}, {"eight", "m"}});

@@ -147,3 +147,27 @@ test('symplectic Euler loses what lies outside of its limit, and the map beside 
   const map = await tab.evaluate(() => globalThis.Live.descriptions['your-spring'].columns);
   map['ζ'].forEach((zeta, i) => assert.ok(Math.abs(map['symplectic Euler'][i] / limit(zeta) - 1) < 1e-4, `${zeta}`));
 });
+
+// The stretch of the rope over the second half of the run [%].
+async function stretches(query) {
+  await end('rope-to-drag', query);
+  return tab.evaluate(() => { const { trace } = globalThis.Live.opened['rope-to-drag'].run; return trace.stretch.slice(trace.t.findIndex(t => t > 5)); });
+}
+const mean = list => list.reduce((sum, value) => sum + value) / list.length;
+const widest = list => Math.max(...list) - Math.min(...list);
+
+test('a rope that has come down is stretched about as its formula says, in substeps an eighth of that', async () => {
+  const rule = (iterations, substeps) => 100 * 20 ** 2 * 9.81 * (1 / 60 / substeps) ** 2 / (2 * iterations) / 2;
+  for (const [iterations, substeps] of [[1, 1], [4, 1], [8, 1], [1, 8]]) {
+    const found = mean(await stretches(`iterations=${iterations}&substeps=${substeps}`)) / rule(iterations, substeps);
+    assert.ok(Math.abs(found - 1) < 0.2, `${found} of the rule with ${iterations} iterations in ${substeps} substeps`);
+  }
+});
+
+test('in recorded frames the rope twitches more than three times as wide, corrected or not', async () => {
+  const even = widest(await stretches('method=even'));
+  for (const method of ['recorded', 'distance_corrected', 'uneven']) {
+    const recorded = widest(await stretches(`method=${method}`));
+    assert.ok(recorded > 3 * even, `${recorded} ${even}`);
+  }
+});

@@ -1,15 +1,13 @@
-// The live figures of the built book, and what a test does with one.
+// What a test does with a live figure of the built book.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { readFigures } from '../../book/live/cases.mjs';
-import { build, pages, parse } from './book.mjs';
+import { build } from './book.mjs';
 import { visit } from './browser.mjs';
+
+export { figures } from './live-list.mjs';
 
 export const MODULE = join(build, 'weave/live/live.wasm');
 export const module = readFileSync(MODULE);
-
-// Each with the page that shows it.
-export const figures = readFigures().map(figure => ({ ...figure, page: pages.find(page => parse(page)(`[data-live="${figure.name}"]`).length) }));
 
 // Opens the page of a figure, and returns what there is to do with it.
 export async function open(tab, { name, page }, query = '') {

@@ -7,17 +7,19 @@
   Live.Chart = class {
     // `beside` is the picture of the scene, whose height the chart takes within bounds.
     constructor(box, beside, { curves, from, to, log, marks }, seconds) {
-      Object.assign(this, { box, beside, curves, from, to, log, exits: [] });
+      Object.assign(this, { box, beside, curves, from, to, log, exits: [], seconds, until: seconds });
       const paint = name => () => Live.colour(box, name);
-      const axis = { stroke: paint('soft'), grid: { stroke: paint('grid'), width: 1 }, ticks: { show: false }, font: FONT };
+      const number = mark => String(Number(mark.toPrecision(6))).replace('-', '\u2212');
+      const numbers = (_, marks) => marks.map(mark => (mark === null ? '' : number(mark)));
+      const axis = { values: numbers, stroke: paint('soft'), grid: { stroke: paint('grid'), width: 1 }, ticks: { show: false }, font: FONT };
       // Of the marks of a logarithmic axis, the powers of ten.
       const powers = (_, marks) => marks.map(mark => (Math.abs(Math.log10(mark) - Math.round(Math.log10(mark))) < 1e-9 ? mark : null));
-      const logarithmic = log && { filter: powers, grid: { ...axis.grid, filter: powers }, values: (_, marks) => marks.map(mark => (mark === null ? '' : String(mark))) };
+      const logarithmic = log && { filter: powers, grid: { ...axis.grid, filter: powers } };
       // [[value, name]], where the numbers alone would be hard to read.
       const named = marks && { splits: () => marks.map(([value]) => value), values: () => marks.map(([, name]) => name), filter: (_, all) => all, grid: { ...axis.grid, filter: (_, all) => all } };
       this.plot = new globalThis.uPlot({
         ...this.size, legend: { show: false }, cursor: { show: false }, padding: [8, 20, 0, 0],
-        scales: { x: { time: false, range: [0, seconds] }, y: { range: [from, to], distr: log ? 3 : 1 } },
+        scales: { x: { time: false, range: () => [this.until - seconds, this.until] }, y: { range: [from, to], distr: log ? 3 : 1 } },
         axes: [{ ...axis, size: 24, label: 'time [s]', labelSize: 20, labelFont: FONT }, { ...axis, size: 44, ...logarithmic, ...named }],
         series: [{}, ...curves.map(curve => this.seriesOf(curve))],
         hooks: { draw: [plot => this.exits.forEach((exit, i) => this.markExit(plot, exit, i === 0))] },
@@ -40,15 +42,15 @@
       if (width !== this.plot.width || height !== this.plot.height) this.plot.setSize({ width, height });
     }
 
-    draw({ trace, now }, method) {
+    draw({ trace, now, endless }, method) {
       this.method = method;
       const whole = name => (trace.t.at(-1) === now.t ? trace[name] : [...trace[name], now[name]]);
       const times = whole('t');
       const far = 100 * this.to;  // beyond, a canvas draws nonsense
       const drawn = value => (Number.isNaN(value) ? null : Math.max(-far, Math.min(far, value)));
       this.exits = this.curves.filter(({ colour }) => colour !== 'exact').map(curve => this.exitOf(curve, times, whole(curve.value))).filter(Boolean);
-      this.plot.setData([times, ...this.curves.map(({ value }) => whole(value).map(drawn))], false);
-      this.plot.redraw(false, true);
+      if (endless) this.until = Math.max(this.seconds, now.t);
+      this.plot.setData([times, ...this.curves.map(({ value }) => whole(value).map(drawn))]);
     }
     // A curve that begins outside, as an error of nothing does on a logarithmic axis, has first to come in.
     exitOf(curve, times, values) {

@@ -30,9 +30,10 @@
       this.readout = find('.readout');
       this.status = find('[role=status]');
       this.settings = new Live.Settings(this.stage, description.controls);
-      this.run = new Live.Run(module, description.seconds);
+      this.run = new Live.Run(module, description);
       this.clock = new Live.Clock(description.pace);
       this.pen = new Live.Pen(find('canvas.scene'));
+      if (description.handle) this.handle = new Live.Handle(find('canvas.scene'), description.handle, values => this.hold(values));
       this.chart = new Live.Chart(find('.chart'), find('canvas.scene'), description.chart, description.seconds);
       this.listen(find);
       this.readLink();
@@ -60,7 +61,7 @@
       new IntersectionObserver(entries => {
         const seen = entries.at(-1);
         this.visible = seen.isIntersecting;
-        if (!started && seen.intersectionRatio > 0.6) { started = true; this.play(); }
+        if (!started && seen.intersectionRatio > 0.6) { started = true; this.begin(); this.play(); }
         this.ask();
       }, { threshold: [0, 0.65] }).observe(this.stage);
     }
@@ -88,6 +89,12 @@
     change() {
       if (this.playing) this.begin(); else this.showWhole();
     }
+    // What the reader holds moves within a run, and what hangs from it does not stand still meanwhile.
+    hold(values) {
+      this.run.set(values);
+      if (this.run.taken === 0) this.begin();
+      if (!this.playing) this.play();
+    }
     play() {
       if (this.run.ended || !this.playing && this.run.taken === 0) this.begin();
       this.setPlaying(true);
@@ -106,6 +113,7 @@
     }
     reset() {
       this.setPlaying(false);
+      if (this.handle) { this.handle.reset(); this.run.set(this.handle.values); }
       this.begin();
       this.draw();
       this.speak();
@@ -134,6 +142,7 @@
       const { values } = this;
       this.pen.begin(this.drawing.view(values));
       this.drawing.draw(this.pen, this.run, values, part);
+      this.handle?.place(this.pen);
       this.chart.draw(this.run, values.method ?? 'first');
       this.readout.textContent = this.sentence + (this.playing && this.clock.slow ? ' Runs slower than time.' : '');
     }

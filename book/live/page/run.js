@@ -5,12 +5,12 @@
   const MOST = 2000;  // points of a trace: more than a chart has pixels
 
   Live.Run = class {
-    constructor(module, seconds) {
-      this.module = module;
-      this.seconds = seconds;
+    constructor(module, { seconds, endless }) {
+      Object.assign(this, { module, seconds, endless });
     }
+    set(values) { for (const [name, value] of Object.entries(values)) this.module.set(name, value); }
     start(values) {
-      for (const [name, value] of Object.entries(values)) this.module.set(name, value);
+      this.set(values);
       this.now = this.before = this.module.start();
       this.stride = Math.ceil(this.seconds / this.now.h / MOST);
       this.taken = 0;
@@ -18,7 +18,8 @@
       this.note();
     }
     // Whether the next step would end behind the end; a little over, since t is rounded.
-    get ended() { return this.now.t + this.now.h > this.seconds * (1 + 1e-9); }
+    get full() { return this.now.t + this.now.h > this.seconds * (1 + 1e-9); }
+    get ended() { return this.full && !this.endless; }
     step() {
       this.before = this.now;
       this.now = this.module.advance(1);
@@ -26,7 +27,7 @@
     }
     // Goes to the end at once.
     finish() {
-      while (!this.ended) {
+      while (!this.full) {
         const left = Math.floor((this.seconds * (1 + 1e-9) - this.now.t) / this.now.h);
         const steps = Math.max(1, Math.min(this.stride - this.taken % this.stride, left));
         this.now = this.before = this.module.advance(steps);
@@ -34,7 +35,11 @@
         if (this.taken % this.stride === 0) this.note();
       }
     }
-    note() { for (const [name, list] of Object.entries(this.trace)) list.push(this.now[name]); }
+    // One without an end keeps its last seconds.
+    note() {
+      for (const [name, list] of Object.entries(this.trace)) list.push(this.now[name]);
+      while (this.endless && this.trace.t[1] < this.now.t - this.seconds) for (const list of Object.values(this.trace)) list.shift();
+    }
     // A value between the last two states, `part` of the way to the newer; of a list, each of its values.
     blend(name, part) {
       const between = (from, to) => from + part * (to - from);

@@ -1,0 +1,60 @@
+// The live figures in the distribution's Firefox, by the protocol that it speaks itself:  node firefox.test.mjs BUILD FIREFOX
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import playwright from 'playwright-core';
+import { STEPS, cases, question } from '../../book/live/cases.mjs';
+import { build, folder } from './book.mjs';
+import { figures } from './live-list.mjs';
+
+// Playwright has it as an experiment; its own build of Firefox comes from no distribution.
+const browser = await playwright._bidiFirefox.launch({ executablePath: process.argv[3] });
+after(() => browser.close());
+const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: 'reduce' });
+const tab = await context.newPage();
+const faults = [];
+tab.on('console', message => faults.push(message.text()));
+tab.on('pageerror', error => faults.push(error.message));
+
+async function visit(page) {
+  faults.length = 0;
+  await tab.goto(pathToFileURL(join(folder, page)).href);
+  await tab.waitForFunction(() => [...document.querySelectorAll('[data-live]')].every(figure => figure.classList.contains('live')));
+}
+
+for (const { name, page, controls } of figures) {
+  test(`${name} comes to life, and answers to its controls`, async () => {
+    await visit(page);
+    const stage = tab.locator(`[data-live="${name}"] .stage`);
+    const look = of => [...document.querySelectorAll(`[data-live="${of}"] canvas`)].map(canvas => canvas.toDataURL()).join();
+    const differs = ([of, before]) => [...document.querySelectorAll(`[data-live="${of}"] canvas`)].map(canvas => canvas.toDataURL()).join() !== before;
+    for (const control of controls) {
+      const before = await tab.evaluate(look, name);
+      await stage.locator(`[data-control="${control.name}"] ${control.choices ? 'input:checked' : 'input'}`).focus();
+      await tab.keyboard.press('ArrowRight');
+      await tab.waitForFunction(differs, [name, before], { timeout: 5000 }).catch(() => assert.fail(`${control.name} changes nothing that is seen`));
+    }
+    await stage.locator('[data-do=reset]').click();
+    await stage.locator('[data-do=play]').click();
+    await tab.waitForFunction(of => globalThis.Live.opened[of].run.taken > 3, name);
+    await stage.locator('[data-do=play]').click();
+    assert.deepEqual(faults, []);
+  });
+}
+
+test(`${STEPS} steps of every figure have the same bits as in the native program`, async () => {
+  const runs = cases();
+  const native = execFileSync(join(build, 'weave/live/live.fingerprints'), { input: runs.map(question).join('\n'), encoding: 'utf8' }).trim().split('\n');
+  await visit(figures[0].page);
+  for (const [i, { figure, settings }] of runs.entries()) {
+    const found = await tab.evaluate(async ([name, values, steps]) => {
+      globalThis.compiledOnce ??= await Live.compile(Live.compiled);
+      const opened = await Live.open(globalThis.compiledOnce, name);
+      for (const [setting, value] of Object.entries(values)) opened.set(setting, value);
+      return opened.fingerprint(steps);
+    }, [figure, settings, STEPS]);
+    assert.equal(found, native[i], `${figure} ${JSON.stringify(settings)}`);
+  }
+});
