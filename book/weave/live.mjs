@@ -10,7 +10,7 @@ export const LIVE_FOLDER = 'book/live/figures';
 export const liveSource = name => `${LIVE_FOLDER}/${name}.cpp`;
 
 // The scripts of every live figure, in the order in which they are loaded.
-export const LIVE_SCRIPTS = ['module', 'settings', 'run', 'pen', 'chart', 'clock', 'handle', 'figure'];
+export const LIVE_SCRIPTS = ['module', 'words', 'settings', 'run', 'pen', 'chart', 'clock', 'handle', 'figure'];
 
 // What a page with live figures loads, and no other.
 export function liveHead(body) {

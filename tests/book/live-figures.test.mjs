@@ -107,6 +107,18 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
     await live.stage.locator('[role=status]', { hasText: /\d/ }).waitFor({ state: 'attached' });
   });
 
+  about('a setting that is changed while it is held leaves it at its time', async () => {
+    const live = await open(tab, figure);
+    await live.press('reset');
+    for (let i = 0; i < 4; ++i) await live.press('step');
+    const held = await live.now();
+    const { name, choices } = figure.controls.at(-1);
+    await live.control(name).locator(choices ? 'input:checked' : 'input').focus();
+    await tab.keyboard.press('ArrowLeft');
+    const { t, h } = await live.now();
+    assert.ok(t > 0 && Math.abs(t - held.t) < 1.001 * h, `${held.t} became ${t}`);
+  });
+
   about('picture and chart follow the theme button', async () => {
     const live = await open(tab, figure);
     const before = { scene: await live.scene(), chart: await live.chart() };

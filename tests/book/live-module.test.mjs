@@ -28,6 +28,15 @@ test('all scripts of a page have less than 250 kB', () => {
   }
 });
 
+test('numbers are written as in the book', async () => {
+  const { Live } = (await import('../../book/live/page/words.js'), globalThis);
+  const fixed = [[1.25, 1, '1.3'], [-0.04, 1, '0.0'], [-0.05, 2, '\u22120.05'], [9999, 0, '9999'], [12345.6, 1, '12\u202f345.6'],
+    [-1234567, 0, '\u22121.2 × 10⁶'], [4.13e12, 2, '4.1 × 10¹²']];
+  for (const [value, digits, text] of fixed) assert.equal(Live.fixed(value, digits), text);
+  const metres = [[1, '1.0 m'], [0.72, '72 cm'], [0.0078, '7.8 mm'], [3e-7, '300 nm'], [41335, '41\u202f335 m']];
+  for (const [value, text] of metres) assert.equal(Live.metres(value).replace(/\u202f(?=[a-zµ])/, ' '), text);
+});
+
 test('the choices on the page are those of the program', async () => {
   const { Live } = (await import('../../book/live/page/module.js'), globalThis);
   for (const { name, controls, handle } of figures) {

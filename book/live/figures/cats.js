@@ -1,6 +1,6 @@
 // The cat where it is, and where it was every second and a half.
 globalThis.Live.figure('cats', {
-  view: () => ({ x: [-2.9, 2.9], y: [-2.15, 2.15] }),
+  view: () => ({ x: [-2.9, 2.9], y: [-2.15, 2.4] }),
   draw(pen, run, { method }, part) {
     pen.grid([-2, -1, 0, 1, 2], [-2, -1, 0, 1, 2]);
     const x = run.blend('x', part), v = run.blend('v', part);
@@ -15,5 +15,5 @@ globalThis.Live.figure('cats', {
     pen.area(x, v, fill);
     pen.line([...x, x[0]], [...v, v[0]], outline);
   },
-  tell: ({ area }) => `area ${area.toFixed(1)}\u202f% of what it was.`,
+  tell: ({ area }) => `area ${globalThis.Live.fixed(area, 1)}\u202f% of what it was.`,
 });

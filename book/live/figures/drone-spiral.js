@@ -5,7 +5,7 @@ globalThis.Live.figure('drone-spiral', {
     pen.grid([-10, 0, 10], [-10, 0, 10]);
     pen.circle(0, 0, 10, { colour: 'exact', width: 1.4, dash: [7, 5] });
     pen.circle(0, 0, 12, { colour: 'limit', width: 2, dash: [2, 6] });
-    pen.line(run.trace.x, run.trace.y, { colour: method, width: 1.4 });
+    pen.line(run.past('x', part), run.past('y', part), { colour: method, width: 1.4 });
     const { t } = run.trace;
     const everyTwoSeconds = t.map((_, i) => i).filter(i => Math.floor(t[i] / 2 + 1e-9) > Math.floor(t[i - 1] / 2 + 1e-9));
     pen.dots(everyTwoSeconds.map(i => run.trace.x[i]), everyTwoSeconds.map(i => run.trace.y[i]), 2.5, method);
@@ -14,5 +14,5 @@ globalThis.Live.figure('drone-spiral', {
     pen.dot(0, 0, 4, 'context');
     pen.dot(x, y, 6, method);
   },
-  tell: ({ distance }) => `${distance.toFixed(2)}\u202fm from the tower${distance > 12 ? ', over the fence' : ''}.`,
+  tell: ({ distance }) => `${globalThis.Live.fixed(distance, 2)}\u202fm from the tower${distance > 12 ? ', over the fence' : ''}.`,
 });

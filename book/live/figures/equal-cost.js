@@ -1,6 +1,6 @@
 // Four drones, a field for each, around the same tower.
 globalThis.Live.figure('equal-cost', {
-  fields: [['euler', 'Euler', 0, 1], ['symplectic_euler', 'symplectic Euler', 1, 1], ['midpoint', 'midpoint', 0, 0], ['rk4', 'RK4', 1, 0]],
+  fields: [['euler', 'Euler', 0, 1], ['symplectic_euler', 'Symplectic Euler', 1, 1], ['midpoint', 'Midpoint', 0, 0], ['rk4', 'RK4', 1, 0]],
   side: 32,  // from field to field [m]
   view() { return { x: [0, 2 * this.side], y: [0, 2 * this.side] }; },
   draw(pen, run, { method, orbit }) {
@@ -22,10 +22,6 @@ globalThis.Live.figure('equal-cost', {
   },
   tell(now, { method }) {
     const [, label] = this.fields.find(([name]) => name === method);
-    return `after ${now.steps} steps of ${label} the drone is ${this.length(now[`${method} error`])} from where it should be.`;
-  },
-  length(metres) {
-    const [size, unit] = [[1, 'm'], [1e-3, 'mm'], [1e-6, 'µm']].find(([size]) => metres >= size) ?? [1e-9, 'nm'];
-    return `${Number((metres / size).toPrecision(2))}\u202f${unit}`;
+    return `after ${now.steps} ${now.steps === 1 ? 'step' : 'steps'}, ${label} has been up to ${globalThis.Live.metres(now[`${method} worst`])} from where the drone should be.`;
   },
 });

@@ -24,7 +24,7 @@ globalThis.Live.figure('hanging-rope', {
       const work = now[`${rope} work`];
       pen.line([left, left + length(work)], [y, y], { colour, width: 8 });
       const beside = length(work) < 3.4;
-      pen.text(beside ? left + length(work) + 0.15 : 2.3, beside ? y : y + 0.17, work.toLocaleString('en'), { colour, align: beside ? 'left' : 'right' });
+      pen.text(beside ? left + length(work) + 0.15 : 2.3, beside ? y : y + 0.17, globalThis.Live.fixed(work, 0), { colour, align: beside ? 'left' : 'right' });
     });
   },
   tell(now, { method }) {
@@ -32,6 +32,8 @@ globalThis.Live.figure('hanging-rope', {
     const what = rope === 'solved' ? 'solved once a frame' : 'in substeps';
     const energy = now[`${rope} energy`];
     if (!(Math.abs(energy) < 1)) return `the rope ${what} is lost.`;
-    return `the rope ${what} has ${energy < 0 ? 'lost' : 'gained'} ${Math.abs(100 * energy).toFixed(1)}\u202f% of the energy that a fall by its length would bring.`;
+    const share = globalThis.Live.fixed(Math.abs(100 * energy), 1);
+    if (share === '0.0') return `the rope ${what} has the energy that it began with.`;
+    return `the rope ${what} has ${energy < 0 ? 'lost' : 'gained'} ${share}\u202f% of the energy that a fall by its length would bring.`;
   },
 });

@@ -5,18 +5,19 @@ globalThis.Live.figure('suspension', {
     pen.grid([0, 0.5, 1], [-0.1, 0, 0.1]);
     const { path } = run.now;
     pen.line([...path].map((_, i) => run.seconds * i / (path.length - 1)), path, { colour: 'exact', width: 1.4, dash: [7, 5] });
-    pen.line(run.trace.t, run.trace.x, { colour: method, width: 1.2 });
-    pen.dots(run.trace.t, run.trace.x, run.trace.t.length > 200 ? 1.2 : 2.2, method);
+    const t = run.past('t', part), places = run.past('x', part);
+    pen.line(t, places, { colour: method, width: 1.2 });
+    pen.dots(t, places, t.length > 200 ? 1.2 : 2.2, method);
     const x = run.blend('x', part);
     const coils = Array.from({ length: 17 }, (_, i) => i);
     pen.line(coils.map(i => -0.16 + (i % 2 ? 0.04 : -0.04) * (i > 0 && i < 16)), coils.map(i => 0.2 + (x - 0.2) * i / 16), { colour: 'context', width: 1.4 });
     pen.dot(-0.16, x, 9, method);
   },
   tell({ x, energy }) {
-    return `stretch ${(100 * x).toFixed(1).replace('-', '\u2212')}\u202fcm, energy ${this.howMuch(energy)} times the start's.`;
+    return `stretch ${globalThis.Live.fixed(100 * x, 1)}\u202fcm, energy ${this.howMuch(energy)} that of the start.`;
   },
   howMuch(energy) {
-    if (energy > 1000) return 'over a thousand';
-    return energy < 0.01 ? 'under a hundredth' : energy.toFixed(2);
+    if (energy > 1000) return 'over a thousand times';
+    return energy < 0.01 ? 'less than a hundredth of' : `${energy.toFixed(2)} times`;
   },
 });

@@ -12,7 +12,7 @@ globalThis.Live.figure('turning', {
   },
   tell(now) {
     const far = Math.hypot(now['farthest x'], now['farthest y']);
-    if (Number.isNaN(far)) return `no turn yet, ${Math.hypot(now.x, now.y).toPrecision(3)}\u202fm from the planet.`;
-    return `${now.turns} ${now.turns === 1 ? 'turn' : 'turns'}, the last one ${far.toFixed(1)}\u202fm out instead of 16.`;
+    if (Number.isNaN(far)) return `no turn yet, ${globalThis.Live.fixed(Math.hypot(now.x, now.y), 1)}\u202fm from the planet.`;
+    return `${now.turns} ${now.turns === 1 ? 'turn' : 'turns'}, the last one ${globalThis.Live.fixed(far, 1)}\u202fm out instead of 16.`;
   },
 });

@@ -55,8 +55,8 @@ class YourSpring final : public Figure {
   }
 
   void step() override {
+    lost_ = lost_ || !(std::abs(chosen().now.x) < far);  // the first place out there is still shown
     for (const auto& run : runs_) run->step();
-    lost_ = lost_ || !(std::abs(chosen().now.x) < far);
   }
 
   const Run<double>& chosen() const { return *runs_[static_cast<std::size_t>(method_)]; }

@@ -39,8 +39,8 @@ globalThis.Live.figure('your-spring', {
     pen.line(trace.t.slice(0, inside.length).map(t => x(t / seconds)), inside, { colour: name, width: 1.5 });
   },
   tell({ x, 'true x': truth }, { method }) {
-    const number = value => value.toFixed(2).replace('-', '\u2212');
-    const lost = this.lost.map(name => this.names[name]).join(', ');
-    return `${this.names[method]} ${Number.isNaN(x) ? 'has lost it' : `has it at ${number(x)}`}, and it should be at ${number(truth)}. ${lost ? `Lost: ${lost}` : 'None is lost yet'}.`;
+    const number = value => globalThis.Live.fixed(value, 2), lost = this.lost.includes(method);
+    const count = this.lost.length === 0 ? 'None has lost it' : `${this.lost.length} of ${Object.keys(this.names).length} have lost it`;
+    return `${this.names[method]} ${lost ? 'has lost it' : `has it at ${number(x)}`}, and it should be at ${number(truth)}. ${count}.`;
   },
 });

@@ -7,7 +7,9 @@
   Live.Chart = class {
     // `beside` is the picture of the scene, whose height the chart takes within bounds.
     constructor(box, beside, { curves, from, to, log, marks }, seconds) {
-      Object.assign(this, { box, beside, curves, from, to, log, exits: [], seconds, until: seconds });
+      const paths = curves.filter(curve => curve.path);
+      curves = curves.filter(curve => !curve.path);
+      Object.assign(this, { box, beside, curves, paths, from, to, log, exits: [], seconds, until: seconds });
       const paint = name => () => Live.colour(box, name);
       const number = mark => String(Number(mark.toPrecision(6))).replace('-', '\u2212');
       const numbers = (_, marks) => marks.map(mark => (mark === null ? '' : number(mark)));
@@ -22,7 +24,7 @@
         scales: { x: { time: false, range: () => [this.until - seconds, this.until] }, y: { range: [from, to], distr: log ? 3 : 1 } },
         axes: [{ ...axis, size: 24, label: 'time [s]', labelSize: 20, labelFont: FONT }, { ...axis, size: 44, ...logarithmic, ...named }],
         series: [{}, ...curves.map(curve => this.seriesOf(curve))],
-        hooks: { draw: [plot => this.exits.forEach((exit, i) => this.markExit(plot, exit, i === 0))] },
+        hooks: { draw: [plot => this.drawPaths(plot), plot => this.exits.forEach((exit, i) => this.markExit(plot, exit, i === 0))] },
       }, [[], ...curves.map(() => [])], box);
     }
     seriesOf(curve) {
@@ -44,6 +46,7 @@
 
     draw({ trace, now, endless }, method) {
       this.method = method;
+      this.lists = this.paths.map(({ path }) => now[path]);
       const whole = name => (trace.t.at(-1) === now.t ? trace[name] : [...trace[name], now[name]]);
       const times = whole('t');
       const far = 100 * this.to;  // beyond, a canvas draws nonsense
@@ -59,6 +62,7 @@
       const at = values.findIndex((value, i) => i > first && !within(value));
       if (first < 0 || at < 0) return null;
       const up = !(values[at] < this.from);
+      if (this.log && !up) return null;  // what is too small for a logarithmic axis has come to nothing
       return { t: this.crossing(times.slice(at - 1, at + 1), values.slice(at - 1, at + 1), up ? this.to : this.from), up, curve };
     }
     // When the line between two points, as it is drawn, crosses an edge of the chart.
@@ -66,6 +70,22 @@
       const [a, b, e] = [...values, edge].map(value => (this.log ? Math.log(value) : value));
       const part = (e - a) / (b - a);
       return times.length === 2 && part >= 0 && part <= 1 ? times[0] + part * (times[1] - times[0]) : times.at(-1);
+    }
+
+    // What is known at equal times over the whole run, and not only at the steps.
+    drawPaths({ ctx, bbox, valToPos }) {
+      ctx.save();
+      ctx.beginPath();
+      ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+      ctx.clip();
+      this.lists?.forEach((list, i) => {
+        ctx.beginPath();
+        list.forEach((value, k) => ctx.lineTo(valToPos(this.seconds * k / (list.length - 1), 'x', true), valToPos(value, 'y', true)));
+        ctx.setLineDash([7, 5].map(length => length * devicePixelRatio));
+        Object.assign(ctx, { strokeStyle: this.colourOf(this.paths[i]), lineWidth: 1.2 * devicePixelRatio });
+        ctx.stroke();
+      });
+      ctx.restore();
     }
 
     markExit(plot, { t, up, curve }, inWords) {

@@ -61,9 +61,10 @@
       new IntersectionObserver(entries => {
         const seen = entries.at(-1);
         this.visible = seen.isIntersecting;
-        if (!started && seen.intersectionRatio > 0.6) { started = true; this.begin(); this.play(); }
+        const most = 0.6 * Math.min(seen.boundingClientRect.height, seen.rootBounds?.height ?? Infinity);
+        if (!started && seen.intersectionRect.height > most) { started = true; this.begin(); this.play(); }
         this.ask();
-      }, { threshold: [0, 0.65] }).observe(this.stage);
+      }, { threshold: [0, 0.2, 0.35, 0.5, 0.65, 0.8] }).observe(this.stage);
     }
 
     get values() { return this.settings.values; }
@@ -80,14 +81,17 @@
       for (const code of this.stage.querySelectorAll('[data-method]')) code.hidden = code.dataset.method !== method;
       dispatchEvent(new Event('resize'));  // the page looks whether the code fits
     }
-    showWhole() {
+    // To the end, or to where it was held.
+    showWhole(until) {
       this.begin();
-      this.run.finish();
+      this.run.finish(until);
       this.draw();
       this.speak();
     }
     change() {
-      if (this.playing) this.begin(); else this.showWhole();
+      if (this.playing) { this.begin(); return; }
+      const { ended, full, now, taken } = this.run;
+      this.showWhole(ended || full || taken === 0 ? undefined : now.t);
     }
     // What the reader holds moves within a run, and what hangs from it does not stand still meanwhile.
     hold(values) {
@@ -155,7 +159,7 @@
       clearTimeout(this.speaking);
       this.speaking = setTimeout(() => { this.status.textContent = this.sentence; }, 400);
       for (const picture of this.stage.querySelectorAll('[role=img]')) {
-        const axis = picture.parentElement.querySelector('.axis').textContent;
+        const axis = [...picture.parentElement.querySelector('.axis').childNodes].map(part => part.textContent.trim()).filter(Boolean).join(', ');
         picture.setAttribute('aria-label', `${axis}. ${this.settings.words}. ${this.sentence}`);
       }
     }

@@ -18,17 +18,18 @@
       this.note();
     }
     // Whether the next step would end behind the end; a little over, since t is rounded.
-    get full() { return this.now.t + this.now.h > this.seconds * (1 + 1e-9); }
+    get full() { return this.isDone(this.seconds); }
+    isDone(until) { return this.now.t + this.now.h > until * (1 + 1e-9); }
     get ended() { return this.full && !this.endless; }
     step() {
       this.before = this.now;
       this.now = this.module.advance(1);
       if (++this.taken % this.stride === 0) this.note();
     }
-    // Goes to the end at once.
-    finish() {
-      while (!this.full) {
-        const left = Math.floor((this.seconds * (1 + 1e-9) - this.now.t) / this.now.h);
+    // Goes to the end at once, or to some time.
+    finish(until = this.seconds) {
+      while (!this.isDone(until)) {
+        const left = Math.floor((until * (1 + 1e-9) - this.now.t) / this.now.h);
         const steps = Math.max(1, Math.min(this.stride - this.taken % this.stride, left));
         this.now = this.before = this.module.advance(steps);
         this.taken += steps;
@@ -39,6 +40,11 @@
     note() {
       for (const [name, list] of Object.entries(this.trace)) list.push(this.now[name]);
       while (this.endless && this.trace.t[1] < this.now.t - this.seconds) for (const list of Object.values(this.trace)) list.shift();
+    }
+    // A trace up to what the picture shows: the newest state is still to come while it is on the way there.
+    past(name, part) {
+      const list = this.trace[name];
+      return part < 1 && this.trace.t.at(-1) === this.now.t ? list.slice(0, -1) : list;
     }
     // A value between the last two states, `part` of the way to the newer; of a list, each of its values.
     blend(name, part) {

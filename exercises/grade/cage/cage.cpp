@@ -41,7 +41,7 @@ fs::path fresh_folder() {
 
 /// Whether the user that root becomes can get there; root's own home is often closed to others.
 bool reachable(const fs::path& folder) {
-  if (!unprivileged()) return true;
+  if (!unprivileged() || !fs::exists(folder)) return true;
   for (fs::path at = fs::canonical(folder);; at = at.parent_path()) {
     if ((fs::status(at).permissions() & fs::perms::others_exec) == fs::perms::none) return false;
     if (at == at.root_path()) return true;
