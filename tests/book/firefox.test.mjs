@@ -17,6 +17,9 @@ const browser = await playwright._bidiFirefox.launch({ executablePath: process.a
 });
 after(() => browser.close());
 const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: 'reduce' });
+await context.addInitScript(() => {
+  globalThis.pictures = of => [...document.querySelectorAll(`[data-live="${of}"] canvas`)].map(canvas => canvas.toDataURL()).join();
+});
 const tab = await context.newPage();
 const faults = [];
 tab.on('console', message => faults.push(message.text()));
@@ -32,13 +35,11 @@ for (const { name, page, controls } of figures) {
   test(`${name} comes to life, and answers to its controls`, async () => {
     await visit(page);
     const stage = tab.locator(`[data-live="${name}"] .stage`);
-    const look = of => [...document.querySelectorAll(`[data-live="${of}"] canvas`)].map(canvas => canvas.toDataURL()).join();
-    const differs = ([of, before]) => [...document.querySelectorAll(`[data-live="${of}"] canvas`)].map(canvas => canvas.toDataURL()).join() !== before;
     for (const control of controls) {
-      const before = await tab.evaluate(look, name);
+      const before = await tab.evaluate(of => globalThis.pictures(of), name);
       await stage.locator(`[data-control="${control.name}"] ${control.choices ? 'input:checked' : 'input'}`).focus();
       await tab.keyboard.press('ArrowRight');
-      await tab.waitForFunction(differs, [name, before], { timeout: 5000 }).catch(() => assert.fail(`${control.name} changes nothing that is seen`));
+      await tab.waitForFunction(([of, old]) => globalThis.pictures(of) !== old, [name, before], { timeout: 5000 }).catch(() => assert.fail(`${control.name} changes nothing that is seen`));
     }
     await stage.locator('[data-do=reset]').click();
     await stage.locator('[data-do=play]').click();

@@ -11,8 +11,7 @@
       curves = curves.filter(curve => !curve.path);
       Object.assign(this, { box, beside, curves, paths, from, to, log, exits: [], seconds, until: seconds });
       const paint = name => () => Live.colour(box, name);
-      const number = mark => String(Number(mark.toPrecision(6))).replace('-', '\u2212');
-      const numbers = (_, marks) => marks.map(mark => (mark === null ? '' : number(mark)));
+      const numbers = (_, marks) => marks.map(mark => (mark === null ? '' : Live.digits(mark, 6)));
       const axis = { values: numbers, stroke: paint('soft'), grid: { stroke: paint('grid'), width: 1 }, ticks: { show: false }, font: FONT };
       // Of the marks of a logarithmic axis, the powers of ten.
       const powers = (_, marks) => marks.map(mark => (Math.abs(Math.log10(mark) - Math.round(Math.log10(mark))) < 1e-9 ? mark : null));

@@ -90,8 +90,8 @@
     }
     change() {
       if (this.playing) { this.begin(); return; }
-      const { ended, full, now, taken } = this.run;
-      this.showWhole(ended || full || taken === 0 ? undefined : now.t);
+      const { full, now, taken } = this.run;
+      this.showWhole(full || taken === 0 ? undefined : now.t);
     }
     // What the reader holds moves within a run, and what hangs from it does not stand still meanwhile.
     hold(values) {

@@ -43,9 +43,8 @@
     hold(x, y) {
       this.x = within(this.description.x, x);
       this.y = within(this.description.y, y);
-      const digits = value => value.toFixed(2).replace('-', '\u2212');
       this.element.setAttribute('aria-valuenow', this.x.toFixed(2));
-      this.element.setAttribute('aria-valuetext', `${digits(this.x)}\u202f${this.description.unit} to the right, ${digits(this.y)}\u202f${this.description.unit} up`);
+      this.element.setAttribute('aria-valuetext', `${Live.fixed(this.x, 2)}\u202f${this.description.unit} to the right, ${Live.fixed(this.y, 2)}\u202f${this.description.unit} up`);
     }
     get values() { return { [this.description.x.set]: this.x, [this.description.y.set]: this.y }; }
 

@@ -93,14 +93,13 @@
     // Faint lines with their numbers at the left and the lower edge.
     grid(xs, ys) {
       const { context, canvas } = this;
-      const number = value => String(value).replace('-', '\u2212');
       context.beginPath();
       for (const x of xs) { context.moveTo(this.x(x), 0); context.lineTo(this.x(x), canvas.clientHeight); }
       for (const y of ys) { context.moveTo(0, this.y(y)); context.lineTo(canvas.clientWidth, this.y(y)); }
       this.stroke({ colour: 'grid', width: 1 });
       Object.assign(context, { font: '400 12px "Book Sans", sans-serif', fillStyle: this.colour('soft'), textBaseline: 'bottom', textAlign: 'left' });
-      for (const x of xs) context.fillText(number(x), this.x(x) + 3, canvas.clientHeight - 2);
-      for (const y of ys) context.fillText(number(y), 3, this.y(y) - 2);
+      for (const x of xs) context.fillText(Live.digits(x, 6), this.x(x) + 3, canvas.clientHeight - 2);
+      for (const y of ys) context.fillText(Live.digits(y, 6), 3, this.y(y) - 2);
     }
   };
 })();

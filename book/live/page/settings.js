@@ -3,8 +3,6 @@
   'use strict';
   const Live = globalThis.Live ??= {};
 
-  const digits = value => String(Number(value.toPrecision(4))).replace('-', '\u2212');
-
   // A slider stands at numbers of its own: places in a list of values, or the value in the unit that is shown.
   class Slider {
     constructor(label, control) {
@@ -21,7 +19,7 @@
       const nearest = (best, value, i) => (Math.abs(value - shown) < Math.abs(this.values[best] - shown) ? i : best);
       this.input.value = this.values ? this.values.reduce(nearest, 0) : shown;
     }
-    words(shown = this.shown) { return `${digits(shown)}${this.unit ? `\u202f${this.unit}` : ''}`; }
+    words(shown = this.shown) { return `${Live.digits(shown, 4)}${this.unit ? `\u202f${this.unit}` : ''}`; }
 
     // `now` holds the value to be marked on the slider, where it has one.
     tell(now) {

@@ -4,6 +4,8 @@
   const Live = globalThis.Live ??= {};
   const raised = digits => digits.replace(/\d|-/g, sign => '\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079'[sign] ?? '\u207b');
 
+  // With so many digits in all, and no more than it takes.
+  Live.digits = (value, most) => String(Number(value.toPrecision(most))).replace('-', '\u2212');
   // With so many digits behind the point; what is huge as a power of ten.
   Live.fixed = function (value, digits) {
     if (Math.abs(value) >= 1e6) {

@@ -96,11 +96,10 @@ TEST_CASE("The kit may lie where nobody but its owner gets to, as in root's home
 
 TEST_CASE("Compiling without the sandbox leaves no folder behind") {
   // Of its own, since other tests compile beside this one.
-  std::string own = (std::filesystem::temp_directory_path() / "own-XXXXXX").string();
-  REQUIRE(::mkdtemp(own.data()));
-  std::filesystem::permissions(own, std::filesystem::perms::all);
-  const std::string usual = std::filesystem::temp_directory_path().string();
-  ::setenv("TMPDIR", own.c_str(), 1);
+  const Folder own;
+  std::filesystem::permissions(own.path(), std::filesystem::perms::all);
+  const std::string before_us = std::filesystem::temp_directory_path().string();
+  ::setenv("TMPDIR", own.path().c_str(), 1);
   const auto folders = [] {
     int count = 0;
     for (const auto& next :
@@ -112,8 +111,7 @@ TEST_CASE("Compiling without the sandbox leaves no folder behind") {
   compile(good, Sandbox::none);
   compile("#error\n", Sandbox::none);
   CHECK(folders() == before);
-  ::setenv("TMPDIR", usual.c_str(), 1);
-  std::filesystem::remove_all(own);
+  ::setenv("TMPDIR", before_us.c_str(), 1);
 }
 
 TEST_CASE("The precompiled header is used") {
