@@ -37,8 +37,8 @@ test('a live figure: the still picture, the stage with its controls and the code
 
 test('the page of a live figure loads its scripts, and no other page does', () => {
   const book = weaves(...live, method, methodEnd, module);
-  const scripts = page => [...book.read(`out/${page}`).matchAll(/src="(live\/[^"]*)"/g)].map(found => found[1]);
-  assert.deepEqual(scripts('2-euler.html').filter(src => !book.has(`out/${src}`)), []);
+  const scripts = page => [...book.read(`built/book/${page}`).matchAll(/src="(live\/[^"]*)"/g)].map(found => found[1]);
+  assert.deepEqual(scripts('2-euler.html').filter(src => !book.has(`built/book/${src}`)), []);
   for (const needed of ['live/compiled.js', 'live/uplot.js', 'live/spiral.js']) assert.ok(scripts('2-euler.html').includes(needed), needed);
   for (const page of ['index.html', 'references.html', 'claims.html']) assert.deepEqual(scripts(page), []);
 });
