@@ -21,7 +21,7 @@ Owner owner(const std::string& file, const std::string& header) {
   if (file == header || file == "{standard input}") return Owner::student;
   if (name == "given.h") return Owner::given;
   if (among(name, {"glue.cpp", "harness.h", "call.h", "force.h", "steps.h"})) return Owner::grader;
-  if (file.starts_with("/usr/include/") || file.starts_with("/usr/lib/gcc/")) return Owner::library;
+  if (file.find("/include/") != file.npos) return Owner::library;
   return Owner::outside;
 }
 
@@ -127,6 +127,10 @@ std::string hint(const All& all) {
   for (const char* name : {"print", "expected", "mdspan", "generator", "flat_map", "stacktrace"})
     if (said(std::string(name) + ": No such file"))
       return "<" + std::string(name) + "> came with C++23, and this is compiled as C++20.";
+  for (const char* name : {"print", "println", "expected", "unexpected", "mdspan", "generator",
+                           "flat_map", "flat_set", "stacktrace"})
+    if (said("'" + std::string(name) + "' is not a member of 'std'"))
+      return "std::" + std::string(name) + " came with C++23, and this is compiled as C++20.";
   if (said("C++23") || said("-std=c++23") || said("-std=c++2b"))
     return "This is compiled as C++20.";
   return {};

@@ -26,7 +26,8 @@ double seconds_since(Clock::time_point start) {
 
 cage::Kit kit() {
   const std::string folder = installed::kit;
-  return {folder + "/harness", folder, folder + "/canary"};
+  return {folder + "/harness", folder, folder + "/canary", installed::compiler,
+          {std::begin(installed::shown_to_compiler), std::end(installed::shown_to_compiler)}};
 }
 
 std::string read(const std::filesystem::path& path) {
@@ -101,6 +102,23 @@ void grade_into(const Request& request, Report& report) {
   judge_driver(request, kit, compiled.driver, report);
 }
 
+// The driver ran, and the tests have a say.
+bool is_judged(Verdict verdict) {
+  return verdict == Verdict::accepted || verdict == Verdict::partial ||
+         verdict == Verdict::wrong_answer;
+}
+
+// What became of our own solution, in the words that a student would have read.
+std::string not_ours(const Report& report) {
+  std::string why = "the grader does not work on this machine: it gives its own " +
+                    report.exercise + "/" +
+                    std::filesystem::path(report.submission).filename().string() + " " +
+                    std::string(name(report.verdict));
+  for (const TestResult& test : report.tests)
+    if (is_judged(report.verdict) && !test.held) why += ", " + test.name;
+  return report.why.empty() ? why : why + ":\n" + report.why;
+}
+
 // Shortages that another try may not meet.
 bool may_pass(int error) {
   return error == EAGAIN || error == ENOMEM || error == ENOSPC || error == EMFILE ||
@@ -133,19 +151,26 @@ Report grade_one(const Request& request) {
   return report;
 }
 
-void calibrate(Request& request) {
+std::optional<Obstacle> calibrate(Request& request) {
   constexpr double times = 20;
   Request own = request;
   own.submission = request.exercise.folder / "solution.h";
-  if (!std::filesystem::exists(own.submission))
-    own.submission = request.exercise.folder / "starter.h";
+  const bool at_home = !std::filesystem::exists(own.submission);
+  if (at_home) own.submission = request.exercise.folder / "starter.h";
+  for (cage::Limits* limits : {&own.compile_limits, &own.run_limits}) {
+    limits->processor *= times;
+    limits->wall *= times;
+  }
   const Report report = grade_one(own);
+  if (!(at_home ? is_judged(report.verdict) : report.verdict == Verdict::accepted))
+    return Obstacle{not_ours(report), report.try_again};
   const auto raise = [&](cage::Limits& limits, double seconds) {
     limits.processor = std::max(limits.processor, times * seconds);
     limits.wall = std::max(limits.wall, times * seconds + 5);
   };
   raise(request.compile_limits, report.compile_seconds);
   raise(request.run_limits, judge::session().processor);
+  return std::nullopt;
 }
 
 std::optional<std::string> unsafe() {

@@ -45,9 +45,17 @@ struct Report {
 /// Reads, compiles, runs and judges; never throws: what goes wrong with us is a grader_error.
 Report grade_one(const Request& request);
 
-/// What this exercise's solution (at home: its starter) takes here, times twenty, but at least the
-/// usual limits.
-void calibrate(Request& request);
+/// Why nobody can be graded.
+struct Obstacle {
+  std::string why;
+  bool try_again = false;  ///< a shortage that may pass
+};
+
+/// Grades the exercise's own solution as the request would be, in the same cage. The limits of time
+/// become twenty times what it takes here, but at least the usual ones.
+/// @returns what is wrong with the grader if the solution is not accepted; at home, where only the
+/// starter is there, if that is not judged
+std::optional<Obstacle> calibrate(Request& request);
 
 /// Why nothing can be graded in the sandbox on this machine, and what to do about it; nothing if
 /// it can.

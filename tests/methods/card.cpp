@@ -159,7 +159,7 @@ TEST_CASE("What the first lines over every method promise is what is measured") 
   for (const auto& [method, words] : every_promise()) {
     if (method == "dopri5_adaptive") continue;  // takes steps of dopri5 and promises an error
     DYNAMIC_SECTION(method) {
-      const Card& card = card_of(method);
+      const Card card = card_of(method);
       check_orders(words, card);
       check_cost(words, card);
       check_stability(words, "on drag", card.at("drag-limit"));
@@ -169,7 +169,7 @@ TEST_CASE("What the first lines over every method promise is what is measured") 
 }
 
 TEST_CASE("Euler's first lines are right about damped springs") {
-  const Card& card = card_of("euler");
+  const Card card = card_of("euler");
   const auto words = every_promise();
   const auto euler = std::find_if(words.begin(), words.end(),
                                   [](const Promise& promise) { return promise.method == "euler"; });
@@ -188,7 +188,7 @@ TEST_CASE("Predicted Euler's first lines are right about more corrections") {
   });
   const auto found = match(predicted->words,
                            "with two the limits are ([0-9.]+) and ([0-9.]+), with three 1 again");
-  const Card& card = card_of("predicted_euler");
+  const Card card = card_of("predicted_euler");
   check_limit(card.at("corrections-2-drag"), found[1]);
   check_limit(card.at("corrections-2-spring"), found[2]);
   check_limit(card.at("corrections-3-drag"), "1");

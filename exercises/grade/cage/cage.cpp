@@ -94,15 +94,15 @@ Process compile(Sandbox sandbox, const Kit& kit, std::string_view submission,
                 const std::string& header, std::string_view harness_header, const Limits& limits) {
   if (sandbox == Sandbox::none) {
     const fs::path folder = lay_out(kit, submission, header, harness_header);
-    return Process(compile_command(folder.string(), limits), {}, limits, folder);
+    return Process(compile_command(kit, folder.string(), limits), {}, limits, folder);
   }
   const File glued = sealed(glue(header)), harness = sealed(harness_header),
              text = sealed(submission), filter = part(fs::path(kit.filters) / "compile.bpf");
-  Harness kits = show(kit.harness);
-  std::vector<std::pair<int, int>> files = std::move(kits.numbers);
+  Harness shown = show(kit.harness);
+  std::vector<std::pair<int, int>> files = std::move(shown.numbers);
   files.insert(files.end(),
                {{glued.get(), 6}, {harness.get(), 7}, {text.get(), 8}, {filter.get(), 9}});
-  return Process(compile_command(kits.words, header, limits), files, limits);
+  return Process(compile_command(kit, shown.words, header, limits), files, limits);
 }
 
 Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& limits) {

@@ -20,6 +20,8 @@ struct Kit {
   std::string harness;  ///< folder with the precompiled given.h, call.h and harness.o
   std::string filters;  ///< folder with run.bpf and compile.bpf
   std::string canary;   ///< the canary, a static program
+  std::string compiler = {};  ///< what the kit was compiled with, and submissions are
+  std::vector<std::string> shown = {};  ///< the folders of its parts, headers and libraries
 };
 
 /// Exit codes of a compilation that failed: in which step.

@@ -41,14 +41,14 @@ const Words bubblewrap = {"bwrap",
                           "--json-status-fd",
                           "4"};
 
-/// In steps, each with its own exit code. What the object defines strongly, and main, are printed
+/// In steps, each with its own exit code; $0 is the compiler. What the object defines strongly, and main, are printed
 /// for the grader to look at; the driver goes out on descriptor 3.
 const std::string compile_script = R"(printf READY >&3
-g++ -std=c++20 -O2 -ffp-contract=off -Wall -Wextra -Wno-unused-parameter -fmax-errors=5 \
+"$0" -std=c++20 -O2 -ffp-contract=off -Wall -Wextra -Wno-unused-parameter -fmax-errors=5 \
   -fdiagnostics-color=never -pipe -DGRADING -Iharness -c glue.cpp -o driver.o 3>&- || exit 10
 nm -C -g --defined-only driver.o 3>&- |
   grep -aE '^[0-9a-f]+ ([ABCDGRST] |[A-Za-z] main$)' 3>&-
-g++ -static driver.o harness/harness.o -o driver 3>&- || exit 11
+"$0" -static driver.o harness/harness.o -o driver 3>&- || exit 11
 exec cat driver >&3)";
 
 }  // namespace
@@ -89,29 +89,30 @@ Words run_command(Sandbox sandbox, const Limits& limits) {
   return words;
 }
 
-Words compile_command(const Words& kit, const std::string& header, const Limits& limits) {
+Words compile_command(const Kit& kit, const Words& harness, const std::string& header,
+                      const Limits& limits) {
   Words words = leash(Sandbox::bubblewrap, limits, 64);
   add(words, bubblewrap);
   add(words, {"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C", "--setenv", "TMPDIR"});
   add(words, {"/job"});
-  for (const char* folder : {"/usr/bin", "/usr/lib", "/usr/lib64", "/usr/include"})
-    add(words, {"--ro-bind", folder, folder});
+  for (const std::string& folder : kit.shown) add(words, {"--ro-bind", folder, folder});
   add(words, {"--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink",
               "usr/bin", "/bin"});
   add(words, {"--size", "134217728", "--tmpfs", "/job"});
-  add(words, kit);
+  add(words, harness);
   add(words, {"--perms", "0444", "--ro-bind-data", "6", "/job/glue.cpp"});
   add(words, {"--perms", "0444", "--ro-bind-data", "7", "/job/exercise/harness.h"});
   add(words, {"--perms", "0444", "--ro-bind-data", "8", "/job/" + header});
   // The count of processes is set inside, where it is this cage's alone.
   add(words, {"--remount-ro", "/", "--chdir", "/job", "--seccomp", "9", "--", "prlimit",
-              "--nproc=24", "--", "/bin/sh", "-c", compile_script});
+              "--nproc=24", "--", "/bin/sh", "-c", compile_script, kit.compiler});
   return words;
 }
 
-Words compile_command(const std::string& folder, const Limits& limits) {
+Words compile_command(const Kit& kit, const std::string& folder, const Limits& limits) {
   Words words = leash(Sandbox::none, limits, 64);
-  add(words, {"env", "--chdir", folder, "TMPDIR=" + folder, "/bin/sh", "-c", compile_script});
+  add(words, {"env", "--chdir", folder, "TMPDIR=" + folder, "/bin/sh", "-c", compile_script,
+              kit.compiler});
   return words;
 }
 

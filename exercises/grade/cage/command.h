@@ -26,10 +26,11 @@ Words run_command(Sandbox sandbox, const Limits& limits);
 
 /// Compiles in the cage: the header on descriptor 8, harness.h on 7, the glue on 6, the filter
 /// on 9.
-/// @param kit  words for bubblewrap that show the kit's harness at /job/harness
-Words compile_command(const Words& kit, const std::string& header, const Limits& limits);
+/// @param harness  words for bubblewrap that show the kit's harness at /job/harness
+Words compile_command(const Kit& kit, const Words& harness, const std::string& header,
+                      const Limits& limits);
 
 /// The same in a folder that holds all these by their names.
-Words compile_command(const std::string& folder, const Limits& limits);
+Words compile_command(const Kit& kit, const std::string& folder, const Limits& limits);
 
 }  // namespace cage

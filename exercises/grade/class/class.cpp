@@ -52,8 +52,10 @@ int grade_roll(const Roll& roll, const Class& work) {
       std::printf("Graded with the public seed; --seed-file names one that only you know\n");
     }
     if (const auto why = unsafe()) return refuse(Exit::failed, *why);
-    std::filesystem::create_directories(work.results);
-    grade_all(jobs, work);
+    if (const auto obstacle = grade_all(jobs, work)) {
+      return refuse(obstacle->try_again ? Exit::try_again : Exit::failed,
+                    "nobody is graded, since " + obstacle->why);
+    }
   }
   if (work.shard.of == 1) return conclude(roll, exercises, all, work);
   std::printf("Part %zu of %zu is done; without --shard, the tables are made\n", work.shard.part,

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <filesystem>
 #include <map>
 
 #include "class/pool.h"
@@ -21,18 +22,27 @@ std::chrono::milliseconds longest(const Request& request) {
   return std::chrono::milliseconds(static_cast<long>(2000 * seconds));
 }
 
-/// Limits are calibrated once for each exercise, before anything else runs.
-std::vector<Task> tasks(const std::vector<Job>& jobs, const Class& work) {
-  std::map<std::string, Request> requests;
-  std::vector<Task> all;
+/// By the names of the exercises.
+using Requests = std::map<std::string, Request>;
+
+/// Each exercise's solution is graded once, before anything else runs.
+std::optional<Obstacle> calibrate_all(const std::vector<Job>& jobs, const Class& work,
+                                      Requests& requests) {
   for (const Job& job : jobs) {
     const auto [found, is_new] = requests.try_emplace(job.exercise.name);
+    if (!is_new) continue;
     Request& request = found->second;
-    if (is_new) {
-      request.exercise = job.exercise;
-      request.seed = work.seed;
-      calibrate(request);
-    }
+    request.exercise = job.exercise;
+    request.seed = work.seed;
+    if (auto obstacle = calibrate(request)) return obstacle;
+  }
+  return std::nullopt;
+}
+
+std::vector<Task> tasks(const std::vector<Job>& jobs, const Class& work, const Requests& requests) {
+  std::vector<Task> all;
+  for (const Job& job : jobs) {
+    const Request& request = requests.at(job.exercise.name);
     all.push_back({arguments(job, work, write_limits(request)), longest(request)});
   }
   return all;
@@ -40,10 +50,14 @@ std::vector<Task> tasks(const std::vector<Job>& jobs, const Class& work) {
 
 }  // namespace
 
-void grade_all(const std::vector<Job>& jobs, const Class& work) {
+std::optional<Obstacle> grade_all(const std::vector<Job>& jobs, const Class& work) {
+  Requests requests;
+  if (auto obstacle = calibrate_all(jobs, work, requests)) return obstacle;
+  std::filesystem::create_directories(work.results);
   Progress progress(jobs.size(), isatty(STDOUT_FILENO) != 0);
-  run_all(tasks(jobs, work), work.jobs,
+  run_all(tasks(jobs, work, requests), work.jobs,
           [&](std::size_t i) { progress.done(jobs[i], kept_report(jobs[i])); });
+  return std::nullopt;
 }
 
 }  // namespace grade

@@ -21,7 +21,8 @@ inline std::string kit_folder() {
 
 inline cage::Kit kit() {
   const std::string folder = kit_folder();
-  return {folder + "/harness", folder, folder + "/canary"};
+  return {folder + "/harness", folder, folder + "/canary", installed::compiler,
+          {std::begin(installed::shown_to_compiler), std::end(installed::shown_to_compiler)}};
 }
 
 /// A program that stands beside this one.

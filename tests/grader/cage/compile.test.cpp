@@ -5,6 +5,9 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <algorithm>
+#include <sstream>
+
 #include "around.h"
 
 using cage::Sandbox;
@@ -85,7 +88,10 @@ TEST_CASE("The kit may lie where nobody but its owner gets to, as in root's home
   const Folder folder;  // has the mode 0700
   std::filesystem::copy(kit_folder(), folder / "kit", std::filesystem::copy_options::recursive);
   const std::string own = folder / "kit";
-  const cage::Kit closed = {own + "/harness", own, own + "/canary"};
+  cage::Kit closed = kit();
+  closed.harness = own + "/harness";
+  closed.filters = own;
+  closed.canary = own + "/canary";
   CHECK(cage::unsafe(closed) == std::nullopt);
   for (const Sandbox sandbox : {Sandbox::bubblewrap, Sandbox::none}) {
     const Compiled compiled = grade::compile(good, "drift.h", asks, sandbox, closed, usual());
@@ -253,7 +259,59 @@ TEST_CASE("The cage shows nothing of the machine but its compiler") {
 TEST_CASE("Known mistakes get a hint") {
   check({"#include <windows.h>\n", Verdict::compile_error, {"exists only on Windows"}});
   check({"#include \"stdafx.h\"\n", Verdict::compile_error, {"exists only on Windows"}});
-  check({"#include <print>\n", Verdict::compile_error, {"compiled as C++20"}});
+  const std::string says = "inline void step(Vec& x) { std::println(\"{}\", x.x); }\n";
+  check({"#include <print>\n" + says, Verdict::compile_error, {"C++23", "compiled as C++20"}});
+}
+
+// As g++ 14 has <print>, g++ 12 has <expected>: there, and empty before C++23.
+TEST_CASE("A header of the next standard that is there gets the same hint") {
+  const std::string uses = "inline void step(Vec& x) { x.x = std::expected<double, int>(1).value(); }\n";
+  check({"#if !__has_include(<expected>)\n#error it is not there\n#endif\n#include <expected>\n" + uses,
+         Verdict::compile_error,
+         {"'expected' is not a member of 'std'", "C++23", "compiled as C++20"}});
+}
+
+namespace {
+
+/// g++, whose part that compiles lies elsewhere: in `parts`, and leaves a trace.
+cage::Kit scattered(const Folder& folder) {
+  cage::Kit kit = ::kit();
+  const auto script = [&](const std::string& name, const std::string& text) {
+    const std::string path = folder.write(name, "#!/bin/sh\n" + text);
+    std::filesystem::permissions(path, std::filesystem::perms(0755));
+    return path;
+  };
+  const std::string parts = folder / "parts/";
+  kit.compiler = script("bin/g++", "exec " + kit.compiler + " -B" + parts + " \"$@\"\n");
+  script("parts/cc1plus", "exec " CC1PLUS " -DFROM_ELSEWHERE \"$@\"\n");
+  std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
+  return kit;
+}
+
+/// What the build finds out of a compiler.
+std::vector<std::string> shown_to(const std::string& compiler) {
+  cage::Process ask(shell("\"" CMAKE "\" -DCOMPILER=" + compiler + " -P " SHOWN_TO), {}, {});
+  std::istringstream said(ask.finish().err);
+  std::vector<std::string> folders;
+  for (std::string line; std::getline(said, line);) folders.push_back(line);
+  return folders;
+}
+
+}  // namespace
+
+TEST_CASE("A compiler whose parts lie elsewhere finds them in the cage") {
+  const Folder folder;
+  cage::Kit kit = scattered(folder);
+  const std::string text = "#ifndef FROM_ELSEWHERE\n#error another cc1plus\n#endif\n" + good;
+  kit.shown = shown_to(kit.compiler);
+  const Compiled whole = grade::compile(text, "drift.h", asks, Sandbox::bubblewrap, kit, usual());
+  INFO(whole.message);
+  CHECK_FALSE(whole.failed);
+
+  std::erase(kit.shown, (folder / "parts").string());
+  const Compiled lacking = grade::compile(text, "drift.h", asks, Sandbox::bubblewrap, kit, usual());
+  REQUIRE(lacking.failed);
+  CHECK_THAT(lacking.message, ContainsSubstring("another cc1plus"));
 }
 
 TEST_CASE("A kit that is not whole is our own error") {

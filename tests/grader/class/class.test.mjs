@@ -1,6 +1,6 @@
 // Classes, graded by the stand-in:   node class.test.mjs STAND_IN
 import assert from 'node:assert/strict';
-import {mkdirSync, renameSync, symlinkSync, writeFileSync} from 'node:fs';
+import {existsSync, mkdirSync, renameSync, symlinkSync, writeFileSync} from 'node:fs';
 import {test} from 'node:test';
 import {classroom, rows} from './classroom.mjs';
 
@@ -121,6 +121,14 @@ test('shards together are the whole, and the tables come of a last run', () => {
   assert.equal(new Set(parts.flat()).size, 6);
   assert.deepEqual(room.grade().graded, []);
   assert.equal(rows(room.read('grades.csv')).length, 4);
+});
+
+test('a grader that fails at its own solution of one exercise grades nobody', () => {
+  const room = classroom(three);
+  const {status, stderr, graded} = room.grade([], {STAND_IN_BROKEN: '2-second/three'});
+  assert.deepEqual([status, graded], [42, []]);
+  assert.equal(stderr, 'grade: nobody is graded, since the grader gives its own solution COMPILE_ERROR:\ng++: no cc1plus\n');
+  assert.ok(!existsSync(room.results));
 });
 
 test('a machine that cannot hold a submission grades none', () => {

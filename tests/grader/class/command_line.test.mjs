@@ -95,3 +95,15 @@ test('it lists exercises, says its version and helps', () => {
   assert.ok(!stdout.includes('--limits'));
   assert.ok(stdout.split('\n').every(line => line.length <= 100));
 });
+
+test('a grader that fails at its own solution takes no point from anybody', () => {
+  const grade = (file, ...more) => spawnSync(GRADE, ['1-first/one', file, ...more],
+      {encoding: 'utf8', cwd: folder, env: {...process.env, STAND_IN_BROKEN: '1-first/one'}});
+  const {status, stdout} = grade('some.h', '--out', 'broken');
+  assert.equal(status, 42);
+  assert.match(stdout, /g\+\+: no cc1plus/);
+  const {verdict, score, why} = JSON.parse(readFileSync(at('broken/report.json'), 'utf8'));
+  assert.deepEqual([verdict, score], ['GRADER_ERROR', 0]);
+  assert.match(why, /^the grader gives its own solution COMPILE_ERROR/);
+  assert.equal(grade('full.h').status, 0);  // full marks prove that it works
+});

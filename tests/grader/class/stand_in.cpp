@@ -6,7 +6,8 @@
 //   // crash         the grader dies
 //   // fails         the grader fails, and will again
 //   // again         the grader fails for want of something
-// What it grades is noted in the file STAND_IN_LOG; STAND_IN_VERSION is the grader's version.
+// What it grades is noted in the file STAND_IN_LOG; STAND_IN_VERSION is the grader's version. Of the
+// exercise that STAND_IN_BROKEN names, it cannot grade the solution.
 #include <unistd.h>
 
 #include <cstdio>
@@ -99,10 +100,14 @@ std::string sha256(const std::string& text) {
   return digits;
 }
 
-void calibrate(Request& request) {
+std::optional<Obstacle> calibrate(Request& request) {
+  if (setting("STAND_IN_BROKEN", "") == request.exercise.name) {
+    return Obstacle{"the grader gives its own solution COMPILE_ERROR:\ng++: no cc1plus"};
+  }
   // 2 (1.6 + 2 x 2 x 0.1) = 4 s for each submission.
   request.compile_limits.wall = 1.6;
   request.run_limits.wall = 0.1;
+  return {};
 }
 
 Report grade_one(const Request& request) {

@@ -7,6 +7,7 @@
 
 inline void step(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) {
   const Vec a = acceleration(x, v, t);
+  std::println("{}", t);
   x = x + h * v;
   v = v + h * a;
 }
