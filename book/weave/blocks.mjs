@@ -33,12 +33,12 @@ function fence({ hold }, { language, code }) {
 
 const display = ({ hold }, piece) => `<div class="math-block">${hold(piece.html)}</div>`;
 
-const rows = (_, piece) => `<div class="tablescroll">${tableHtml(piece.table)}</div>`;
+const rows = ({ book }, piece) => `<div class="tablescroll">${tableHtml(piece.table, book.times)}</div>`;
 
 function card({ book, hold }, { card: measured }) {
   const { name } = measured;
   const { href } = book.api.names.get(`integrate::${name}`);
-  return hold(cardHtml(measured, `<b><a href="${href}"><code>${escapeHtml(name)}</code></a></b> measured`));
+  return hold(cardHtml(measured, book.times, `<b><a href="${href}"><code>${escapeHtml(name)}</code></a></b> measured`));
 }
 
 function contents({ book }) {

@@ -4,6 +4,7 @@ import { dirname, join, relative } from 'node:path';
 import { readCards } from './cards.mjs';
 import { readClaims } from './claims.mjs';
 import { readLive } from './live.mjs';
+import { readAllTimes } from './measured-times.mjs';
 import { readNumbers } from './numbers.mjs';
 import { readPage } from './page.mjs';
 import { createProblems } from './problems.mjs';
@@ -24,7 +25,7 @@ export function readBook(config) {
   const book = {
     config, problems,
     chapters: new Map(), programs: new Map(), pages: [], labels: new Map(), references: new Map(), claims: new Map(),
-    sources, cards: readCards(config.cards, problems), live: readLive(config.source, problems),
+    sources, cards: readCards(config.cards, problems), times: readAllTimes(config.times, problems), live: readLive(config.source, problems),
     snippet: createSnippets(config.source, sources),
     short: path => relative(config.source, path),
   };

@@ -2,6 +2,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { readRecords } from './csv.mjs';
+import { aboutTimes, isTime, timeHtml } from './measured-times.mjs';
 import { numberHtml, unitHtml } from './numbers.mjs';
 import { didYouMean } from './problems.mjs';
 import { sourceHref } from './source-pages.mjs';
@@ -47,17 +48,18 @@ function lineOf({ config }, name) {
 }
 
 // `title` is the HTML of the head.
-export function cardHtml(card, title) {
+export function cardHtml(card, times, title) {
   const parts = [...new Set(card.rows.map(row => row.about))]
-    .map(about => `<div class="part"><p class="label">${variables(about)}</p><dl>${card.rows.filter(row => row.about === about).map(line).join('')}</dl></div>`);
+    .map(about => `<div class="part"><p class="label">${variables(about)}</p><dl>${card.rows.filter(row => row.about === about).map(row => line(row, times)).join('')}</dl></div>`);
+  const timed = card.rows.some(row => isTime(row.measured)) ? aboutTimes(times) : '';
   const note = card.note ? `<p class="note">${escapeHtml(card.note)}</p>` : '';
   return `<div class="card" role="note" aria-label="Card of ${escapeHtml(card.name)}">
 <div class="cardhead"><p>${title}</p><p class="sources"><a href="data/cards/${card.name}.csv">${card.name}.csv</a>, <a href="${sourceHref(MEASURED_BY)}">every_card.cpp</a></p></div>
 <div class="parts">${parts.join('\n')}</div>
-${note}</div>`;
+${note}${timed}</div>`;
 }
 
-const line = row => `<div><dt>${variables(row.asked)}</dt><dd>${value(row)}</dd></div>`;
+const line = (row, times) => `<div><dt>${variables(row.asked)}</dt><dd>${isTime(row.measured) ? `${timeHtml(times, row.measured)}\u202fns` : value(row)}</dd></div>`;
 
 export function value({ about, measured, digits, unit }, shown = Number(digits)) {
   const number = Number(measured.replace(/^([-+]?)inf$/, '$1Infinity'));

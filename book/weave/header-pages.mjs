@@ -38,7 +38,7 @@ function headerPage(book, header) {
 
 function cardFor(book, member) {
   const card = steps(member) && book.cards.get(member.name);
-  return card ? cardHtml(card, `<b>Measured</b> for ${escapeHtml(card.suits)}`) : '';
+  return card ? cardHtml(card, book.times, `<b>Measured</b> for ${escapeHtml(card.suits)}`) : '';
 }
 
 function take(book, header) {

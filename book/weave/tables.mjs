@@ -2,6 +2,7 @@
 import { existsSync } from 'node:fs';
 import { basename } from 'node:path';
 import { readCsv, readRecords } from './csv.mjs';
+import { aboutTimes, holdsTimes, isTime, timeHtml } from './measured-times.mjs';
 import { numberHtml, unitHtml } from './numbers.mjs';
 import { escapeHtml } from './text.mjs';
 
@@ -31,18 +32,20 @@ export function numberColumns(table) {
   return Object.fromEntries(header.map((name, i) => [name, rows.map(row => Number(Number(row[i]).toPrecision(5)))]));
 }
 
-export function tableHtml(table) {
+export function tableHtml(table, times) {
   const [header, ...rows] = readCsv(table.path);
   const columns = header.map(name => table.columns.find(c => c.column === name));
-  const align = columns.map(c => (c.digits === 'text' ? '' : ' class="right"'));
+  const right = (c, i) => c.digits !== 'text' || rows.some(row => isTime(row[i]));
+  const align = columns.map((c, i) => (right(c, i) ? ' class="right"' : ''));
   const heads = columns.map((c, i) => `<th scope="col"${align[i]}>${head(c)}</th>`);
-  const body = rows.map(row => `<tr>${row.map((field, i) => `<td${align[i]}>${cell(field, columns[i])}</td>`).join('')}</tr>`);
-  return `<table><thead><tr>${heads.join('')}</tr></thead><tbody>\n${body.join('\n')}\n</tbody></table>`;
+  const body = rows.map(row => `<tr>${row.map((field, i) => `<td${align[i]}>${cell(field, columns[i], times)}</td>`).join('')}</tr>`);
+  return `<table><thead><tr>${heads.join('')}</tr></thead><tbody>\n${body.join('\n')}\n</tbody></table>${holdsTimes(rows) ? aboutTimes(times) : ''}`;
 }
 
 const head = c => escapeHtml(c.column) + (c.unit ? ` <span class="unit">[${unitHtml(c.unit)}]</span>` : '');
 
-function cell(field, column) {
+function cell(field, column, times) {
+  if (isTime(field)) return timeHtml(times, field);
   if (column.digits === 'text') return escapeHtml(field);
   if (field === '' || /^[-+]?nan$/i.test(field)) return '–';
   return numberHtml(Number(field.replace(/inf(inity)?/i, 'Infinity')), Number(column.digits));

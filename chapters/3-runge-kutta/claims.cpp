@@ -5,6 +5,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "blend.h"
@@ -19,6 +20,8 @@
 #include "measure/methods_with_memory.h"
 #include "measure/order.h"
 #include "measure/stability.h"
+#include "measure/times.h"
+#include "rest.h"
 #include "scenes/linear_drag.h"
 #include "scenes/pendulum.h"
 #include "scenes/projectile.h"
@@ -529,4 +532,26 @@ TEST_CASE("At five swings a second, one per cent a minute takes RK4 152 steps a 
   };
   CHECK(left(152) > 0.99);
   CHECK(left(150) < 0.99);
+}
+
+TEST_CASE("Folded into one matrix, a step of RK4 takes a seventh of the time") {
+  const measure::Times& times = measure::recorded_times();
+  CHECK_THAT(times.at("spring/RK4").median / times.at("spring/RK4 folded").median,
+             WithinAbs(7.5, 0.5));
+  CHECK_THAT(times.at("spring/exact folded").median / times.at("spring/RK4 folded").median,
+             WithinAbs(1, 0.05));
+}
+
+TEST_CASE("A spring left alone is a denormal number after six minutes, and lasts for seconds more") {
+  CHECK_THAT(comes_to_rest() / 60, WithinAbs(6, 0.2));
+  auto s = at_rest.start();
+  double t = 0;
+  for (; std::fpclassify(s.x) == FP_SUBNORMAL && t < 600; t += h) rk4(s.x, s.v, t, h, at_rest);
+  CHECK(t > 5);
+}
+
+TEST_CASE("At rest the same steps take longer") {
+  const measure::Times& times = measure::recorded_times();
+  for (const std::string step : {"spring/RK4", "spring/RK4 folded"})
+    CHECK(times.at(step + " at rest").lower > 1.1 * times.at(step).upper);
 }

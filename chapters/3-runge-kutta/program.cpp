@@ -10,10 +10,10 @@
 #include "energy.h"
 #include "equal_cost.h"
 #include "limits.h"
-#include "measure/cost.h"
 #include "measure/linear_methods.h"
 #include "measure/order.h"
 #include "measure/path.h"
+#include "rest.h"
 #include "toys.h"
 #include "wrong.h"
 
@@ -156,22 +156,12 @@ void matrix(Record& record) {
   const auto plain = measure::after(rk4, suspension, suspension.start(), h, 60);
   record.number("matrix-apart", std::abs(x - plain.x), 1, "m");
 
-  auto& speed =
-      record.table("speed", {{"measured"}, {"of a step"}, {"on " + measure::machine(), "ns", 2}});
-  const auto add = [&](const char* what, auto step) {
-    speed.add({"time", what, 1e9 * measure::seconds_per_step(step, suspension, h)});
-  };
-  add("RK4, four evaluations", rk4);
-  add("RK4, folded into one matrix", [folded](auto& place, auto& speed_of, auto, auto, auto&&) {
-    integrate::rk4_linear(place, speed_of, folded);
-  });
-  double xx = 1, vx = 0, xv = 0, vv = 1;
-  integrate::spring_exact(xx, vx, h, suspension.omega, suspension.zeta);
-  integrate::spring_exact(xv, vv, h, suspension.omega, suspension.zeta);
-  const integrate::Rk4Linear<double> exact{xx, xv, vx, vv};
-  add("exact, folded likewise", [exact](auto& place, auto& speed_of, auto, auto, auto&&) {
-    integrate::rk4_linear(place, speed_of, exact);
-  });
+  auto& speed = record.table("speed", {{"a step of"}, {"swinging", "ns"}, {"at rest", "ns"}});
+  speed.add({"RK4, four evaluations", "time:spring/RK4", "time:spring/RK4 at rest"});
+  speed.add({"RK4, folded into one matrix", "time:spring/RK4 folded",
+             "time:spring/RK4 folded at rest"});
+  speed.add({"the exact step, folded likewise", "time:spring/exact folded", "–"});
+  record.number("rests-after", comes_to_rest() / 60, 2, "min");
 }
 
 void bugs(Record& record) {

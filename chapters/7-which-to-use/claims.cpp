@@ -485,3 +485,62 @@ TEST_CASE("To a millimetre only the lamp pays more, and the level less than a fi
   });
   CHECK(total_to_within(centimetre / 10) < 1.2 * total_to_within(centimetre));
 }
+
+TEST_CASE("Alone, a shuttle takes symplectic Euler as long as midpoint, twice as long as Euler") {
+  const auto alone = [](const std::string& method) {
+    return measure::recorded_times().at("shuttle/" + method).median;
+  };
+  CHECK_THAT(alone("symplectic Euler") / alone("midpoint"), WithinAbs(1, 0.1));
+  CHECK_THAT(alone("symplectic Euler") / alone("Euler"), WithinAbs(2, 0.2));
+}
+
+TEST_CASE("Of 512 shuttles the swapped lines and Verlet take Euler's time, midpoint twice as much") {
+  const double one = time_of_many("Euler");
+  for (const char* method : {"symplectic Euler", "velocity Verlet", "leapfrog", "Störmer–Verlet"})
+    CHECK_THAT(time_of_many(method) / one, WithinAbs(1, 0.1));
+  for (const char* method : {"midpoint", "Heun", "predicted Euler"})
+    CHECK_THAT(time_of_many(method) / one, WithinAbs(2, 0.2));
+}
+
+TEST_CASE("Of 512 shuttles RK4 takes five times Euler's time, Dormand-Prince thirteen times") {
+  CHECK_THAT(time_of_many("RK4") / time_of_many("Euler"), WithinAbs(5, 0.5));
+  CHECK_THAT(time_of_many("Dormand-Prince") / time_of_many("Euler"), WithinAbs(13, 1));
+}
+
+TEST_CASE("Of 512 shuttles an implicit step takes over twice the time of its evaluations") {
+  const double one = time_of_many("Euler");
+  CHECK(time_of_many("backward Euler") > 2.5 * one * double(price(backward_euler, shuttle, frame)));
+  CHECK(time_of_many("trapezoid") > 2 * one * double(price(measure::trapezoid, shuttle, frame)));
+}
+
+namespace {
+
+/// The recorded time of a step of one particle [ns].
+double particle_time(const std::string& layout, long count) {
+  return measure::recorded_times().at(particles_name(layout, count)).median;
+}
+
+}  // namespace
+
+TEST_CASE("To move particles never takes less time than to touch their memory") {
+  for (const long count : particle_counts) {
+    CHECK(particle_time("packs", count) >= particle_time("memory", count));
+    CHECK(particle_time("structs", count) >= particle_time("memory", count));
+  }
+}
+
+TEST_CASE("While the caches hold the particles, packs take a fifth of the time of structs") {
+  CHECK_THAT(particle_time("packs", 4'096) / particle_time("structs", 4'096), WithinAbs(0.2, 0.04));
+}
+
+TEST_CASE("A step of four million packs takes over twice as long, most of it for the memory") {
+  const double packs = particle_time("packs", 4'194'304);
+  CHECK(packs > 2 * particle_time("packs", 4'096));
+  CHECK(particle_time("memory", 4'194'304) > 0.7 * packs);
+}
+
+TEST_CASE("With 16 steps a visit a step of any number of packs takes the same time to a fifth") {
+  const double fewest = particle_time("blocks", 4'096);
+  for (const long count : particle_counts)
+    CHECK_THAT(particle_time("blocks", count) / fewest, WithinAbs(1, 0.2));
+}

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <chrono>
-#include <cmath>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "integrate/symplectic_euler.h"
 #include "level.h"
 #include "measure/record.h"
+#include "measure/times.h"
 
 // [lanes]
 /// Sixteen numbers side by side: a `Vec` like any other.
@@ -107,35 +107,35 @@ inline std::vector<Particle> cloud(long count) {
   return particles;
 }
 
-/// Time of one step of one particle, the best of several runs [ns].
-template <class Particles, class Step>
-double nanoseconds(Particles& particles, long count, Step step, int steps = 1) {
-  using Clock = std::chrono::steady_clock;
-  const long passes = std::max(1L, 200'000 / count);
-  double best = INFINITY;
-  for (int round = 0; round < 9; ++round) {
-    const auto begin = Clock::now();
-    for (long pass = 0; pass < passes; ++pass) step(particles, frame_of_float / float(steps));
-    const std::chrono::duration<double, std::nano> elapsed = Clock::now() - begin;
-    best = std::min(best, elapsed.count() / double(passes * count * steps));
-  }
-  return best;
+/// How many particles are timed.
+inline constexpr long particle_counts[] = {4'096, 16'384, 65'536, 262'144, 1'048'576, 4'194'304};
+
+/// What a time is called.
+inline std::string particles_name(const std::string& layout, long count) {
+  return "particles/" + layout + "/" + std::to_string(count);
 }
 
 inline void memory_wall(measure::Record& record) {
-  auto& table = record.table("particles", {{"measured"},
-                                           {"particles", "", measure::whole},
-                                           {"on"},
+  auto& table = record.table("particles", {{"particles", "", measure::whole},
                                            {"structs", "ns", 2},
                                            {"packs", "ns", 2},
                                            {"memory alone", "ns", 2},
                                            {"packs 16 times", "ns", 2}});
-  const std::string machine = measure::machine();
-  for (long count = 4'096; count <= 4'194'304; count *= 4) {
-    auto structs = cloud(count);
-    auto packs = packed(structs);
-    table.add({"time", double(count), machine, nanoseconds(structs, count, step_structs),
-               nanoseconds(packs, count, step_packs), nanoseconds(packs, count, touch),
-               nanoseconds(packs, count, step_blocks, steps_a_visit)});
+  auto& curves = record.table("memory-wall", {{"particles", "", measure::whole},
+                                              {"structs", "ns"},
+                                              {"packs", "ns"},
+                                              {"memory", "ns"},
+                                              {"blocks", "ns"}});
+  const auto median = [](const std::string& layout, long count) {
+    return measure::recorded_times().at(particles_name(layout, count)).median;
+  };
+  const auto cell = [](const std::string& layout, long count) {
+    return measure::Cell("time:" + particles_name(layout, count));
+  };
+  for (const long count : particle_counts) {
+    table.add({double(count), cell("structs", count), cell("packs", count), cell("memory", count),
+               cell("blocks", count)});
+    curves.add({double(count), median("structs", count), median("packs", count),
+                median("memory", count), median("blocks", count)});
   }
 }

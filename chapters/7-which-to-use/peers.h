@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "measure/cost.h"
+#include "measure/machine.h"
 #include "measure/record.h"
 
 /// The fields of one line, of which those with a comma stand between quotes.

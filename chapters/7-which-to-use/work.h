@@ -9,6 +9,7 @@
 #include "level.h"
 #include "measure/energy.h"
 #include "measure/record.h"
+#include "measure/times.h"
 
 inline constexpr int rates[] = {30, 60, 120, 240};  ///< steps a second
 inline constexpr double watched = 60;               ///< how long energy is watched [s]
@@ -53,20 +54,32 @@ inline void work_energy(measure::Record& record) {
   });
 }
 
-/// The errors of the shuttle beside measured times, which differ from machine to machine.
+/// The recorded time of a step of one of 512 shuttles [ns].
+inline double time_of_many(const std::string& method) {
+  return measure::recorded_times().at("512 shuttles/" + method).median;
+}
+
+/// What a step is charged, and the time that it takes: of one shuttle alone, and of one of many.
+inline void step_times(measure::Record& record) {
+  auto& table = record.table("step-times", {{"method"},
+                                            {"evaluations", "", measure::whole},
+                                            {"alone", "ns"},
+                                            {"one of 512", "ns"}});
+  for_each_entrant([&](const std::string& method, const auto&, const auto& step) {
+    table.add({method, double(price(step, shuttle, frame)), "time:shuttle/" + method,
+               "time:512 shuttles/" + method});
+  });
+}
+
+/// The errors of the shuttle beside the recorded times of a step of one of 512.
 inline void work_time(measure::Record& record) {
-  auto& table = record.table("work-time", {{"measured"},
-                                           {"method"},
-                                           {"machine"},
+  auto& table = record.table("work-time", {{"method"},
                                            {"steps per second", "", measure::whole},
                                            {"time per second of play", "µs"},
                                            {"largest error", "m"}});
-  const std::string machine = measure::machine();
-  for_each_entrant([&](const auto& method, const auto&, const auto& step) {
-    constexpr double finite = 1e-6;  // a step so short that nothing explodes while it is timed
-    const double seconds = measure::seconds_per_step(step, shuttle, finite);
+  for_each_entrant([&](const std::string& method, const auto&, const auto& step) {
     for (const int rate : rates) {
-      table.add({"time", method, machine, double(rate), 1e6 * rate * seconds,
+      table.add({method, double(rate), 1e-3 * rate * time_of_many(method),
                  off(step, shuttle, 1.0 / rate, 8)});
     }
   });
@@ -106,5 +119,6 @@ inline void all_work(measure::Record& record) {
       "rk4-nearer",
       off(measure::symplectic_euler, shuttle, frame / 4, 8) / off(measure::rk4, shuttle, frame, 8),
       2);
+  step_times(record);
   work_time(record);
 }

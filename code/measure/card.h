@@ -25,7 +25,7 @@ struct Card {
   std::string method;  ///< name of the function in integrate
   std::string suits;   ///< what it is for, such as "any acceleration"
   std::vector<CardRow> rows;
-  std::function<double()> seconds_per_step;  ///< measures that, too [s]
+  std::function<double()> seconds_per_step;  ///< takes that time, in one run [s]
   std::string timed_on;                      ///< the scene that it moves then
 
   /// What stands in a line.

@@ -4,9 +4,12 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <chrono>
+#include <cmath>
 
+#include "measure/linear_methods.h"
 #include "measure/run.h"
 #include "scenes/pendulum.h"
+#include "scenes/spring.h"
 
 using Catch::Matchers::WithinRel;
 
@@ -59,4 +62,29 @@ TEST_CASE("By a clock that ticks at each evaluation, a step takes as many ticks 
   };
   CHECK_THAT(ticks(asking<1>), WithinRel(1.0, 1e-12));
   CHECK_THAT(ticks(asking<30>), WithinRel(30.0, 1e-12));
+  const double of_many = measure::seconds_per_step_of_many<Ticking>(asking<3>, pendulum, 0.01, 7);
+  CHECK_THAT(1e9 * of_many, WithinRel(3.0, 1e-12));
+}
+
+namespace {
+
+/// Counts how often its force is asked for at a denormal place.
+struct Watched : scenes::Spring<> {
+  static inline long denormal = 0;
+
+  double operator()(double x, double v, double t) const {
+    denormal += std::fpclassify(x) == FP_SUBNORMAL;
+    return Spring::operator()(x, v, t);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("No step whose time is taken meets a denormal number, on a spring that dies away") {
+  const Watched suspension{{.omega = 20, .zeta = 0.1, .x0 = 0.1}};
+  measure::seconds_per_step(measure::rk4, suspension, 1 / 60.0);
+  CHECK(Watched::denormal == 0);
+  auto s = suspension.start();
+  s = measure::after(measure::rk4, suspension, s, 1 / 60.0, 25'000);  // all in one go it would
+  CHECK(Watched::denormal > 0);
 }

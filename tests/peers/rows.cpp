@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "measure/cost.h"
+#include "measure/machine.h"
 
 namespace peers {
 namespace {

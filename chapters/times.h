@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What the chapters have timed.
+#pragma once
+#include <vector>
+
+#include "measure/times.h"
+
+/// Chapter 3: steps of one spring, called `spring/...`.
+void add_spring_times(std::vector<measure::Timed>& all);
+
+/// Chapter 7: a step of the shuttle with each method, called `shuttle/...`, and of many particles,
+/// called `particles/...`.
+void add_shuttle_times(std::vector<measure::Timed>& all);
+void add_particle_times(std::vector<measure::Timed>& all);
