@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <utility>
 
 namespace grade {
@@ -61,6 +62,15 @@ bool split(std::string_view line, Diagnostic& into) {
   return false;
 }
 
+/// `g++` itself may be `/usr/bin/x86_64-linux-gnu-g++-14`.
+bool is_tool(std::string_view name) {
+  name.remove_prefix(name.rfind('/') + 1);  // none: all of it stays
+  if (name.find(' ') != name.npos) return false;
+  if (name == "g++" || name.find("-g++") != name.npos) return true;
+  constexpr std::string_view others[] = {"cc1plus", "as", "ld", "collect2"};
+  return std::ranges::find(others, name) != std::end(others);
+}
+
 /// A program of the compiler's speaks of itself: `g++: fatal error: ...`.
 bool of_a_tool(std::string_view line, Diagnostic& into) {
   if (line.starts_with("virtual memory exhausted")) {
@@ -70,14 +80,10 @@ bool of_a_tool(std::string_view line, Diagnostic& into) {
   }
   const std::size_t colon = line.find(": ");
   if (colon == line.npos || line.starts_with(' ')) return false;
-  const std::string_view tool = line.substr(0, colon);
-  for (const std::string_view name : {"g++", "cc1plus", "as", "ld", "collect2"}) {
-    if (tool != name && !tool.ends_with("/" + std::string(name))) continue;
-    const std::string_view text = line.substr(colon + 2);
-    if (!split_kind(text, into)) into.text = text, into.kind = "error";
-    return true;
-  }
-  return false;
+  if (!is_tool(line.substr(0, colon))) return false;
+  const std::string_view text = line.substr(colon + 2);
+  if (!split_kind(text, into)) into.text = text, into.kind = "error";
+  return true;
 }
 
 bool is_excerpt(std::string_view line) {
