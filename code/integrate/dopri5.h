@@ -19,9 +19,9 @@
 /// @endcode
 #pragma once
 #include <algorithm>
-#include <climits>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <type_traits>
 
 namespace integrate {
@@ -139,7 +139,7 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
     // By an integer, since -ffast-math takes every comparison for one of finite numbers.
     const auto finite = [](Real size) {
       const int exponent = std::ilogb(Real(1) + size);
-      return exponent >= 0 && exponent < INT_MAX;
+      return exponent >= 0 && exponent < (std::numeric_limits<int>::max)();
     };
     // [control]
     const Real length = std::abs(duration);

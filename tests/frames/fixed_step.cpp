@@ -47,8 +47,8 @@ TEST_CASE("A clock that was set back takes no steps and loses none") {
   CHECK(clock.saved == 0.01);
 }
 
-TEMPLATE_TEST_CASE("A frame whose length is not a number takes no steps and stops no clock", "", float,
-                   double) {
+TEMPLATE_TEST_CASE("A frame whose length is not a number takes no steps and stops no clock", "",
+                   float, double) {
   using Limits = std::numeric_limits<TestType>;
   FixedStep<TestType> clock{.h = TestType(0.125), .saved = TestType(0.0625)};
   int steps = 0;

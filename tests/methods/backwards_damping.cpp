@@ -71,9 +71,11 @@ TEST_CASE("A negative step of every way to damp goes back in time, with an error
   check(exact);
 }
 
-TEST_CASE("A negative step of the explicit ways is finite for every c h, but no way out of a stop") {
+TEST_CASE(
+    "A negative step of the explicit ways is finite for every c h, but no way out of a stop") {
   sweep([](double h, double c) {
-    for (const auto& back : {after(explicit_last, speed, -h, c), after(explicit_first, speed, -h, c)}) {
+    for (const auto& back :
+         {after(explicit_last, speed, -h, c), after(explicit_first, speed, -h, c)}) {
       CHECK_THAT(back, WithinRel(speed * (1 + c * h), 4 * epsilon));
     }
     if (c * h < 1) return;
@@ -84,7 +86,8 @@ TEST_CASE("A negative step of the explicit ways is finite for every c h, but no 
 
 TEST_CASE("A negative step of the implicit ways goes back while c h is below one, and no further") {
   sweep([](double h, double c) {
-    for (const auto& back : {after(implicit_last, speed, -h, c), after(implicit_first, speed, -h, c)}) {
+    for (const auto& back :
+         {after(implicit_last, speed, -h, c), after(implicit_first, speed, -h, c)}) {
       if (c * h > 1 - 1e-9 && c * h < 1 + 1e-9) continue;
       CHECK((back < 0) == (c * h < 1));  // beyond, it has turned round
       if (c * h < 1) CHECK(std::abs(back) >= std::abs(speed) * std::exp(c * h) * (1 - 4 * epsilon));
@@ -115,7 +118,8 @@ TEST_CASE("A negative step of linear_damping_exact takes back a constant force a
   });
 }
 
-TEST_CASE("A negative step of implicit Euler on a spring goes back up to its pole, from zeta 1 on") {
+TEST_CASE(
+    "A negative step of implicit Euler on a spring goes back up to its pole, from zeta 1 on") {
   const auto place = [](double h, double omega, double zeta) {
     double x = 1, v = 0;
     integrate::backward_euler_spring(x, v, h, omega, zeta);

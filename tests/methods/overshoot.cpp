@@ -45,7 +45,8 @@ void for_springs_and_steps(Check check) {
 
 }  // namespace
 
-TEST_CASE("A critically damped spring overshoots only if it comes in faster than omega x, and once") {
+TEST_CASE(
+    "A critically damped spring overshoots only if it comes in faster than omega x, and once") {
   for_springs_and_steps([](double omega, double h) {
     for (const double part : {0.0, 0.5, 0.99}) {
       CHECK(passes(exact, -part * omega, h, omega, 1) == 0);

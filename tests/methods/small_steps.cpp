@@ -48,7 +48,8 @@ void sweep(Check check) {
 template <class Number>
 bool right(Number found, Real expected, Real size, int roundings) {
   CAPTURE(found, double(expected), double((found - expected) / size));
-  const Real allowed = roundings * Real(std::numeric_limits<Number>::epsilon()) / 2 * std::abs(size);
+  const Real allowed =
+      roundings * Real(std::numeric_limits<Number>::epsilon()) / 2 * std::abs(size);
   CHECK(std::abs(found - expected) <= allowed);
   return std::abs(found - expected) <= allowed;
 }

@@ -69,8 +69,8 @@ void adaptive() {
     CHECK(moves_nothing<Real>([b](Real, Real, double) { return b; }));
     CHECK(moves_nothing<Real>([b](Real at, Real, double t) { return t > 0.5 ? b : -at; }));
     int asked = 0;
-    CHECK(moves_nothing<Real>(
-        [b, &asked](Real at, Real, double) { return ++asked >= 7 ? b : -at; }, Real(0.01)));
+    CHECK(moves_nothing<Real>([b, &asked](Real at, Real, double) { return ++asked >= 7 ? b : -at; },
+                              Real(0.01)));
     if (which < 3) CHECK(moves_nothing<Real>([](Real at, Real, double) { return -at; }, b));
   }
   CHECK(moves_nothing<Real>([](Real at, Real, double) { return -1 / (at * at); }));
