@@ -23,7 +23,6 @@
 /// @endcode
 #pragma once
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -112,18 +111,20 @@ class BandSystem {
     }
   }
 
-  // By their bits, since -ffast-math takes every number for finite.
+  // By their bits, since -ffast-math takes every number for finite: one more in an exponent of ones
+  // carries over into the sign.
   static bool finite(const Real* numbers, Eigen::Index count) {
     using Bits = std::conditional_t<std::is_same_v<Real, float>, std::uint32_t, std::uint64_t>;
     static_assert(sizeof(Bits) == sizeof(Real), "Real must be double or float");
-    constexpr Bits infinite = Bits(~Bits(0) << std::numeric_limits<Real>::digits) >> 1;
-    Bits largest = 0;
+    constexpr Bits one = Bits(1) << (std::numeric_limits<Real>::digits - 1);
+    constexpr Bits sign = ~(~Bits(0) >> 1);
+    Bits carried = 0;
     for (Eigen::Index n = 0; n < count; ++n) {
       Bits bits;
       std::memcpy(&bits, numbers + n, sizeof bits);
-      largest = (std::max)(largest, bits & infinite);
+      carried |= (bits & (sign - one)) + one;
     }
-    return largest < infinite;
+    return carried < sign;
   }
 
   Jacobian jacobian_;
