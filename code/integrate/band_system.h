@@ -26,7 +26,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -114,9 +113,9 @@ class BandSystem {
   // By their bits, since -ffast-math takes every number for finite: one more in an exponent of ones
   // carries over into the sign.
   static bool finite(const Real* numbers, Eigen::Index count) {
-    using Bits = std::conditional_t<std::is_same_v<Real, float>, std::uint32_t, std::uint64_t>;
+    using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
     static_assert(sizeof(Bits) == sizeof(Real), "Real must be double or float");
-    constexpr Bits one = Bits(1) << (std::numeric_limits<Real>::digits - 1);
+    constexpr Bits one = Bits(1) << (sizeof(Real) == 4 ? 23 : 52);
     constexpr Bits sign = ~(~Bits(0) >> 1);
     Bits carried = 0;
     for (Eigen::Index n = 0; n < count; ++n) {
