@@ -3,7 +3,7 @@ import { escapeHtml, smarten } from './text.mjs';
 
 export function docTextHtml(text, before) {
   const signs = text
-    .replace(/(?<![\w'"])([A-Za-z])(''?)(?![\w'])/g, (_, name, primes) => name + '′″'[primes.length - 1])
+    .replace(/(?<![\w'"])([A-Za-z](?:_[a-z])?)(''?)(?![\w'])/g, (_, name, primes) => name + '′″'[primes.length - 1])
     .replace(/(?<=[\w)|′″]) - (?=[\w(|])/g, ' − ')
     .replace(/(?<=^|[\s([/^])-(?=[\w(|])/g, '−')
     .replace(/(?<=[\w)|′″])( ?)\*\1(?=[\w(|])/g, '$1·$1')

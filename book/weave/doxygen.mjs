@@ -4,8 +4,12 @@ import { spawnSync } from 'node:child_process';
 import { join, relative } from 'node:path';
 import { doxygenLabel } from './prose.mjs';
 import { NAMESPACES } from './namespaces.mjs';
+import { APOSTROPHE } from './xml.mjs';
 
 const TEMPLATE = new URL('../Doxyfile.in', import.meta.url);
+
+// For sed: each ' behind ///, from the last to the first.
+const HIDE_APOSTROPHES = `:again\ns|\\(///.*\\)'|\\1${APOSTROPHE}|\nt again\n`;
 
 // Returns the folder of Doxygen's XML; its complaints end up in book.problems.
 export function runDoxygen(book) {
@@ -21,12 +25,14 @@ export function runDoxygen(book) {
     writeFileSync(path, page.doxygenText);
   }
   writeFileSync(join(pages, 'namespaces.dox'), namespaceDocs());
-  const doxyfile = readFileSync(TEMPLATE, 'utf8').replace('@OUTPUT@', work).replace('@SOURCE@', source)
+  const filter = join(work, 'apostrophes.sed');
+  writeFileSync(filter, HIDE_APOSTROPHES);
+  const doxyfile = readFileSync(TEMPLATE, 'utf8').replace('@OUTPUT@', work).replace('@SOURCE@', source).replace('@FILTER@', filter)
     .replace('@INPUT@', `"${pages}" "${join(source, 'code')}"`);
   writeFileSync(join(work, 'Doxyfile'), doxyfile);
   const run = spawnSync(doxygen, [join(work, 'Doxyfile')], { encoding: 'utf8', cwd: work });
   if (run.error) book.problems.add('book/Doxyfile.in', 0, `cannot run ${doxygen}: ${run.error.message}`);
-  else if (run.status !== 0) report(book, byFile, run.stderr + run.stdout);
+  else if (run.status !== 0) report(book, byFile, (run.stderr + run.stdout).replaceAll(APOSTROPHE, "'"));
   return xml;
 }
 

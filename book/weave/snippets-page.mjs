@@ -28,7 +28,10 @@ on a spring that swings with <i>ω</i>, without a damper and with the damping ra
 spring, in steps of <i>hω</i> = 0.1: by how much it is off at most where it is kept, and else what a step does to it. Limits are rounded down.</p>
 <p>A mass <i>m</i> on one spring of stiffness <i>k</i> swings with <i>ω</i> = √(<i>k</i>/<i>m</i>). In a rope of many, count with 2√(<i>k</i>/<i>m</i>), that of
 its shortest wave. All of this holds for forces that are linear. A rope that swings explodes under the trapezoid rule with one solve, whatever its row says,
-and one that is struck hard gains some energy under backward Euler with one solve.</p>`;
+and one that is struck hard gains some energy under backward Euler with one solve.</p>
+<p>The headers work under the macros of <code>windows.h</code>. Under <code>-ffast-math</code> they take the same steps but for rounding, and <code>dopri5_adaptive</code>
+and the three linear systems still refuse what is not finite. Newton’s methods leave that to the solve: one that you write by hand has to refuse it too. The game’s
+clock, <code>FixedStep</code>, makes no promise there about a frame whose length is not a number.</p>`;
 
 function howMuch(row) {
   const [off, step] = [row('energy-off'), row('energy-step')];

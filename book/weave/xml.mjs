@@ -4,7 +4,10 @@ import * as cheerio from 'cheerio';
 import { TOKEN } from './prose.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
-export const loadXml = path => cheerio.load(readFileSync(path, 'utf8'), { xml: true });
+// Doxygen takes ' and '' within backticks for quotation marks. So the comments of the code go through it with another character in
+// their place, which is changed back here.
+export const APOSTROPHE = '\ue002';
+export const loadXml = path => cheerio.load(readFileSync(path, 'utf8').replaceAll(APOSTROPHE, "'"), { xml: true });
 
 const INLINE = { emphasis: 'em', bold: 'strong', subscript: 'sub', superscript: 'sup', strike: 's', small: 'small' };
 const BLOCKS = new Set(['para', 'itemizedlist', 'orderedlist', 'table', 'blockquote', 'heading', 'verbatim', 'programlisting',

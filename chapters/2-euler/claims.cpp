@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // The claims of chapter 2. Each name is a sentence that the chapter says.
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
@@ -242,4 +243,28 @@ TEST_CASE("A turn forward and a turn back leave the drone on its line, 10.86 m o
   s = measure::after(euler, drone, s, -h, turn);
   CHECK_THAT(s.x.x(), WithinAbs(10.86, 0.005));
   CHECK_THAT(s.x.y(), WithinAbs(0, 1e-9));
+}
+
+TEST_CASE(
+    "A spring with a damping ratio of 1 overshoots if it comes in faster than omega x, and only "
+    "then") {
+  const auto least = [](const Spring<>& spring) {
+    double lowest = spring.x0;
+    for (int n = 1; n <= 20'000; ++n) lowest = std::min(lowest, spring.exact(n / 1000.0).x);
+    return lowest;
+  };
+  for (const double omega : {0.5, 2.0, 8.0}) {
+    for (const double part : {0.0, 0.5, 0.99, 1.2, 1.5, 2.5}) {
+      CAPTURE(omega, part);
+      const double lowest = least({.omega = omega, .zeta = 1, .v0 = -part * omega});
+      if (part < 1) {
+        CHECK(lowest > 0);
+      } else {
+        // x = (1 - (part - 1) omega t) exp(-omega t), the lowest at omega t = part / (part - 1).
+        const double expected = -(part - 1) * std::exp(-part / (part - 1));
+        CHECK_THAT(lowest, WithinRel(expected, 1e-3));
+      }
+    }
+  }
+  CHECK_THAT(least({.omega = 8, .zeta = 1, .v0 = -20}), WithinAbs(-0.283, 5e-4));
 }

@@ -512,9 +512,25 @@ TEST_CASE("Cut up by frames the adaptive step asks more than seven times as ofte
 }
 
 TEST_CASE("With an adaptive step, players with other frames get another comet") {
-  const auto sixty = pass(1200).end, fast = pass(2880).end, again = pass(1200).end;
-  CHECK(sixty.x == again.x);
-  CHECK(sixty.x != fast.x);
+  const Passage sixty = pass(1200), fast = pass(2880), again = pass(1200);
+  CHECK(sixty.end.x == again.end.x);
+  // By the tolerance, and not by a number of steps that each frame takes alike.
+  CHECK(sixty.dearest() > 2 * sixty.cheapest());
+  CHECK(fast.dearest() > 2 * fast.cheapest());
+  const double apart = (sixty.end.x - fast.end.x).norm();
+  CHECK(apart > tolerance);
+  CHECK(apart < 10 * tolerance);
+  // Far more than rounding, which moves the start by the last bit.
+  auto nudged = comet.exact(-year / 2);
+  nudged.x[0] = std::nextafter(nudged.x[0], 0);
+  CHECK(apart > 100 * (sixty.end.x - pass(1200, nudged).end.x).norm());
+}
+
+TEST_CASE("In steps of one length, players with other frames get the same comet to the last bit") {
+  const auto sixty = end_of_fixed_steps(60), fast = end_of_fixed_steps(144);
+  CHECK(sixty.x == fast.x);
+  CHECK(sixty.v == fast.v);
+  CHECK((sixty.x - comet.exact(year / 2).x).norm() < 0.01);
 }
 
 TEST_CASE("Midpoint and Heun do the same to a spring") {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "frames/fixed_step.h"
 #include "integrate/dopri5.h"
 #include "measure/cost.h"
 #include "measure/run.h"
@@ -47,10 +48,10 @@ struct Passage {
 
 /// Follows the comet for a year, from its far end past the sun and back, in equal frames.
 /// @param frames  how many; in each, Dormand-Prince takes the steps that it needs
-inline Passage pass(long frames) {
+/// @param s  where the comet starts
+inline Passage pass(long frames, scenes::State<scenes::Orbit<>::Vec> s = comet.exact(-year / 2)) {
   const measure::Counted counted{comet};
   const double frame = year / double(frames);
-  auto s = comet.exact(-year / 2);
   Passage passage;
   double next = frame;
   const auto size = [](const auto& error) { return error.norm(); };
@@ -74,6 +75,21 @@ inline double error_of_equal_steps(long rate) {
   const auto end = measure::after(measure::rk4, comet, comet.exact(-year / 2), 1.0 / double(rate),
                                   std::lround(year * double(rate)));
   return (end.x - comet.exact(year / 2).x).norm();
+}
+
+/// Where RK4 leaves the comet after the same year, in steps of a thousandth of a second out of
+/// equal frames.
+/// @param frames  frames per second
+inline scenes::State<scenes::Orbit<>::Vec> end_of_fixed_steps(long frames) {
+  auto s = comet.exact(-year / 2);
+  frames::FixedStep<> clock{.h = 1.0 / 1000};
+  const long steps = std::lround(year / clock.h);
+  while (clock.steps < steps) {
+    clock.frame(1.0 / double(frames), [&](double t) {
+      if (clock.steps <= steps) measure::rk4(s.x, s.v, t, clock.h, comet);
+    });
+  }
+  return s;
 }
 
 /// The longest step at the comet's far end that stays within the tolerance [s].

@@ -2,6 +2,7 @@
 // The claims of chapter 4. Each name is a sentence that the chapter says.
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
@@ -19,6 +20,7 @@
 #include "measure/stability.h"
 #include "parachute.h"
 #include "scenes/linear_drag.h"
+#include "scenes/pendulum.h"
 #include "slide.h"
 #include "soft.h"
 #include "struck.h"
@@ -584,4 +586,55 @@ TEST_CASE("Closed to a ring a chain of 108 has twice the entries in its factor")
   Sparse matrix = step_matrix_of(chain);
   matrix.coeffRef(0, 107) = matrix.coeffRef(107, 0) = matrix.coeff(0, 1);
   CHECK(factor_of(matrix).nonZeros() == 2 * 108 - 3);
+}
+
+namespace {
+
+/// One step of Baraff and Witkin's: the tangent at x, from where the force has yet to move on.
+template <class Scene>
+State<double> with_the_tangent_at_x(const Scene& scene, State<double> s, double h) {
+  double change = 0;
+  scene.jacobian(s.x, s.v, 0.0, [&](int, int, double dadx, double dadv) {
+    change = h * (scene(s.x, s.v, 0.0) + h * dadx * s.v) / (1 - h * dadv - h * h * dadx);
+  });
+  return {s.x + h * (s.v + change), s.v + change};
+}
+
+/// One solve, and one iteration of Newton's.
+template <class Scene>
+std::array<State<double>, 2> once_and_first(const Scene& scene, State<double> s, double h) {
+  const auto solve = [&](double x, double v, double t, double p, double q, double& change) {
+    scene.jacobian(x, v, t, [&](int, int, double dadx, double dadv) {
+      change = change / (1 + p * dadx + q * dadv);
+    });
+    return true;
+  };
+  const auto nothing = [](double) { return 0.0; };
+  State<double> once = s, first = s;
+  CHECK(integrate::backward_euler(once.x, once.v, 0.0, h, scene, solve));
+  const int iterations =
+      integrate::backward_euler_newton(first.x, first.v, 0.0, h, scene, solve, nothing, 1.0);
+  CHECK(iterations == 1);
+  return {once, first};
+}
+
+}  // namespace
+
+TEST_CASE(
+    "One solve is the first of Newton's iterations, and Baraff and Witkin's on linear forces "
+    "alone") {
+  const State<double> start{1, -0.7};
+  for (const double h : {0.01, 0.1, 0.5}) {
+    CAPTURE(h);
+    const Spring<> spring{.omega = 3, .zeta = 0.2};
+    const auto linear = once_and_first(spring, start, h);
+    CHECK_THAT(linear[0].v, WithinRel(with_the_tangent_at_x(spring, start, h).v, 100 * rounding));
+    const scenes::Pendulum<> pendulum;
+    const auto [once, first] = once_and_first(pendulum, start, h);
+    CHECK(once.x == first.x);
+    CHECK(once.v == first.v);
+    // They part by the bend of the force over the way h v, which is of third order in h.
+    const double apart = std::abs(once.v - with_the_tangent_at_x(pendulum, start, h).v);
+    CHECK(apart > 0.1 * h * h * h);
+  }
 }

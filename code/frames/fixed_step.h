@@ -19,12 +19,13 @@ struct FixedStep {
   Real saved = 0;                    ///< time not yet spent, always under one step [s]
   long steps = 0;                    ///< steps taken so far
 
-  /// Spends a frame. A negative length, from a clock that was set back, counts as none.
+  /// Spends a frame. A negative length, from a clock that was set back, counts as none, and so does
+  /// one that is not a number.
   /// @param length  how long the frame took [s]
   /// @param step  called as `step(t)` for each step due, with the time at its start [s]
   template <class Step>
   constexpr void frame(Real length, Step&& step) {
-    saved += std::clamp(length, Real(0), longest_frame);
+    if (length > Real(0)) saved += (std::min)(length, longest_frame);
     for (; saved >= h; saved -= h) step(Real(steps++) * h);
   }
 

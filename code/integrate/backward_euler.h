@@ -37,7 +37,9 @@ namespace integrate {
 /// One step of implicit Euler with a single solve: linearly implicit Euler.
 ///
 /// Order 1, one evaluation of the acceleration and one solve, stable on drag for every h, on an
-/// undamped spring for every h. On a linear force it is implicit Euler itself.
+/// undamped spring for every h. On a linear force it is implicit Euler itself. On any other it puts
+/// a tangent in the force's place: the one at x + h*v, where Newton's method begins. Baraff and
+/// Witkin take the one at x, and their steps are different there.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place

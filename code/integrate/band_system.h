@@ -24,6 +24,9 @@
 #pragma once
 #include <Eigen/Core>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace integrate {
@@ -55,13 +58,14 @@ class BandSystem {
     rows_.setZero(2 * Width + 1, x.size());
     bool inside = true;
     jacobian_(x, v, t, [&](Eigen::Index i, Eigen::Index j, Real dadx, Real dadv) {
-      const bool near = std::abs(i - j) <= Width;
-      inside = inside && near;
-      if (near) rows_(Width + j - i, i) += p * dadx + q * dadv;
+      const bool close = std::abs(i - j) <= Width;
+      inside = inside && close;
+      if (close) rows_(Width + j - i, i) += p * dadx + q * dadv;
     });
-    if (!inside || !eliminate(change)) return false;
+    if (!inside) return false;
+    eliminate(change);
     substitute(change);
-    return change.allFinite();
+    return finite(rows_.data(), rows_.size()) && finite(change.data(), change.size());
   }
 
  private:
@@ -74,7 +78,7 @@ class BandSystem {
   };
 
   // The rows above are kept at hand: to wait for them to come back from memory doubles the time.
-  bool eliminate(Vec& y) {
+  void eliminate(Vec& y) {
     Row above[Width] = {};  // the nearest first
     for (Eigen::Index i = 0; i < y.size(); ++i) {
       Eigen::Matrix<Real, 2 * Width + 1, 1> row = rows_.col(i);
@@ -87,14 +91,13 @@ class BandSystem {
         rest -= factor * other.y;
       }
       for (int up = Width - 1; up > 0; --up) above[up] = above[up - 1];
+      rows_(Width, i) = row[Width];
       const Real inverse = Real(1) / row[Width];
-      if (inverse == 0) return false;
       for (int n = 0; n < Width; ++n) {
         above[0].right[n] = rows_(Width + 1 + n, i) = inverse * row[Width + 1 + n];
       }
       above[0].y = y[i] = inverse * rest;
     }
-    return true;
   }
 
   void substitute(Vec& y) const {
@@ -105,6 +108,22 @@ class BandSystem {
       for (int n = Width - 1; n > 0; --n) below[n] = below[n - 1];
       below[0] = y[i] = rest;
     }
+  }
+
+  // By their bits, since -ffast-math takes every number for finite: one more in an exponent of ones
+  // carries over into the sign.
+  static bool finite(const Real* numbers, Eigen::Index count) {
+    using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+    static_assert(sizeof(Bits) == sizeof(Real), "Real must be double or float");
+    constexpr Bits one = Bits(1) << (sizeof(Real) == 4 ? 23 : 52);
+    constexpr Bits sign = ~(~Bits(0) >> 1);
+    Bits carried = 0;
+    for (Eigen::Index n = 0; n < count; ++n) {
+      Bits bits;
+      std::memcpy(&bits, numbers + n, sizeof bits);
+      carried |= (bits & (sign - one)) + one;
+    }
+    return carried < sign;
   }
 
   Jacobian jacobian_;

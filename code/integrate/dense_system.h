@@ -21,6 +21,9 @@
 /// @endcode
 #pragma once
 #include <Eigen/Dense>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace integrate {
@@ -50,14 +53,30 @@ class DenseSystem {
     jacobian_(x, v, t, [&](Eigen::Index i, Eigen::Index j, Real dadx, Real dadv) {
       matrix_(i, j) += p * dadx + q * dadv;
     });
-    if (!matrix_.allFinite()) return false;
+    if (!finite(matrix_.data(), matrix_.size())) return false;
     solver_.compute(matrix_);
     if ((solver_.matrixLU().diagonal().array() == 0).any()) return false;
     change = solver_.solve(change).eval();
-    return change.allFinite();
+    return finite(change.data(), change.size());
   }
 
  private:
+  // By their bits, since -ffast-math takes every number for finite: one more in an exponent of ones
+  // carries over into the sign.
+  static bool finite(const Real* numbers, Eigen::Index count) {
+    using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+    static_assert(sizeof(Bits) == sizeof(Real), "Real must be double or float");
+    constexpr Bits one = Bits(1) << (sizeof(Real) == 4 ? 23 : 52);
+    constexpr Bits sign = ~(~Bits(0) >> 1);
+    Bits carried = 0;
+    for (Eigen::Index n = 0; n < count; ++n) {
+      Bits bits;
+      std::memcpy(&bits, numbers + n, sizeof bits);
+      carried |= (bits & (sign - one)) + one;
+    }
+    return carried < sign;
+  }
+
   Jacobian jacobian_;
   Eigen::Matrix<Real, Size, Size> matrix_;
   Eigen::PartialPivLU<Eigen::Matrix<Real, Size, Size>> solver_;

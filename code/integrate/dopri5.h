@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <type_traits>
 
 namespace integrate {
@@ -123,7 +124,7 @@ constexpr Dopri5Error<Vec> dopri5(Vec& x, Vec& v, Vec& a, Time t, Real h,
 /// @param norm  callable `(Vec) -> Real`, the size of an error in `x` or in `v`
 /// @param tolerance  largest size of the estimate in one step
 /// @returns  whether it got there; if not, the step had to shrink to nothing, or the acceleration
-/// was not a number, and x and v are as at the start
+/// or the duration was not finite, and x and v are as at the start
 /// @see Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I (1993), section II.4
 template <class Vec, class Time, class Real, class Acceleration, class Norm>
 [[nodiscard]] bool dopri5_adaptive(Vec& x, Vec& v, Time t, Real duration, Real& h,
@@ -135,9 +136,14 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
   if constexpr (fits && measures) {
+    // By an integer, since -ffast-math takes every comparison for one of finite numbers.
+    const auto finite = [](Real size) {
+      const int exponent = std::ilogb(Real(1) + size);
+      return exponent >= 0 && exponent < (std::numeric_limits<int>::max)();
+    };
     // [control]
     const Real length = std::abs(duration);
-    if (!(length >= Real(0))) return false;
+    if (!finite(length)) return false;
     const Real forward = duration < Real(0) ? Real(-1) : Real(1);
     Vec x_now = x, v_now = v, a_now = dopri5_start(x, v, t, acceleration);
     for (Real done = 0; done < length;) {
@@ -147,11 +153,13 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
       Vec x_next = x_now, v_next = v_now, a_next = a_now;
       const auto error =
           dopri5(x_next, v_next, a_next, t + forward * done, forward * step, acceleration);
-      const Real size = std::max(Real(norm(error.v)), Real(norm(error.x))) / tolerance;
-      const bool good = size <= Real(1);
-      const Real wish = Real(0.9) * std::pow(size, Real(-0.2));
-      const Real change = size == Real(0) ? Real(5) : good || wish > Real(0.2) ? wish : Real(0.2);
-      if (!(good && last)) h = step * std::min(change, Real(5));
+      const Real in_v = Real(norm(error.v)) / tolerance, in_x = Real(norm(error.x)) / tolerance;
+      const bool known = finite(in_v) && finite(in_x);
+      const Real size = (std::max)(in_v, in_x);
+      const bool good = known && size <= Real(1);
+      const Real wish = size > Real(0) ? Real(0.9) * std::pow(size, Real(-0.2)) : Real(5);
+      const Real change = known ? std::clamp(wish, Real(0.2), Real(5)) : Real(0.2);
+      if (!(good && last)) h = step * change;
       if (!good) continue;
       x_now = x_next, v_now = v_next, a_now = a_next;
       done = last ? length : done + step;

@@ -10,6 +10,25 @@
 ///   integrate::linear_damping_implicit_last(x, v, n * h, h, c, spring);
 /// }
 /// @endcode
+///
+/// What is damped is the speed in the world: it is drag, or a damper whose other end is fixed. A
+/// damper between two bodies, of c newtons for each metre per second, must damp the speed at which
+/// they part, or it brakes both of them against the world. Divide that speed by 1 + c*h*(1/m1 +
+/// 1/m2), and what it loses goes into both as one impulse:
+/// @code
+/// const double m1 = 1, m2 = 2, stiffness = 6, damper = 2 / 3.0;
+/// const double light = 1 / m1 + 1 / m2;
+/// double x1 = 0, v1 = 10, x2 = 1, v2 = 10;
+/// for (int n = 0; n < 60; ++n) {
+///   const double pull = stiffness * (x2 - x1);
+///   v1 += h * pull / m1, v2 -= h * pull / m2;
+///   const double parting = v2 - v1;
+///   const double impulse = (parting - parting / (1 + damper * h * light)) / light;
+///   v1 += impulse / m1, v2 -= impulse / m2;
+///   x1 += h * v1, x2 += h * v2;
+/// }
+/// x = x2 - x1, v = v2 - v1;  // the same motion as above, while both go on at 10 m/s
+/// @endcode
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -27,7 +46,7 @@ namespace integrate {
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
 /// @param t  time at the start of the step [s]
-/// @param h  step size [s]; a negative step goes back in time
+/// @param h  step size [s]; a negative step goes back in time, but not out of a standstill
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
 template <class Vec, class Time, class Real, class Acceleration>
@@ -40,7 +59,7 @@ constexpr void linear_damping_explicit_last(Vec& x, Vec& v, Time t, Real h, Real
   if constexpr (fits) {
     // [explicit-last-move]
     const Vec a = acceleration(x, v, t);
-    v = std::max(Real(0), Real(1) - c * h) * Vec(v + h * a);
+    v = (std::max)(Real(0), Real(1) - c * h) * Vec(v + h * a);
     x = x + h * v;
     // [explicit-last-move]
   }
@@ -56,7 +75,7 @@ constexpr void linear_damping_explicit_last(Vec& x, Vec& v, Time t, Real h, Real
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
 /// @param t  time at the start of the step [s]
-/// @param h  step size [s]; a negative step goes back in time
+/// @param h  step size [s]; a negative step goes back in time, but not out of a standstill
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
 template <class Vec, class Time, class Real, class Acceleration>
@@ -69,7 +88,7 @@ constexpr void linear_damping_explicit_first(Vec& x, Vec& v, Time t, Real h, Rea
   if constexpr (fits) {
     // [explicit-first-move]
     const Vec a = acceleration(x, v, t);
-    v = std::max(Real(0), Real(1) - c * h) * v + h * a;
+    v = (std::max)(Real(0), Real(1) - c * h) * v + h * a;
     x = x + h * v;
     // [explicit-first-move]
   }
@@ -85,7 +104,7 @@ constexpr void linear_damping_explicit_first(Vec& x, Vec& v, Time t, Real h, Rea
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
 /// @param t  time at the start of the step [s]
-/// @param h  step size [s]; a negative step goes back in time
+/// @param h  step size [s]; a negative step goes back in time while c*|h| < 1; at 1 v is infinite
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
 template <class Vec, class Time, class Real, class Acceleration>
@@ -114,7 +133,7 @@ constexpr void linear_damping_implicit_last(Vec& x, Vec& v, Time t, Real h, Real
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
 /// @param t  time at the start of the step [s]
-/// @param h  step size [s]; a negative step goes back in time
+/// @param h  step size [s]; a negative step goes back in time while c*|h| < 1; at 1 v is infinite
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
 template <class Vec, class Time, class Real, class Acceleration>
@@ -143,7 +162,7 @@ constexpr void linear_damping_implicit_first(Vec& x, Vec& v, Time t, Real h, Rea
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
 /// @param t  time at the start of the step [s]
-/// @param h  step size [s]; a negative step goes back in time
+/// @param h  step size [s]; a negative step goes back in time, and takes back the damping
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
 template <class Vec, class Time, class Real, class Acceleration>
@@ -172,7 +191,7 @@ void linear_damping_exponential_last(Vec& x, Vec& v, Time t, Real h, Real c,
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
 /// @param t  time at the start of the step [s]
-/// @param h  step size [s]; a negative step goes back in time
+/// @param h  step size [s]; a negative step goes back in time, and takes back the damping
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
 template <class Vec, class Time, class Real, class Acceleration>
@@ -201,7 +220,7 @@ void linear_damping_exponential_first(Vec& x, Vec& v, Time t, Real h, Real c,
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
 /// @param t  time at the start of the step [s]
-/// @param h  step size [s]; a negative step goes back in time
+/// @param h  step size [s]; a negative step goes back in time, and takes back damping and force
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
 template <class Vec, class Time, class Real, class Acceleration>

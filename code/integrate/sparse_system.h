@@ -25,7 +25,10 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -65,7 +68,9 @@ class SparseSystem {
     if (*problem_ != 0) return false;
     if (masses_.size() > 0) change = masses_.cwiseProduct(change);
     change = solver_.solve(change).eval();
-    if (!change.allFinite()) problem_ = "the change that was asked for is not finite";
+    if (!finite(change.data(), change.size())) {
+      problem_ = "the change that was asked for is not finite";
+    }
     return *problem_ == 0;
   }
 
@@ -93,7 +98,9 @@ class SparseSystem {
       find_pattern(x, v, t);
       if (!fill(x, v, t, p, q)) return "the Jacobian must add the same entries if called again";
     }
-    if (!matrix_.coeffs().allFinite()) return "the Jacobian or a mass is not finite";
+    if (!finite(matrix_.valuePtr(), matrix_.nonZeros())) {
+      return "the Jacobian or a mass is not finite";
+    }
     if (!symmetric()) return "the matrix is not symmetric: give the masses, or use a DenseSystem";
     solver_.factorize(matrix_);
     const bool positive = solver_.info() == Eigen::Success && (solver_.vectorD().array() > 0).all();
@@ -163,11 +170,27 @@ class SparseSystem {
     const Real rounding = std::numeric_limits<Real>::epsilon();
     for (const Pair& pair : pairs_) {
       const Real difference = std::abs(values[pair.below] - values[pair.above]);
-      const Real entry = std::max(size(pair.below), size(pair.above));
+      const Real entry = (std::max)(size(pair.below), size(pair.above));
       const Real terms = diagonal(pair.row) + diagonal(pair.column);
       if (difference > std::sqrt(rounding) * entry + 100 * rounding * terms) return false;
     }
     return true;
+  }
+
+  // By their bits, since -ffast-math takes every number for finite: one more in an exponent of ones
+  // carries over into the sign.
+  static bool finite(const Real* numbers, Eigen::Index count) {
+    using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+    static_assert(sizeof(Bits) == sizeof(Real), "Real must be double or float");
+    constexpr Bits one = Bits(1) << (sizeof(Real) == 4 ? 23 : 52);
+    constexpr Bits sign = ~(~Bits(0) >> 1);
+    Bits carried = 0;
+    for (Eigen::Index n = 0; n < count; ++n) {
+      Bits bits;
+      std::memcpy(&bits, numbers + n, sizeof bits);
+      carried |= (bits & (sign - one)) + one;
+    }
+    return carried < sign;
   }
 
   Jacobian jacobian_;

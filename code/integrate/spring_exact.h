@@ -8,12 +8,15 @@
 /// for (int n = 0; n < 60; ++n) integrate::spring_exact(x, v, 1 / 60.0, omega, zeta);
 /// @endcode
 ///
-/// A camera that follows its target without overshoot:
+/// A camera that goes to its target. With zeta = 1 it does not overshoot from rest, nor if it comes
+/// in no faster than omega times the way that is left. Faster, it passes the target once; where it
+/// must not, stop it there:
 /// @code
 /// double camera = 0, speed = 0;
-/// const double target = 10;
-/// double way = camera - target;
+/// const double target = 10, before = camera - target;
+/// double way = before;
 /// integrate::spring_exact(way, speed, 1 / 60.0, 8.0, 1.0);
+/// if (way * before < 0) way = speed = 0;
 /// camera = target + way;
 /// @endcode
 #pragma once
@@ -35,7 +38,8 @@ namespace integrate {
 /// @param v  velocity, advanced in place
 /// @param h  step size [s]; a negative step goes back in time
 /// @param omega  natural frequency [rad/s]; not negative
-/// @param zeta  damping ratio; 0 swings for ever, 1 returns without overshoot; not negative
+/// @param zeta  damping ratio; 0 swings for ever, from 1 on it does not overshoot, unless it comes
+/// in faster than omega*|x|; not negative
 /// @see L. D. Landau and E. M. Lifshitz, Mechanics (1976), section 25
 template <class Vec, class Real>
 void spring_exact(Vec& x, Vec& v, Real h, Real omega, Real zeta) {

@@ -16,7 +16,7 @@ struct Spring {
   using Vec = Real;  ///< how far the spring is stretched [m]
 
   Real omega = 1;  ///< natural frequency [rad/s]; not zero
-  Real zeta = 0;   ///< damping ratio; 0 swings for ever, 1 returns without overshoot; not negative
+  Real zeta = 0;   ///< damping ratio; 0 swings for ever, from 1 on it does not swing; not negative
   Real x0 = 1;     ///< position at the start [m]
   Real v0 = 0;     ///< velocity at the start [m/s]
 

@@ -1,7 +1,7 @@
 // What a careful printer would see to: what belongs together stands together, and what is cut shows it.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { chapters, kind, pages, parse } from './book.mjs';
+import { chapters, kind, pages, parse, prose } from './book.mjs';
 import { openTab, visit } from './browser.mjs';
 
 const looks = [['desktop', await openTab()], ['phone', await openTab('dark')]];
@@ -51,4 +51,10 @@ test('the code reference starts with a list of every namespace', () => {
   const listed = parse('reference.html')('h2 a').map((_, e) => e.attribs.href).get();
   assert.ok(spaces.length >= 4);
   assert.deepEqual(listed.sort(), spaces.sort());
+});
+
+test('no page shows a backtick or doubled quotes, as marks do that were not understood', () => {
+  const found = pages.filter(name => kind(name) !== 'source')
+    .flatMap(page => [...prose(page).matchAll(/.{0,40}(?:`|''|‘‘|’’|\ue002).{0,40}/g)].map(([words]) => `${page}: ${words.trim()}`));
+  assert.deepEqual(found, []);
 });

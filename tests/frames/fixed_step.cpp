@@ -47,6 +47,22 @@ TEST_CASE("A clock that was set back takes no steps and loses none") {
   CHECK(clock.saved == 0.01);
 }
 
+TEMPLATE_TEST_CASE("A frame whose length is not a number takes no steps and stops no clock", "",
+                   float, double) {
+  using Limits = std::numeric_limits<TestType>;
+  FixedStep<TestType> clock{.h = TestType(0.125), .saved = TestType(0.0625)};
+  int steps = 0;
+  const auto count = [&](TestType) { ++steps; };
+  for (const TestType length : {Limits::quiet_NaN(), -Limits::quiet_NaN(), -Limits::infinity()}) {
+    clock.frame(length, count);
+    CHECK(steps == 0);
+    CHECK(clock.saved == TestType(0.0625));
+  }
+  clock.frame(TestType(0.125), count);
+  CHECK(steps == 1);
+  CHECK(clock.blend() == TestType(0.5));
+}
+
 TEST_CASE("A frame longer than the longest is cut, and the next frame is on time again") {
   FixedStep<> clock{.h = 0.125, .longest_frame = 0.25};
   int steps = 0;

@@ -125,6 +125,21 @@ TEMPLATE_LIST_TEST_CASE("The acceleration is asked for where the textbook asks",
   }
 }
 
+TEST_CASE("Predicted Euler corrects once, unless it is told to do more") {
+  State<double> told{0.7, -1.1}, untold = told;
+  int asked = 0;
+  const auto force = [&asked](double x, double v, double t) {
+    ++asked;
+    return textbook::Pushed()(x, v, t);
+  };
+  integrate::predicted_euler(told.x, told.v, 0.2, 0.3, force, 1);
+  asked = 0;
+  integrate::predicted_euler(untold.x, untold.v, 0.2, 0.3, force);
+  CHECK(asked == 2);
+  CHECK(untold.x == told.x);
+  CHECK(untold.v == told.v);
+}
+
 TEMPLATE_LIST_TEST_CASE("The acceleration is asked for as often as the list says", "", AllMethods) {
   INFO(TestType::header);
   const long evaluations = measure::evaluations_per_step(TestType::step, scenes::Pendulum<>(), 0.3);

@@ -97,3 +97,23 @@ int differences(const char* method_name, Method method, double tolerance = 0,
   }
   return wrong;
 }
+
+// Doubles are what all else is compared with, so they must do something; floats do the same up to
+// rounding, with a clock of either type.
+template <class Method>
+int numbers_wrong(const char* name, Method method) {
+  const auto exact = after_ten_steps<Scalar<double>>(method, {1, 2});
+  const auto rounded = after_ten_steps<Scalar<float>>(method, {1, 2});
+  const auto clocked = after_ten_steps<Scalar<float, float>>(method, {1, 2});
+  const double tolerance = rounding<float>();
+  const auto near = [&](const State<float>& s) {
+    return std::abs(s.x - exact.x) < tolerance && std::abs(s.v - exact.v) < tolerance;
+  };
+  const bool moved = std::abs(exact.x - 1) > tolerance && std::abs(exact.v - 2) > tolerance;
+  if (moved && near(rounded) && near(clocked)) return 0;
+  std::printf("%s: x %.9g on double, %.9g on float, %.9g with a clock of floats, too\n", name,
+              exact.x, double(rounded.x), double(clocked.x));
+  std::printf("%s: v %.9g on double, %.9g on float, %.9g with a clock of floats, too\n", name,
+              exact.v, double(rounded.v), double(clocked.v));
+  return 1;
+}

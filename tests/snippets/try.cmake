@@ -1,8 +1,11 @@
 # Compiles a program that calls every function of HEADERS on the vectors of VECTORS, and runs it.
 # Its folder holds these headers, and those that they are used WITH, and no other. Without EIGEN,
-# Eigen is not to be found.
+# Eigen is not to be found. With MACROS, a file of macros, the headers are read after them, and after
+# all that they include, which would not survive; so are those of ALSO. FLAGS are the compiler's.
 string(REPLACE "," ";" HEADERS "${HEADERS}")
 string(REPLACE "," ";" WITH "${WITH}")
+string(REPLACE "," ";" ALSO "${ALSO}")
+string(REPLACE "," ";" FLAGS "${FLAGS}")
 file(REMOVE_RECURSE ${SCRATCH})
 set(includes "")
 set(adapters "")
@@ -15,6 +18,28 @@ foreach(header IN LISTS HEADERS)
   string(APPEND adapters "#include \"calls/${header}.h\"\n")
   string(APPEND calls "  call_${header}(attempt);\n")
 endforeach()
+
+if(MACROS)
+  foreach(header IN LISTS ALSO)
+    string(APPEND includes "#include \"${header}\"\n")
+  endforeach()
+  set(needed "")
+  foreach(header IN LISTS WITH HEADERS ALSO)
+    cmake_path(ABSOLUTE_PATH header BASE_DIRECTORY ${SCRATCH})
+    if(NOT header MATCHES "\\.h$")
+      string(APPEND header ".h")
+    endif()
+    file(STRINGS ${header} lines REGEX "^#include <")
+    list(APPEND needed ${lines})
+  endforeach()
+  list(REMOVE_DUPLICATES needed)
+  list(JOIN needed "\n" needed)
+  file(READ ${MACROS} macros)
+  string(REGEX MATCHALL "#define [A-Za-z0-9]+" undone "${macros}")
+  list(TRANSFORM undone REPLACE "#define" "#undef")
+  list(JOIN undone "\n" undone)
+  set(includes "${needed}\n#include \"${MACROS}\"\n${includes}${undone}\n")
+endif()
 
 # The headers first and nothing before them: each must bring all that it needs.
 file(WRITE ${SCRATCH}/program.cpp "${includes}
@@ -34,7 +59,7 @@ endif()
 execute_process(
   COMMAND ${COMPILER} -std=c++${STANDARD} -I${CMAKE_CURRENT_LIST_DIR} ${eigen} -Wall -Wextra
           -Wpedantic -Wconversion -Wshadow -Werror -fno-exceptions -fno-rtti -ffp-contract=off
-          program.cpp -o program
+          ${FLAGS} program.cpp -o program
   WORKING_DIRECTORY ${SCRATCH} RESULT_VARIABLE result ERROR_VARIABLE errors)
 if(result)
   message(FATAL_ERROR "${SCRATCH}/program.cpp does not compile:\n${errors}")

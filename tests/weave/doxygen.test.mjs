@@ -34,6 +34,20 @@ test('comments of the code', () => {
   assert.match(stderr, /^code\/integrate\/euler\.h:(1[3-9]|2\d): Doxygen: argument 'step' of command @param is not found/);
 });
 
+// Doxygen takes ' and '' within backticks for quotation marks, and lets the backticks stand.
+test('primes and apostrophes in the comments of the code', () => {
+  const read = weaves(['code/scenes/spring.h', "/// A mass on a spring: x'' = -omega^2 x.", `/// A mass on a spring: \`x'' = -omega^2 x\`.
+///
+/// Its force isn't large: \`m x''\`, without a damper's \`c x'\`, which \`opens
+/// x' here\` and isn't 'quoted'. Elsewhere x'' and x_i'' are bare.`],
+  ['code/scenes/spring.h', '[rad/s]', "[rad/s], with \`x''\` and \`x'\`"]);
+  const html = read('scenes-spring.html');
+  for (const code of ["x'' = -omega^2 x", "m x''", "c x'", "opens x' here"]) assert.ok(html.includes(`<code>${code}</code>`), `${code} in ${html}`);
+  assert.ok(html.includes("with <code>x''</code> and <code>x'</code>"), html);
+  assert.ok(html.includes('isn’t large') && html.includes('isn’t ‘quoted’') && html.includes('x″ and x_i″ are bare'), html);
+  assert.doesNotMatch(html.replace(/<script[\s\S]*?<\/script>/g, ''), /`|\ue000/);
+});
+
 test('a reference to something', () => {
   const html = weaves(paragraph('See \\ref integrate::euler, or \\ref scenes::Spring.'))('2-euler.html');
   assert.match(html, /<p>See <a href="integrate-euler\.html#euler"><code>integrate::euler<\/code><\/a>, or <a href="scenes-spring\.html"><code>scenes::Spring<\/code><\/a>\.<\/p>/);
