@@ -480,7 +480,8 @@ TEST_CASE("A damper divided out of the relative velocity leaves two thrown bodie
 
 TEST_CASE("A damper divided out of each velocity brakes two thrown bodies to a hundredth") {
   CHECK_THAT(speed_of_thrown(divide_each, Pair{}), WithinAbs(0.08, 0.005));
-  CHECK_THAT(speed_of_thrown(divide_each, Pair{}), WithinRel(10 * std::pow(1 + 5.0 / 60, -60), 1e-9));
+  CHECK_THAT(speed_of_thrown(divide_each, Pair{}),
+             WithinRel(10 * std::pow(1 + 5.0 / 60, -60), 1e-9));
 }
 
 TEST_CASE("Drag that comes after the move lets things fall as fast as drag that comes first") {

@@ -69,8 +69,8 @@ inline void orbit(measure::Record& record) {
   record.number("turn-takes", turn_takes(measure::symplectic_euler, tick), 3, "s");
   record.number("turns-flown", turns(tick), 3);
   record.number("turns-flown-60", turns(tick / 4), 3);
-  record.number("turns-turned",
-                turns(tick) * -turning(measure::symplectic_euler, tick, 60) / 360, 2);
+  record.number("turns-turned", turns(tick) * -turning(measure::symplectic_euler, tick, 60) / 360,
+                2);
   record.number("turning-60", -turning(measure::symplectic_euler, tick / 4, 60), 3, "°");
   const auto energy = [](auto& x, auto& v) { return shuttle.energy(x, v); };
   const auto sway = [&](auto invariant) {

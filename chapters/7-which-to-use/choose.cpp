@@ -14,9 +14,8 @@ namespace {
 constexpr const char* about =
     "Prints the cheapest method and step that keep a scene within bounds, and why the others fall "
     "out.\nEvery method is run with more and more steps in each frame and compared with the exact "
-    "solution.\nOf a method that gets within the bounds, the fewest steps that do it are found by "
-    "trying every\nwhole number; of one that does not get there by doubling its steps, every number "
-    "that would cost\nless than the best.";
+    "solution.\nThe steps are doubled until the bounds are met, then every smaller number is "
+    "tried.\nWhere doubling never gets there, every number that would cost less than the best is.";
 
 constexpr const char* scenes_about =
     "Scenes: spring (--omega, --zeta), orbit (--omega, --eccentricity), pendulum (--omega, "

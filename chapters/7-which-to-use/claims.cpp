@@ -77,10 +77,9 @@ double farthest(const Step& step, double homega, double zeta) {
 
 /// What one step asks for, the derivatives of an implicit one among it, counted by hand.
 double asks(const std::string& function) {
-  const std::map<std::string, double> often{{"midpoint", 2},        {"heun", 2},
-                                            {"predicted_euler", 2}, {"backward_euler", 2},
-                                            {"yoshida4", 3},        {"trapezoid", 3},
-                                            {"rk4", 4},             {"dopri5", 6}};
+  const std::map<std::string, double> often{
+      {"midpoint", 2},  {"heun", 2}, {"predicted_euler", 2}, {"backward_euler", 2}, {"yoshida4", 3},
+      {"trapezoid", 3}, {"rk4", 4},  {"dopri5", 6}};
   const auto found = often.find(function);
   return found == often.end() ? 1 : found->second;
 }
@@ -271,6 +270,11 @@ TEST_CASE("At equal price RK4's energy error passes velocity Verlet's after two 
   CHECK(energy_error(rk4, shuttle, frame) < energy_error(velocity_verlet, shuttle, frame / 4) / 90);
   CHECK(energy_passes() > 120 * 60);
   CHECK(energy_passes() < 130 * 60);
+}
+
+TEST_CASE("After a day velocity Verlet's shuttle is a turn behind, and RK4's seven ahead") {
+  CHECK_THAT(ahead_after_a_day(velocity_verlet, frame / 4), WithinAbs(-1.2, 0.1));
+  CHECK_THAT(ahead_after_a_day(rk4, frame), WithinAbs(7.3, 0.1));
 }
 
 TEST_CASE("On the suspension velocity Verlet and RK4 meet at 120 evaluations a second") {
@@ -522,7 +526,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("On the example velocity Verlet and RK4 cost the same, symplectic Euler 8 times as much") {
+TEST_CASE(
+    "On the example velocity Verlet and RK4 cost the same, symplectic Euler 8 times as much") {
   const Contest found = contest(example, example_bounds);
   const double least = entry_of(found, "velocity_verlet").evaluations;
   CHECK(least == entry_of(found, "rk4").evaluations);

@@ -55,8 +55,7 @@ inline void wall(measure::Record& record) {
       measure::stormer_verlet);
   add("orbits and pendulums that never end; falls through air while ch < 1", "velocity Verlet",
       "velocity_verlet", measure::velocity_verlet);
-  add("long orbits without drag whose place counts", "Yoshida 4", "yoshida4",
-      measure::yoshida4);
+  add("long orbits without drag whose place counts", "Yoshida 4", "yoshida4", measure::yoshida4);
   add("a path that must be right: previews, flight", "RK4", "rk4", measure::rk4);
   add("what is too stiff for the frame", "backward Euler", "backward_euler",
       measure::backward_euler);
