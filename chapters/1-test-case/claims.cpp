@@ -13,8 +13,12 @@
 #include "jump.h"
 #include "measure/order.h"
 #include "scenes/constant_velocity.h"
+#include "scenes/friction.h"
 #include "scenes/linear_drag.h"
+#include "scenes/orbit.h"
+#include "scenes/pendulum.h"
 #include "scenes/rocket.h"
+#include "scenes/spring.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -291,4 +295,23 @@ TEST_CASE("At 1000 steps a second a float that moves at 1 mm/s stops 32 m from t
   const float step = 0.001f * 0.001f;
   CHECK(31.9f + step > 31.9f);
   CHECK(32.0f + step == 32.0f);
+}
+
+TEST_CASE("A spring without a damper, an orbit and a pendulum pull the same at every speed") {
+  const scenes::Spring<> spring{.omega = 3}, damped{.omega = 3, .zeta = 0.1};
+  CHECK(spring(0.5, 0.0, 0.0) == spring(0.5, 7.0, 0.0));
+  CHECK(damped(0.5, 0.0, 0.0) != damped(0.5, 7.0, 0.0));
+  const scenes::Pendulum<> pendulum{};
+  CHECK(pendulum(0.5, 0.0, 0.0) == pendulum(0.5, 7.0, 0.0));
+  const scenes::Orbit<> orbit{};
+  const Eigen::Vector2d place{1, 2};
+  CHECK(orbit(place, {0, 0}, 0.0) == orbit(place, {3, -4}, 0.0));
+}
+
+TEST_CASE("Drag grows with the speed, and dry friction knows only its direction") {
+  const scenes::LinearDrag<> drag{.c = 2, .g = 0};
+  CHECK(drag(0.0, 2.0, 0.0) == 2 * drag(0.0, 1.0, 0.0));
+  const scenes::Friction<> table{};
+  CHECK(table(0.0, 2.0, 0.0) == table(0.0, 1.0, 0.0));
+  CHECK(table(0.0, -2.0, 0.0) == -table(0.0, 1.0, 0.0));
 }

@@ -13,10 +13,12 @@
 #include "measure/cost.h"
 #include "measure/energy.h"
 #include "measure/order.h"
+#include "pair.h"
 #include "planets.h"
 #include "scenes/projectile.h"
 #include "shadow.h"
 #include "turning.h"
+#include "uneven.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -173,6 +175,37 @@ TEST_CASE("After an hour without a damper a spring swings as far as in its first
   CHECK_THAT(swing(later, frame, 60), WithinRel(swing(suspension, frame, 60), 0.02));
 }
 
+TEST_CASE("Uneven steps of symplectic Euler swing a spring a million times too far in an hour") {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    INFO(seed);
+    CHECK(uneven_swings(0.5, seed, 3600 * 60).symplectic_euler > 1e6 * suspension.x0);
+  }
+  CHECK(uneven_swings(0, 1, 3600 * 60).symplectic_euler < 1.02 * suspension.x0);
+}
+
+TEST_CASE("Every step keeps areas, also where steps are uneven") {
+  UnevenSteps uneven{.random = std::mt19937(1)};
+  auto points = cat(500);
+  const double before = area(points);
+  for (int n = 0; n < 600; ++n) {
+    const double h = uneven.next();
+    CHECK(h * suspension.omega <= 0.5);
+    for (auto& point : points) symplectic_euler(point.x, point.v, 0.0, h, suspension);
+  }
+  CHECK_THAT(area(points), WithinRel(before, 1e-9));
+}
+
+TEST_CASE("On the same uneven steps velocity Verlet's spring swings less than ten times too far") {
+  double most = 0;
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    INFO(seed);
+    const double far = uneven_swings(0.5, seed, 3600 * 60).velocity_verlet;
+    CHECK(far < 10 * suspension.x0);
+    most = std::max(most, far);
+  }
+  CHECK(most > 2 * suspension.x0);  // it drifts, too
+}
+
 TEST_CASE("Symplectic Euler holds an undamped spring while h omega is less than two") {
   CHECK(swing(unit(), 1.999, 1'000'000) < 50);
 }
@@ -306,6 +339,26 @@ TEST_CASE("At ten steps a second RK4's shuttle sinks in a thousand turns, symple
   for (const long steps : {27'000, 54'000, 81'000}) CHECK(farthest(symplectic_euler, steps) > 16);
 }
 
+TEST_CASE("In the time of a thousand turns the shuttle makes 932 at 15 steps a second") {
+  // Counted by the farthest points, of which a thousand true turns have a thousand.
+  const auto times_farthest = [](double h) {
+    auto s = shuttle.start();
+    int times = 0;
+    double before = INFINITY, last = INFINITY;
+    measure::run(symplectic_euler, shuttle, s, h, std::lround(8000 / h), [&](double, auto& now) {
+      const double out = now.x.norm();
+      times += last > before && last > out;
+      before = last;
+      last = out;
+    });
+    return times;
+  };
+  CHECK(times_farthest(tick) == 932);
+  CHECK_THAT(1000 * shuttle_turn / turn_takes(symplectic_euler, tick), WithinAbs(932, 0.5));
+  // Sixteen times smaller with four times the steps.
+  CHECK_THAT(1000 - times_farthest(tick / 4), WithinAbs((1000 - 932) / 16.0, 1));
+}
+
 TEST_CASE("The shuttle's ellipse turns by about a degree in a turn at 15 steps a second") {
   CHECK_THAT(turning(symplectic_euler, tick, 60), WithinAbs(-1.02, 0.01));
 }
@@ -383,6 +436,52 @@ TEST_CASE("Of the six ways of drag only two end at the right speed") {
     });
     CHECK_THAT(end_speed(measure::linear_damping_exact, 1 / rate), WithinRel(right, 1e-9));
   }
+}
+
+TEST_CASE("At a tenth of critical damping every way of drag has a limit, none farther than 2.43") {
+  for_each_way([&](auto name, auto, auto step) {
+    CAPTURE(name);
+    const double found = first_limit(step, 0.1);
+    CHECK(found > 1.8);
+    CHECK(found < 2.435);
+    const auto size_after = [&](double h) {
+      return std::abs(measure::after(step, unit(0.1), State<double>{1, 0.5}, h, 20'000).x);
+    };
+    CHECK(size_after(0.99 * found) < 10);
+    CHECK(!(size_after(1.01 * found) < 1e10));
+  });
+}
+
+TEST_CASE("The exponential after the force brakes a leaf 1.7 per cent too much at 60 Hz") {
+  const double right = leaf.g / leaf.c;
+  const auto last = measure::linear_damping_exponential_last;
+  CHECK_THAT(1 - end_speed(last, 1.0 / 60) / right, WithinAbs(0.017, 0.0005));
+  CHECK_THAT(1 - end_speed(last, 1.0 / 20) / right, WithinAbs(0.049, 0.0005));
+}
+
+TEST_CASE("A damper divided out of the relative velocity leaves two thrown bodies their speed") {
+  for (const Two mass : {Two{1, 1}, Two{4, 1}, Two{1, 100}}) {
+    const Pair pair{.mass = mass};
+    CHECK_THAT(speed_of_thrown(divide_between, pair), WithinRel(10, 1e-13));
+    // What is between them is one spring with its own damper, divided as alone.
+    Two x{0, 0.1}, v{10, 9};
+    double apart = 0.1, opening = -1;
+    const double pull = pair.stiffness * (1 / mass.a + 1 / mass.b);
+    const auto spring = [&](double y, double, double) { return -pull * y; };
+    for (int n = 0; n < 60; ++n) {
+      divide_between(x, v, n * frame, frame, pair);
+      integrate::linear_damping_implicit_last(apart, opening, n * frame, frame,
+                                              pair.damper * (1 / mass.a + 1 / mass.b), spring);
+    }
+    CHECK_THAT(x.b - x.a, WithinAbs(apart, 1e-13));
+    CHECK_THAT(v.b - v.a, WithinAbs(opening, 1e-12));
+  }
+}
+
+TEST_CASE("A damper divided out of each velocity brakes two thrown bodies to a hundredth") {
+  CHECK_THAT(speed_of_thrown(divide_each, Pair{}), WithinAbs(0.08, 0.005));
+  CHECK_THAT(speed_of_thrown(divide_each, Pair{}),
+             WithinRel(10 * std::pow(1 + 5.0 / 60, -60), 1e-9));
 }
 
 TEST_CASE("Drag that comes after the move lets things fall as fast as drag that comes first") {

@@ -14,9 +14,11 @@
 #include "measure/order.h"
 #include "measure/path.h"
 #include "measure/stability.h"
+#include "pair.h"
 #include "planets.h"
 #include "shadow.h"
 #include "turning.h"
+#include "uneven.h"
 
 using measure::euler;
 using measure::Record;
@@ -147,11 +149,13 @@ int main(int argc, char** argv) {
     an_hour(record);
     cats(record);
     shadow(record);
+    uneven_steps(record);
     half_a_kick(record);
     bounces(record);
     orbit(record);
     damped_limits(record);
     six_ways(record);
+    thrown_pair(record);
     composition(record);
     planets(record);
   });

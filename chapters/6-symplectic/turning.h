@@ -39,12 +39,38 @@ double turning(Step step, double h, int turns) {
   return angle(first, last) * 180 / std::numbers::pi / turns;
 }
 
+/// How long a turn of the shuttle takes, from one farthest point to the next, on average over the
+/// time of a thousand turns [s].
+template <class Step>
+double turn_takes(Step step, double h) {
+  double first = 0, last = 0;
+  long turns = -1;
+  auto s = shuttle.start();
+  for (double t = 0; t < 1000 * shuttle_turn; t += h) {
+    const double outwards = s.x.dot(s.v);
+    step(s.x, s.v, 0.0, h, shuttle);
+    const double afterwards = s.x.dot(s.v);
+    if (outwards <= 0 || afterwards > 0) continue;
+    last = t + h * outwards / (outwards - afterwards);
+    if (++turns == 0) first = last;
+  }
+  return (last - first) / double(turns);
+}
+
 inline void orbit(measure::Record& record) {
   auto& table = record.table("turning", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
   auto s = shuttle.start();
   measure::run(measure::symplectic_euler, shuttle, s, tick, 60 * 130,
                [&](double t, const auto& now) { table.add({t, now.x.x(), now.x.y()}); });
   record.number("turning-15", -turning(measure::symplectic_euler, tick, 60), 3, "°");
+  const auto turns = [](double h) {
+    return 1000 * shuttle_turn / turn_takes(measure::symplectic_euler, h);
+  };
+  record.number("turn-takes", turn_takes(measure::symplectic_euler, tick), 3, "s");
+  record.number("turns-flown", turns(tick), 3);
+  record.number("turns-flown-60", turns(tick / 4), 3);
+  record.number("turns-turned", turns(tick) * -turning(measure::symplectic_euler, tick, 60) / 360,
+                2);
   record.number("turning-60", -turning(measure::symplectic_euler, tick / 4, 60), 3, "°");
   const auto energy = [](auto& x, auto& v) { return shuttle.energy(x, v); };
   const auto sway = [&](auto invariant) {

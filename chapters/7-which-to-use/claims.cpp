@@ -75,15 +75,47 @@ double farthest(const Step& step, double homega, double zeta) {
   return most < 1e6 ? most : INFINITY;
 }
 
-/// Whether another method, or fewer steps, would have met the bounds for less.
+/// What one step asks for, the derivatives of an implicit one among it, counted by hand.
+double asks(const std::string& function) {
+  const std::map<std::string, double> often{
+      {"midpoint", 2},  {"heun", 2}, {"predicted_euler", 2}, {"backward_euler", 2}, {"yoshida4", 3},
+      {"trapezoid", 3}, {"rk4", 4},  {"dopri5", 6}};
+  const auto found = often.find(function);
+  return found == often.end() ? 1 : found->second;
+}
+
+/// Whether a whole run with so many steps in each frame stays within the bounds.
+template <class Step, class Scene>
+bool meets(const Step& step, const Scene& scene, const Bounds& bounds, long substeps) {
+  const double h = 1 / bounds.hz / double(substeps);
+  double farthest = 0, error = 0, energy = 0;
+  auto s = scene.start();
+  long n = 0;
+  measure::run(step, scene, s, h, bounds.frames() * substeps, [&](double t, const auto& now) {
+    if (n++ % substeps != 0) return;
+    const auto x = scene.exact(t).x;
+    farthest = std::max(farthest, measure::length(x));
+    if (!(measure::length(now.x - x) <= error)) error = measure::length(now.x - x);
+    if constexpr (requires { scene.energy(now.x, now.v); }) {
+      const double first = scene.energy(scene.start().x, scene.start().v);
+      const double change = std::abs((scene.energy(now.x, now.v) - first) / first);
+      if (!(change <= energy)) energy = change;
+    }
+  });
+  return error <= bounds.error * farthest && !(energy > bounds.energy);
+}
+
+/// Every way to meet the bounds for less, by name and steps in each frame.
 template <class Scene>
-bool cheaper_exists(const Scene& scene, const Bounds& bounds, double evaluations) {
-  bool found = false;
-  for_each_entrant_on(scene, [&](const auto&, const auto&, const auto& step) {
-    for (long substeps = 1;; substeps *= 2) {
-      const double steps = bounds.hz * double(substeps);
-      if (steps * double(price(step, scene, 1 / steps)) >= evaluations) break;
-      found = found || attempt(step, scene, bounds, substeps).good(bounds);
+std::string cheaper(const Scene& scene, const Bounds& bounds, double evaluations) {
+  std::string found;
+  for_each_entrant_on(scene, [&](const auto&, const std::string& function, const auto& step) {
+    const double once = bounds.hz * asks(function);
+    for (long substeps = std::lround(evaluations / once); substeps > 0; --substeps) {
+      if (once * double(substeps) > evaluations - 1e-9) continue;
+      if (meets(step, scene, bounds, substeps)) {
+        found += function + " " + std::to_string(substeps) + ", ";
+      }
     }
   });
   return found;
@@ -101,6 +133,16 @@ TEST_CASE("No method keeps all six things within a centimetre at 60 steps a seco
     ++methods;
   });
   CHECK(methods == 13);
+}
+
+TEST_CASE("Euler and symplectic Euler miss the centimetre with all six things") {
+  for (const auto& found : {errors(euler), errors(symplectic_euler)}) {
+    CHECK(found.size() == 6);
+    for (const auto& [thing, error] : found) {
+      INFO(thing);
+      CHECK(error > 1);
+    }
+  }
 }
 
 TEST_CASE("With drag in the acceleration only the two implicit methods hold the hatch at 60 Hz") {
@@ -202,6 +244,18 @@ TEST_CASE("Twice the steps halve Euler's error, quarter Verlet's and leave a six
   CHECK_THAT(off(rk4, lamp, 1.0 / 120, 10) / off(rk4, lamp, 1.0 / 240, 10), WithinAbs(16, 1));
 }
 
+TEST_CASE("At 30 steps a second Euler's lamp goes over the top, at 60 and more it does not") {
+  const auto widest_swing = [](double rate) {
+    double most = 0;
+    auto s = lamp.start();
+    measure::run(euler, lamp, s, 1 / rate, std::lround(10 * rate),
+                 [&](double, const auto& now) { most = std::max(most, std::abs(now.x)); });
+    return most;
+  };
+  CHECK(widest_swing(30) > std::numbers::pi);
+  for (const double rate : {60, 120, 240}) CHECK(widest_swing(rate) < 2);
+}
+
 TEST_CASE("On the leaf symplectic Euler is five times as far off as Euler") {
   CHECK_THAT(off(symplectic_euler, leaf, frame, 2) / off(euler, leaf, frame, 2), WithinAbs(5, 0.2));
 }
@@ -216,6 +270,11 @@ TEST_CASE("At equal price RK4's energy error passes velocity Verlet's after two 
   CHECK(energy_error(rk4, shuttle, frame) < energy_error(velocity_verlet, shuttle, frame / 4) / 90);
   CHECK(energy_passes() > 120 * 60);
   CHECK(energy_passes() < 130 * 60);
+}
+
+TEST_CASE("After a day velocity Verlet's shuttle is a turn behind, and RK4's seven ahead") {
+  CHECK_THAT(ahead_after_a_day(velocity_verlet, frame / 4), WithinAbs(-1.2, 0.1));
+  CHECK_THAT(ahead_after_a_day(rk4, frame), WithinAbs(7.3, 0.1));
 }
 
 TEST_CASE("On the suspension velocity Verlet and RK4 meet at 120 evaluations a second") {
@@ -284,6 +343,11 @@ TEST_CASE("Velocity Verlet with drag in the acceleration is stable on the least 
     CHECK(stable_share(step) >= least);
   });
   CHECK_THAT(least, WithinAbs(16, 1));
+}
+
+TEST_CASE("Drag divided is true to life on a seventh of the map, drag as a force on a tenth") {
+  CHECK_THAT(true_share(measure::linear_damping_implicit_last), WithinAbs(100.0 / 7, 0.5));
+  CHECK_THAT(true_share(symplectic_euler), WithinAbs(10, 0.5));
 }
 
 TEST_CASE("Backward Euler is stable on all of the map and true on an eighth of it") {
@@ -362,6 +426,14 @@ TEST_CASE("Sixteen steps in one visit are the sixteen steps, bit for bit") {
   CHECK(same);
 }
 
+TEST_CASE("Far from the origin float's floor is a hundred times higher or more") {
+  for (const long rate : {60L, 240L, 480L}) {
+    const double far = error_far_away(rk4, rate);
+    CHECK(far > 100 * error_of_a_turn<float>(rk4, rate));
+    CHECK(far < 10'000 * error_of_a_turn<float>(rk4, rate));
+  }
+}
+
 TEST_CASE("An implicit step is billed for its derivatives, an exact spring for nothing") {
   CHECK(price(euler, shuttle, frame) == 1);
   CHECK(price(velocity_verlet, shuttle, frame) == 1);
@@ -374,17 +446,46 @@ TEST_CASE("An implicit step is billed for its derivatives, an exact spring for n
 }
 
 TEST_CASE("No method and no number of steps meets the bounds for less than the chosen one") {
-  const auto check = [](const auto& scene, const Bounds& bounds) {
+  const auto check = [](const auto& scene, const Bounds& bounds, double evaluations) {
     const Contest found = contest(scene, bounds);
-    CHECK(found.methods[0].good);
-    CHECK(found.methods[0].last.good(bounds));
-    CHECK_FALSE(cheaper_exists(scene, bounds, found.methods[0].evaluations));
+    const Entry& best = found.methods[0];
+    CHECK(best.good);
+    CHECK(best.evaluations == evaluations);
+    CHECK(best.evaluations == bounds.hz * double(best.last.substeps) * asks(best.function));
+    CHECK(cheaper(scene, bounds, best.evaluations).empty());
+    // The search sees what is there: with room for one frame of RK4 more it finds the chosen one.
+    const std::string name = best.function + " " + std::to_string(best.last.substeps) + ", ";
+    CHECK(cheaper(scene, bounds, best.evaluations + 4 * bounds.hz).find(name) != std::string::npos);
   };
-  check(example, example_bounds);
-  check(shuttle, {.seconds = 8, .error = 0.001});
-  check(shuttle, {.seconds = 8, .error = 0.1, .energy = 1e-5});
-  check(lamp, {.seconds = 10, .error = 0.1});
-  check(leaf, {.seconds = 2, .error = 1e-6});
+  check(example, example_bounds, 240);
+  check(example, {.error = 0.012}, 180);
+  check(hatch, {.seconds = 1, .error = 0.01}, 300);
+  check(suspension, {.seconds = 1, .error = 0.1}, 60);
+  check(scenes::Spring<>{.omega = 25, .zeta = 0.3}, {.hz = 30, .seconds = 5, .error = 0.02}, 90);
+  check(shuttle, {.seconds = 8, .error = 0.001}, 180);
+  check(shuttle, {.seconds = 8, .error = 0.002}, 180);
+  check(shuttle, {.seconds = 8, .error = 0.1, .energy = 1e-5}, 180);
+  check(lamp, {.seconds = 10, .error = 0.1}, 60);
+  check(leaf, {.seconds = 2, .error = 1e-6}, 240);
+}
+
+TEST_CASE("No method keeps the level within a centimetre with fewer steps than it is billed for") {
+  for_each_thing([&](const std::string& thing, const auto& scene, double seconds) {
+    Bounds bounds{.seconds = seconds};
+    bounds.error = centimetre / size_of(scene, bounds);
+    const Contest found = contest(scene, bounds);
+    for_each_entrant([&](const auto&, const std::string& function, const auto& step) {
+      const Entry& entry = entry_of(found, function);
+      if (!entry.good) return;
+      INFO(thing << ", " << function << ", " << entry.last.substeps);
+      CHECK(meets(step, scene, bounds, entry.last.substeps));
+      bool fewer = false;
+      for (long substeps = entry.last.substeps - 1; substeps > 0; --substeps) {
+        fewer = fewer || meets(step, scene, bounds, substeps);
+      }
+      CHECK_FALSE(fewer);
+    });
+  });
 }
 
 TEST_CASE("When nothing meets the bounds the nearest miss comes first") {
@@ -396,20 +497,23 @@ TEST_CASE("When nothing meets the bounds the nearest miss comes first") {
   }
 }
 
-TEST_CASE("Chosen one by one the six things cost less than a third of the best single method") {
+TEST_CASE("The best single method costs 2.3 times what the choice for each thing costs") {
   auto found = bills();
   double best = INFINITY;
   for (const auto& [method, bill] : found) {
     if (method != "chosen") best = std::min(best, bill);
   }
-  CHECK(found["chosen"] < best / 3);
   CHECK(found["velocity Verlet"] == best);
+  CHECK_THAT(best / found["chosen"], WithinAbs(2.3, 0.05));
 }
 
-TEST_CASE("Symplectic Euler for everything costs thirty times what the choice costs") {
+TEST_CASE("Symplectic Euler for everything costs 21 times what the choice costs") {
   auto found = bills();
-  CHECK(found["symplectic Euler"] > 30 * found["chosen"]);
-  CHECK(found["symplectic Euler"] < 35 * found["chosen"]);
+  CHECK_THAT(found["symplectic Euler"] / found["chosen"], WithinAbs(21, 0.5));
+  for (const auto& [method, bill] : found) {
+    INFO(method);
+    CHECK((bill <= found["symplectic Euler"] || std::isinf(bill)));  // the dearest that get there
+  }
 }
 
 TEST_CASE(
@@ -423,12 +527,12 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "On the example velocity Verlet and RK4 cost the same, and symplectic Euler 16 times it") {
+    "On the example velocity Verlet and RK4 cost the same, symplectic Euler 8 times as much") {
   const Contest found = contest(example, example_bounds);
   const double least = entry_of(found, "velocity_verlet").evaluations;
   CHECK(least == entry_of(found, "rk4").evaluations);
   CHECK(found.methods[0].evaluations == least);
-  CHECK(entry_of(found, "symplectic_euler").evaluations == 16 * least);
+  CHECK_THAT(entry_of(found, "symplectic_euler").evaluations / least, WithinAbs(8, 0.5));
   CHECK(found.exact[0].evaluations == 0);
 }
 
@@ -436,6 +540,11 @@ TEST_CASE(
     "At 60 Hz symplectic Euler holds 19 swings a second, and RK4 27 for four times the price") {
   CHECK_THAT(swings(symplectic_euler), WithinAbs(19.1, 0.05));
   CHECK_THAT(swings(rk4), WithinAbs(27, 0.05));
+}
+
+TEST_CASE("At 60 Hz Yoshida holds 15 swings a second, fewer than velocity Verlet for one step") {
+  CHECK_THAT(swings(measure::yoshida4), WithinAbs(15, 0.05));
+  CHECK(swings(measure::yoshida4) < swings(velocity_verlet));
 }
 
 TEST_CASE(
@@ -455,8 +564,17 @@ TEST_CASE("Euler's jump is eight centimetres off, and the exact step asks as oft
 }
 
 TEST_CASE("A swing twice a second to one per cent takes velocity Verlet 288 steps a second") {
-  constexpr scenes::Spring<> swing{.omega = 4 * std::numbers::pi};
-  CHECK_THAT(off(velocity_verlet, swing, 1.0 / 288, 10), WithinRel(0.01, 0.02));
+  CHECK_THAT(off(velocity_verlet, twice_a_second, 1.0 / 288, 10), WithinRel(0.01, 0.02));
+}
+
+TEST_CASE(
+    "For the swing of the exercise choose takes RK4, and bills velocity Verlet for five steps a "
+    "frame") {
+  const Contest found = contest(twice_a_second, example_bounds);
+  CHECK(found.methods[0].function == "rk4");
+  CHECK(found.methods[0].last.substeps == 1);
+  CHECK(entry_of(found, "velocity_verlet").last.substeps == 5);
+  CHECK(found.methods[0].evaluations < 288);
 }
 
 TEST_CASE("Velocity Verlet with drag divided at the end has more room and only order one") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Lets every method try a scene, with 1, 2, 4 and more steps in each frame, until it is good
+/// Lets every method try a scene, with 1, 2, 3 and more steps in each frame, until it is good
 /// enough.
 #pragma once
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "level.h"
@@ -37,7 +38,7 @@ struct Attempt {
 struct Entry {
   std::string method, function;
   Attempt last{};          ///< the first that is good enough; if none is, the nearest miss
-  Attempt before{};        ///< with half the steps; none if its `substeps` are zero
+  Attempt before{};        ///< with one step less; none if its `substeps` are zero
   bool good = false;       ///< whether `last` meets the bounds
   double evaluations = 0;  ///< in a second of play, for `last`
 };
@@ -52,45 +53,29 @@ bool keeps_energy(const Scene& scene) {
   return false;
 }
 
+/// Where a scene should be in each frame, and how far from the origin that gets.
+template <class Vec>
+struct Truth {
+  std::vector<Vec> x;
+  double size = 0;
+};
+
+/// The truth of a scene, in each frame that is watched.
+template <class Scene>
+auto truth_of(const Scene& scene, const Bounds& bounds) {
+  Truth<std::decay_t<decltype(scene.start().x)>> truth;
+  for (long n = 0; n <= bounds.frames(); ++n) {
+    truth.x.push_back(scene.exact(double(n) / bounds.hz).x);
+    truth.size = std::max(truth.size, measure::length(truth.x.back()));
+  }
+  return truth;
+}
+
 /// The farthest from the origin that the motion gets.
 template <class Scene>
 double size_of(const Scene& scene, const Bounds& bounds) {
-  double farthest = 0;
-  for (long n = 0; n <= bounds.frames(); ++n) {
-    farthest = std::max(farthest, measure::length(scene.exact(double(n) / bounds.hz).x));
-  }
-  return farthest;
+  return truth_of(scene, bounds).size;
 }
-
-// [attempt]
-/// Runs the scene and compares it with the truth in every frame, which is when a player sees it.
-template <class Step, class Scene>
-Attempt attempt(const Step& step, const Scene& scene, const Bounds& bounds, long substeps) {
-  Attempt worst{.substeps = substeps};
-  auto s = scene.start();
-  const auto start = s;
-  const bool keeps = keeps_energy(scene);
-  long n = 0;
-  const auto compare = [&](double t, const auto& now) {
-    if (n++ % substeps != 0) return;
-    const double error = measure::length(now.x - scene.exact(t).x);
-    if (!(error <= worst.error)) worst.error = error;
-    if constexpr (requires { scene.energy(now.x, now.v); }) {
-      const double first = scene.energy(start.x, start.v);
-      const double change = keeps ? std::abs(scene.energy(now.x, now.v) / first - 1) : 0;
-      if (!(change <= worst.energy)) worst.energy = change;
-    }
-  };
-  const double h = 1 / (bounds.hz * double(substeps));
-  try {
-    measure::run(step, scene, s, h, bounds.frames() * substeps, compare);
-  } catch (const std::runtime_error&) {
-    worst.error = INFINITY;  // an implicit step that could not be solved
-  }
-  worst.error /= size_of(scene, bounds);
-  return worst;
-}
-// [attempt]
 
 /// How far from good enough: one or less is good.
 inline double miss(const Attempt& attempt, const Bounds& bounds) {
@@ -98,25 +83,76 @@ inline double miss(const Attempt& attempt, const Bounds& bounds) {
   return worst < INFINITY ? worst : INFINITY;
 }
 
-// [enter]
-/// Doubles the steps until the bounds are met.
-template <class Step, class Scene>
-Entry enter(const std::string& method, const std::string& function, const Step& step,
-            const Scene& scene, const Bounds& bounds) {
-  Entry entry{.method = method, .function = function};
-  Attempt now;
-  for (long substeps = 1; substeps <= most_substeps; substeps *= 2) {
-    if (substeps > 1 && bounds.frames() * substeps > most_steps) break;
-    entry.before = now;
-    now = attempt(step, scene, bounds, substeps);
-    entry.good = now.good(bounds);
-    if (substeps == 1 || entry.good || miss(now, bounds) < miss(entry.last, bounds)) {
-      entry.last = now;
+/// Whether one attempt is nearer to good enough than the other.
+inline bool nearer(const Attempt& one, const Attempt& other, const Bounds& bounds) {
+  return miss(one, bounds) < miss(other, bounds);
+}
+
+// [attempt]
+/// Runs the scene and compares it with the truth in every frame, which is when a player sees it.
+/// Gives up as soon as it misses the bounds by more than `patience`.
+template <class Step, class Scene, class Vec>
+Attempt attempt(const Step& step, const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth,
+                long substeps, double patience) {
+  Attempt worst{.substeps = substeps};
+  const auto start = scene.start();
+  const bool keeps = keeps_energy(scene);
+  const double h = 1 / (bounds.hz * double(substeps));
+  auto kept = measure::start(step, start, h, scene);
+  long n = 0;  // steps taken
+  for (std::size_t seen = 1; seen < truth.x.size(); ++seen) {
+    try {
+      for (; n < long(seen) * substeps; ++n) measure::advance(step, kept, double(n) * h, h, scene);
+    } catch (const std::runtime_error&) {
+      worst.error = INFINITY;  // an implicit step that could not be solved
+      break;
     }
-    if (entry.good) break;
+    const auto now = measure::seen(step, kept, double(n) * h, h, scene);
+    const double error = measure::length(now.x - truth.x[seen]) / truth.size;
+    if (!(error <= worst.error)) worst.error = error;
+    if constexpr (requires { scene.energy(now.x, now.v); }) {
+      const double first = scene.energy(start.x, start.v);
+      const double change = keeps ? std::abs(scene.energy(now.x, now.v) / first - 1) : 0;
+      if (!(change <= worst.energy)) worst.energy = change;
+    }
+    if (miss(worst, bounds) > patience) break;
   }
-  const double steps = bounds.hz * double(entry.last.substeps);
-  entry.evaluations = steps * double(price(step, scene, 1 / steps));
+  return worst;
+}
+// [attempt]
+
+// [enter]
+/// Doubles the steps until the bounds are met, then tries every smaller number of steps. Where
+/// doubling does not get there, tries every number of steps that costs less than `cheapest`.
+template <class Step, class Scene, class Vec>
+Entry enter(const std::string& method, const std::string& function, const Step& step,
+            const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth, double cheapest) {
+  Entry entry{.method = method, .function = function};
+  const long most = std::clamp(most_steps / bounds.frames(), 1L, most_substeps);
+  const auto with = [&](long substeps, double patience = INFINITY) {
+    return attempt(step, scene, bounds, truth, substeps, patience);
+  };
+  const auto cost = [&](long substeps) {
+    const double steps = bounds.hz * double(substeps);
+    return steps * double(price(step, scene, 1 / steps));
+  };
+  for (long substeps = 1; !entry.good; substeps = std::min(2 * substeps, most)) {
+    const Attempt now = with(substeps);
+    entry.good = now.good(bounds);
+    if (substeps == 1 || entry.good || nearer(now, entry.last, bounds)) entry.last = now;
+    if (substeps == most) break;
+  }
+  const long end = entry.good ? entry.last.substeps : most;
+  const double dearest = entry.good ? INFINITY : cheapest;
+  for (long substeps = 1; substeps < end && cost(substeps) < dearest; ++substeps) {
+    const Attempt now = with(substeps, 1);
+    if (!now.good(bounds)) continue;
+    entry.last = now;
+    entry.good = true;
+    break;
+  }
+  if (entry.good && entry.last.substeps > 1) entry.before = with(entry.last.substeps - 1);
+  entry.evaluations = cost(entry.last.substeps);
   return entry;
 }
 // [enter]
@@ -169,17 +205,33 @@ struct Contest {
   bool keeps_energy = false;   ///< whether the scene's energy ought to stay what it is
 };
 
+/// The least that an entry within the bounds costs; infinite if there is none.
+inline double cheapest_of(const std::vector<Entry>& entries) {
+  double least = INFINITY;
+  for (const Entry& entry : entries) {
+    if (entry.good) least = std::min(least, entry.evaluations);
+  }
+  return least;
+}
+
 template <class Scene>
 Contest contest(const Scene& scene, const Bounds& bounds) {
   Contest found;
   found.keeps_energy = keeps_energy(scene);
+  const auto truth = truth_of(scene, bounds);
   const auto into = [&](std::vector<Entry>& entries) {
     return [&](const auto& method, const auto& function, const auto& step) {
-      entries.push_back(enter(method, function, step, scene, bounds));
+      entries.push_back(enter(method, function, step, scene, bounds, truth, 0));
     };
   };
   with_exact_step(scene, into(found.exact));
   for_each_entrant_on(scene, into(found.methods));
+  const double cheapest = cheapest_of(found.methods);
+  auto entry = found.methods.begin();
+  for_each_entrant_on(scene, [&](const auto& method, const auto& function, const auto& step) {
+    if (!entry->good) *entry = enter(method, function, step, scene, bounds, truth, cheapest);
+    ++entry;
+  });
   std::sort(found.methods.begin(), found.methods.end(),
             [&](const Entry& a, const Entry& b) { return better(a, b, bounds); });
   return found;

@@ -17,6 +17,33 @@ scenes::Orbit<Real> shuttle_in() {
 }
 
 // [floor]
+/// The shuttle in float, its planet far away from the origin.
+struct FarShuttle : scenes::Orbit<float> {
+  Vec planet{0, 0};
+
+  Vec operator()(const Vec& x, const Vec& v, float t) const {
+    return scenes::Orbit<float>::operator()(Vec(x - planet), v, t);
+  }
+};
+
+inline constexpr float far_away = 10'000;  ///< [m]
+
+/// The largest error of one turn around a planet far along the first axis, in float [m].
+template <class Step>
+double error_far_away(const Step& step, long rate) {
+  const FarShuttle scene{shuttle_in<float>(), {far_away, 0}};
+  auto s = scene.start();
+  s.x += scene.planet;
+  double largest = 0;
+  long n = 0;
+  measure::run(step, scene, s, 1 / float(rate), 8 * rate, [&](float, const auto& now) {
+    const Eigen::Vector2d truth =
+        shuttle.exact(double(n++) / double(rate)).x + Eigen::Vector2d(far_away, 0);
+    largest = std::max(largest, (now.x.template cast<double>() - truth).norm());
+  });
+  return largest;
+}
+
 /// The largest error of one turn, stepped in `Real` and compared with the truth in double [m].
 template <class Real, class Step>
 double error_of_a_turn(const Step& step, long rate) {
@@ -53,6 +80,7 @@ inline void floor_of_float(measure::Record& record) {
   record.number(
       "float-verlet-240",
       100 * std::abs(rounded / error_of_a_turn<double>(measure::velocity_verlet, 240) - 1), 1, "%");
+  record.number("float-far", 100 * error_far_away(measure::rk4, 60), 1, "cm");
   const auto best =
       std::min_element(table.rows.begin(), table.rows.end(),
                        [](const auto& a, const auto& b) { return a[6].value < b[6].value; });

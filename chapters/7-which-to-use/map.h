@@ -150,5 +150,7 @@ inline void stability_map(measure::Record& record) {
   record.number("map-symplectic", stable_share(measure::symplectic_euler), 2, "%");
   record.number("map-verlet", stable_share(measure::velocity_verlet), 2, "%");
   record.number("map-divided", stable_share(measure::linear_damping_implicit_last), 2, "%");
+  record.number("true-symplectic", true_share(measure::symplectic_euler), 2, "%");
+  record.number("true-divided", true_share(measure::linear_damping_implicit_last), 2, "%");
   record.number("true-backward", true_share(measure::backward_euler), 2, "%");
 }

@@ -46,6 +46,8 @@ void one_for_all_numbers(Record& record) {
   number("jump-euler", measure::euler, jump, 1, 100, "cm");
   number("suspension-euler", measure::euler, suspension, 1, 100, "cm");
   number("lamp-euler", measure::euler, lamp, 10, 1, "m");
+  number("suspension-symplectic", measure::symplectic_euler, suspension, 1, 100, "cm");
+  number("lamp-symplectic", measure::symplectic_euler, lamp, 10, 100, "cm");
   number("leaf-symplectic", measure::symplectic_euler, leaf, 2, 100, "cm");
   number("shuttle-symplectic", measure::symplectic_euler, shuttle, 8, 100, "cm");
   number("shuttle-backward", measure::backward_euler, shuttle, 8, 1, "m");

@@ -46,12 +46,16 @@ inline void wall(measure::Record& record) {
       measure::spring_exact);
   add("bodies with contacts, joints and springs", "symplectic Euler", "symplectic_euler",
       measure::symplectic_euler);
-  add("the same with dampers or drag", "drag divided", "linear_damping_implicit_last",
-      measure::linear_damping_implicit_last);
+  add("the same with drag against the air, or a damper to something fixed", "drag divided",
+      "linear_damping_implicit_last", measure::linear_damping_implicit_last);
+  // Between two bodies the relative motion is the spring, and the division is the same.
+  add("the same with dampers between bodies", "relative velocity divided",
+      "linear_damping_implicit_last", measure::linear_damping_implicit_last);
   add("ropes and cloth of particles, by constraints", "Störmer–Verlet", "stormer_verlet",
       measure::stormer_verlet);
   add("orbits and pendulums that never end; falls through air while ch < 1", "velocity Verlet",
       "velocity_verlet", measure::velocity_verlet);
+  add("long orbits without drag whose place counts", "Yoshida 4", "yoshida4", measure::yoshida4);
   add("a path that must be right: previews, flight", "RK4", "rk4", measure::rk4);
   add("what is too stiff for the frame", "backward Euler", "backward_euler",
       measure::backward_euler);

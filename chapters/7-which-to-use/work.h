@@ -99,6 +99,24 @@ inline double energy_passes() {
   return passed;
 }
 
+/// How many turns the shuttle is ahead after a day, by its farthest points [turns].
+template <class Step>
+double ahead_after_a_day(const Step& step, double h) {
+  constexpr double day = 86'400;
+  double first = 0, last = 0;
+  long turns = -1;
+  auto kept = measure::start(step, shuttle.start(), h, shuttle);
+  for (long n = 0; n < std::lround(day / h); ++n) {
+    const double outwards = kept[0].dot(kept[1]);
+    measure::advance(step, kept, double(n) * h, h, shuttle);
+    const double afterwards = kept[0].dot(kept[1]);
+    if (outwards <= 0 || afterwards > 0) continue;
+    last = (double(n) + outwards / (outwards - afterwards)) * h;
+    if (++turns == 0) first = last;
+  }
+  return day * double(turns) / (last - first) - day / shuttle.period();
+}
+
 inline void all_work(measure::Record& record) {
   work(record, "suspension", suspension, 1);
   work(record, "leaf", leaf, 2);
@@ -110,6 +128,8 @@ inline void all_work(measure::Record& record) {
                     energy_error(measure::rk4, shuttle, frame),
                 2);
   record.number("energy-passes", energy_passes() / 60, 3, "min");
+  record.number("day-verlet", -ahead_after_a_day(measure::velocity_verlet, frame / 4), 2);
+  record.number("day-rk4", ahead_after_a_day(measure::rk4, frame), 2);
   record.number("shuttle-240-symplectic",
                 100 * off(measure::symplectic_euler, shuttle, frame / 4, 8), 2, "cm");
   record.number("shuttle-240-verlet", 100 * off(measure::velocity_verlet, shuttle, frame / 4, 8), 2,
