@@ -1,6 +1,6 @@
 // Everything the weaver knows, read from the sources and from what the chapters' programs wrote.
 import { existsSync, readdirSync } from 'node:fs';
-import { join, relative } from 'node:path';
+import { dirname, join, relative } from 'node:path';
 import { readCards } from './cards.mjs';
 import { readClaims } from './claims.mjs';
 import { readLive } from './live.mjs';
@@ -60,7 +60,7 @@ function readChapter(book, { name, folder, build }) {
   const program = join(build, 'program');
   const numbersFile = join(build, 'data', 'numbers.csv');
   if (!existsSync(numbersFile)) book.problems.add(`${folder}/program.cpp`, 1, `the program has not written ${book.short(numbersFile)}; build the chapter first`);
-  const claims = readClaims(join(build, 'claims.xml'), { source, command: book.short(join(build, 'claims')) });
+  const claims = readClaims(join(build, 'claims.xml'), { source, build: dirname(book.config.output), command: book.short(join(build, 'claims')) });
   if (claims.fault) book.problems.add(`${folder}/claims.cpp`, 1, claims.fault);
   const figures = new Map((existsSync(join(source, folder)) ? readdirSync(join(source, folder)) : []).filter(file => file.endsWith('.gp')).sort().map(file => {
     const figure = file.slice(0, -3);

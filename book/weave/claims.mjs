@@ -1,17 +1,20 @@
 // What the chapters' claim tests found, from Catch2's XML reports.
 import { existsSync, readFileSync } from 'node:fs';
-import { isAbsolute, relative } from 'node:path';
+import { isAbsolute, relative, resolve } from 'node:path';
 import * as cheerio from 'cheerio';
 
-// Reads one chapter's report into test cases { name, file, line, passed, failures, command }.
-export function readClaims(path, { source, command }) {
+// Reads one chapter's report into test cases { name, file, line, passed, failures, command }. A compiler behind a cache may
+// have been handed paths that begin with ../, from the folder that it was started in: `build`.
+export function readClaims(path, { source, build, command }) {
   if (!existsSync(path)) return { tests: [], fault: `there is no report of the claims at ${fromSource(source, path)}; build the chapter first` };
   const text = readFileSync(path, 'utf8');
   if (!/<\/Catch2?TestRun>\s*$/.test(text)) {
     return { tests: [], fault: `the report of the claims ends in the middle: the claims program crashed; run ${command}` };
   }
   const $ = cheerio.load(text, { xml: true });
-  const place = e => ({ file: fromSource(source, $(e).attr('filename') ?? ''), line: Number($(e).attr('line') ?? 0) });
+  const named = e => $(e).attr('filename') ?? '';
+  const file = e => fromSource(source, named(e).startsWith('../') ? resolve(build, named(e)) : named(e));
+  const place = e => ({ file: file(e), line: Number($(e).attr('line') ?? 0) });
   const tests = $('TestCase').get().map(e => {
     const result = $(e).children('OverallResult');
     const passed = result.attr('success') === 'true' && !Number(result.attr('skips') ?? 0);

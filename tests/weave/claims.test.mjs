@@ -54,6 +54,12 @@ test('a name as a shell and Catch2 want it', () => refuses(
   [CLAIMS, 'TEST_CASE("Nobody', `this test fails: "a, b [c] $d "e""\n    chapters/2-euler/claims.cpp:9: x, where false${RUN}"a\\\\, b \\\\[c\\\\] \\$d \\"e\\""`],
 ));
 
+test('a file named from the folder of the build, as by a compiler behind a cache', () => refuses(
+  [[REPORT, CITED, failure(CITED, 5, 'after &gt; before', '1.0 &gt; 2.0').replaceAll('"chapters/', '"../chapters/')]],
+  [CHAPTER, mark, 'the claim is false: "Euler gains energy on every step"\n    chapters/2-euler/claims.cpp:5: after > before, where 1.0 > 2.0'
+    + `${RUN}"Euler gains energy on every step"`],
+));
+
 test('a report that ends in the middle', () => refuses(
   [[REPORT, '</Catch2TestRun>', ''], [CHAPTER, '\n\\claim{Euler gains energy on every\nstep}', '']],
   [CLAIMS, '', 'the report of the claims ends in the middle: the claims program crashed; run built/2-euler/claims'],

@@ -12,10 +12,10 @@ test('the good sample', () => {
   assert.equal(stderr, '');
   assert.equal(status, 0);
   assert.match(stdout, /^2-euler +\d+ +1 +1 +1 of 2 +1 of 4 +2 +1$/m);
-  const page = book.read('out/2-euler.html');
+  const page = book.read('built/book/2-euler.html');
   assert.match(page, number('3\\.142\u202fm'));
   assert.match(page, /value="3\.1415926535897931"/);
-  assert.match(book.read('out/index.html'), number('3\\.142\u202fm'));
+  assert.match(book.read('built/book/index.html'), number('3\\.142\u202fm'));
   assert.deepEqual(tex(page).slice(0, 2), ['h = {0.10\\,\\mathrm{s}}', 'E_{n+1} = \\bigl(1 + (h\\omega)^2\\bigr)\\, E_n , \\qquad h = {0.10\\,\\mathrm{s}} .']);
   assert.match(page, /<code>\\number\{radius\}<\/code>/);
   assert.match(page, /<tr><td>Euler<\/td><td class="right">1\.0\u00a0×\u00a010<sup>\u22127<\/sup><\/td><td class="right">∞<\/td><\/tr>/);

@@ -28,7 +28,7 @@ function weaves(...edits) {
 }
 
 test('a live figure: the still picture, the stage with its controls and the code of its method', () => {
-  const page = weaves(...live, method, methodEnd, module).read('out/2-euler.html');
+  const page = weaves(...live, method, methodEnd, module).read('built/book/2-euler.html');
   assert.match(page, /<figure class="plot" id="figure-spiral" data-live="spiral"><div class="still"><div class="wide"><svg/);
   assert.match(page, /<template>[\s\S]*<input type="radio" name="spiral-method" value="euler" checked>[\s\S]*<input type="range" min="0" max="1" step="0\.1" value="0\.5">[\s\S]*<\/template>/);
   assert.match(page, /data-method="euler"[^]*?const<\/span> Vec a/);
@@ -45,10 +45,10 @@ test('the page of a live figure loads its scripts, and no other page does', () =
 
 test('without a compiler for the browser the figure is a still one', () => {
   const book = weaves(...live, method, methodEnd);
-  const page = book.read('out/2-euler.html');
+  const page = book.read('built/book/2-euler.html');
   assert.match(page, /<figure class="plot" id="figure-spiral"><div class="wide"><svg/);
   assert.doesNotMatch(page, /data-live|<template>|src="live\//);
-  assert.ok(!book.has('out/live'));
+  assert.ok(!book.has('built/book/live'));
 });
 
 test('a live figure that nothing describes', () => refuses(
@@ -70,9 +70,9 @@ const other = live.filter(([file]) => !file.endsWith('.json'));
 
 test('a live figure may show a table of its chapter, and the code of a method from another place', () => {
   const book = weaves(...other, described({ table: 'growth', code: { euler: { path: 'code/integrate/euler.h', tag: 'step' } } }), module);
-  const descriptions = JSON.parse(book.read('out/live/compiled.js').match(/descriptions = (.*);/)[1]);
+  const descriptions = JSON.parse(book.read('built/book/live/compiled.js').match(/descriptions = (.*);/)[1]);
   assert.deepEqual(descriptions.spiral.columns.h, [0.1, 0.01, 1e-7]);
-  assert.match(book.read('out/2-euler.html'), /data-method="euler"[^]*?the old velocity[^]*?<\/template>/);
+  assert.match(book.read('built/book/2-euler.html'), /data-method="euler"[^]*?the old velocity[^]*?<\/template>/);
 });
 
 test('a live figure that wants a table nobody writes', () => refuses(

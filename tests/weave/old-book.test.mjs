@@ -12,7 +12,7 @@ const contents = folder => readdirSync(folder, { recursive: true }).sort().map(n
 test('a book that fails leaves the old one as it was', () => {
   const book = sampleBook();
   assert.equal(book.weave().status, 0);
-  const before = contents(book.path('out'));
+  const before = contents(book.path('built/book'));
   assert.ok(before.length > 20);
   const early = 'Marks in code stay', late = 'Marks in code stay [here](nowhere.html)';
   for (const [from, to] of [[early, `\\number{x} ${early}`], [`\\number{x} ${early}`, `<foo> ${early}`], [`<foo> ${early}`, late]]) {
@@ -20,8 +20,8 @@ test('a book that fails leaves the old one as it was', () => {
     const { status, stderr } = book.weave();
     assert.equal(status, 1);
     assert.match(stderr, /The book of the last build stays as it was\.$/m);
-    assert.deepEqual(contents(book.path('out')), before);
-    assert.ok(!book.has('out.new') && !book.has('out.old'));
+    assert.deepEqual(contents(book.path('built/book')), before);
+    assert.ok(!book.has('built/book.new') && !book.has('built/book.old'));
   }
 });
 
@@ -29,13 +29,13 @@ test('a weaver that breaks off while it writes leaves nothing half-written', () 
   const book = sampleBook(['built/2-euler/data/broken.csv/file', '']);
   const { status } = book.weave();
   assert.notEqual(status, 0);
-  assert.ok(!book.has('out') && !book.has('out.new'));
+  assert.ok(!book.has('built/book') && !book.has('built/book.new'));
 });
 
 test('what is left of the book before is gone', () => {
-  const book = sampleBook(['out/old.html', 'old'], ['out.new/x', 'x'], ['out.old/x', 'x']);
+  const book = sampleBook(['built/book/old.html', 'old'], ['built/book.new/x', 'x'], ['built/book.old/x', 'x']);
   assert.equal(book.weave().status, 0);
-  assert.ok(book.has('out/index.html') && !book.has('out/old.html') && !book.has('out/x') && !book.has('out.new') && !book.has('out.old'));
+  assert.ok(book.has('built/book/index.html') && !book.has('built/book/old.html') && !book.has('built/book/x') && !book.has('built/book.new') && !book.has('built/book.old'));
 });
 
 test('bad use', () => {

@@ -54,7 +54,7 @@ function edit(book, name, change) {
 function weave(folder, chapters, doxygen) {
   const config = join(folder, 'weave.json');
   writeFileSync(config, JSON.stringify({
-    source: folder, output: join(folder, 'out'), work: join(folder, 'work'), live: existsSync(join(folder, MODULE)) ? join(folder, MODULE) : '', cards: join(folder, 'built/cards'), doxygen,
+    source: folder, output: join(folder, 'built/book'), work: join(folder, 'work'), live: existsSync(join(folder, MODULE)) ? join(folder, MODULE) : '', cards: join(folder, 'built/cards'), doxygen,
     chapters: chapters.map(name => ({ name, folder: `chapters/${name}`, build: join(folder, 'built', name) })),
   }));
   return spawnSync(process.execPath, [WEAVER, config], { encoding: 'utf8' });
@@ -76,7 +76,7 @@ export function refuses(edits, ...faults) {
   assert.equal(told.length, faults.length, stderr);
   assert.equal(stdout, '');
   assert.equal(status, 1);
-  assert.ok(!book.has('out') && !book.has('out.new'), 'something was written');
+  assert.ok(!book.has('built/book') && !book.has('built/book.new'), 'something was written');
 }
 
 // The pages of a woven book with these edits.
@@ -85,7 +85,7 @@ export function weaves(...edits) {
   const { status, stdout, stderr } = book.weave();
   assert.equal(stderr, '');
   assert.equal(status, 0, stdout);
-  return name => book.read(join('out', name));
+  return name => book.read(join('built/book', name));
 }
 
 // What becomes of a piece of Markdown, in HTML.
