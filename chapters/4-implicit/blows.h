@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bar.h"
+#include "bdf2_spring.h"
 #include "integrate/trapezoid.h"
 #include "measure/record.h"
 #include "parachute.h"
@@ -51,6 +52,11 @@ inline void a_second(measure::Record& record) {
   record.number("first-chain", 100 * c[1], 2, "%");
   record.number("second-rope", 100 * r[60], 2, "%");
   record.number("second-cloth", 100 * cl[60], 2, "%");
+  for (const int times : {1, 2}) {
+    record.number("bdf2-" + std::to_string(times) + "hz", 100 * left_by_bdf2(swinging(times).omega),
+                  2, "%");
+  }
+  record.number("bdf2-suspension", 100 * left_by_bdf2(suspension.omega), 2, "%");
   const auto left = [](const scenes::Spring<>& spring) {
     return 100 * std::pow(left_in_a_step(frame * spring.omega), 60);
   };
