@@ -32,9 +32,9 @@ test('references to another chapter', () => {
 test('how long a chapter takes: 200 words a minute, a minute for each thing to look at, nothing for the exercises', () => {
   const words = count => 'word '.repeat(count);
   const minutes = text => weaves(...chapter(`${text}\n\nIt takes \\minutes{3-heun}.`))('3-heun.html').match(/It takes (.*?)\./)[1];
-  assert.equal(minutes(words(2800)), '15 min');
-  assert.equal(minutes(`${words(2800)}\n\n${'\\f[ a \\f]\n\n'.repeat(5)}`), '20 min');
-  assert.equal(minutes(`${words(2800)}\n\n${'\\f[ a \\f]\n\n'.repeat(5)}## Exercises\n\n${words(9000)}`), '20 min');
+  assert.equal(minutes(words(2800)), '15\u202fmin');
+  assert.equal(minutes(`${words(2800)}\n\n${'\\f[ a \\f]\n\n'.repeat(5)}`), '20\u202fmin');
+  assert.equal(minutes(`${words(2800)}\n\n${'\\f[ a \\f]\n\n'.repeat(5)}## Exercises\n\n${words(9000)}`), '20\u202fmin');
 });
 
 test('minutes of a chapter that is not there', () => refuses(
