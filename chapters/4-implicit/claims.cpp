@@ -424,6 +424,16 @@ TEST_CASE("In a second BDF2 leaves 98 per cent of a spring of one swing, and 89 
              WithinRel(spring(s.x, s.v, 0.0), 1e-12));
 }
 
+TEST_CASE(
+    "A second of BDF2 leaves a struck cloth twice what backward Euler does, and a chain nothing") {
+  const auto of_cloth = shares(cloth, gentle, 60, bdf2_once());
+  const auto by_backward_euler = shares(cloth, gentle, 60, solved_once);
+  REQUIRE(of_cloth.size() == 61);
+  CHECK_THAT(of_cloth.back() / by_backward_euler.back(), WithinAbs(2, 0.3));
+  CHECK_THAT(shares(rope, gentle, 60, bdf2_once()).back(), WithinAbs(0.71, 0.01));
+  CHECK(shares(chain, gentle, 60, bdf2_once()).back() < 1e-3);
+}
+
 TEST_CASE("BDF2 has order two on a spring") {
   const auto error = [](int rate) {
     const auto end = after_bdf2(suspension, 1.0 / rate, rate / 5);
@@ -573,6 +583,23 @@ TEST_CASE(
   check(rope_of(9), 0.9, false);
   check(cloth_of(5), 1.1, true);
   check(cloth_of(5), 0.9, false);
+}
+
+TEST_CASE(
+    "After a gentle blow most springs of the rope end their step compressed, after a hard one "
+    "none") {
+  const auto compressed = [](double speed) {
+    Struck s = struck(rope, speed);
+    auto system = system_of(rope);
+    REQUIRE(to_the_end(s, rope, system));
+    int count = 0;
+    for (int i = 1; i < rope.count; ++i) {
+      count += (s.x.segment<3>(3 * i) - s.x.segment<3>(3 * i - 3)).norm() < rope.length / (rope.count - 1);
+    }
+    return count;
+  };
+  CHECK(compressed(gentle) > rope.count / 2);
+  CHECK(compressed(hard) == 0);
 }
 
 TEST_CASE("On cloth the matrix is not quite the derivative, and each iteration gains a factor") {
