@@ -200,9 +200,11 @@ TEST_CASE("The exact steps of a spring and of a brake have no limit") {
     for (const Spring<>& spring : {Spring<>{.omega = 80, .zeta = 40}, Spring<>{.zeta = 0.1}}) {
       CHECK(measure::spectral_radius(measure::spring_exact, spring, step) < 1);
     }
-    double v = 10;
+    double x = 0, v = 10;
     for (int n = 1; n <= 20; ++n) {
+      x += v * (1 - std::exp(-braking.c * step)) / braking.c;
       v *= std::exp(-braking.c * step);
+      CHECK_THAT(x, WithinRel(braking.exact(n * step).x, 1e-12));
       CHECK_THAT(v, WithinRel(braking.exact(n * step).v, 1e-12));
     }
   }
