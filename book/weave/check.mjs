@@ -70,7 +70,7 @@ const CHECKS = {
       if (!book.references.has(key)) report(`there is no reference "${key}" in book/references.md.${nameOneOf(key, book.references.keys())}`);
     }
   },
-  chapterref({ book, piece, report }) { piece.target = findChapter(book, piece.args[0], report); },
+  chapterref: chapter, minutes: chapter,
   sectionref({ book, piece, report }) {
     const [name, id] = piece.args;
     piece.target = findChapter(book, name, report);
@@ -147,6 +147,10 @@ function findLiveTable(book, page, live, report) {
   const table = tables.get(live.table);
   if (table) live.columns = numberColumns(table);
   else report(`${live.file} wants the table "${live.table}", and the program of this chapter writes none of that name.${nameOneOf(live.table, tables.keys())}`);
+}
+
+function chapter({ book, piece, report }) {
+  piece.target = findChapter(book, piece.args[0], report);
 }
 
 function claim({ book, page, piece, report }) {

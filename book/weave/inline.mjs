@@ -38,6 +38,7 @@ const HTML = {
   term: ({ id, args: [name], target }) => `<dfn id="${id}">${escapeHtml(smarten(name))}</dfn> `
     + `<a class="introduced" href="${target.page.href}${target.section ? `#${target.section.id}` : ''}" aria-label="${escapeHtml(smarten(name))}: ${place(target)}">${target.section?.number ?? target.page.number}</a>`,
   chapterref: ({ target }) => `<a href="${target.href}">Chapter ${target.number}, <em>${escapeHtml(smarten(target.title))}</em></a>`,
+  minutes: ({ target }) => `${target.page.minutes}\u202fmin`,
   sectionref: ({ target, section }, page) => `<a href="${target.page === page ? '' : target.href}#${section.id}">section ${section.number}</a>`,
 };
 
@@ -46,6 +47,7 @@ const label = ({ piece }) => `${NUMBERED[piece.name]} ${piece.number}`;
 
 export function inlineText(piece) {
   if (piece.name === 'number') return quantityText(piece.value);
+  if (piece.name === 'minutes') return `${piece.target.page.minutes}\u202fmin`;
   if (piece.name === 'code') return piece.code;
   if (piece.name === 'character') return piece.character;
   if (piece.name === 'math') return mathText(piece.html);

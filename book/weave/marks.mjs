@@ -11,6 +11,7 @@ export const MARKS = {
   citep: { takes: [1, 9], kind: 'inline', usage: '\\citep{key}' },
   chapterref: { takes: [1, 1], kind: 'inline', usage: '\\chapterref{2-euler}' },
   sectionref: { takes: [2, 2], kind: 'inline', usage: '\\sectionref{2-euler, name-of-section}' },
+  minutes: { takes: [1, 1], kind: 'inline', usage: '\\minutes{2-euler}' },
   exerciseref: { takes: [1, 1], kind: 'inline', usage: '\\exerciseref{name}' },
   term: { takes: [1, 1], kind: 'inline', usage: '\\term{a word of the glossary}' },
   bibitem: { takes: [2, 2], kind: 'inline', usage: '\\bibitem{key, Author year}' },

@@ -1,6 +1,7 @@
 // One Markdown page: its pieces in order, its boxes checked, and the text that Doxygen gets to see.
 import { existsSync, readFileSync } from 'node:fs';
 import { MARKS, NUMBERED } from './marks.mjs';
+import { minutesToRead } from './reading-time.mjs';
 import { scan } from './scan.mjs';
 import { slug } from './text.mjs';
 import { forDoxygen } from './prose.mjs';
@@ -15,6 +16,7 @@ export function readPage(path, { file, order, name, owner, number, href, exercis
   page.source = readFileSync(path, 'utf8');
   if (number) takeInTasks(page, exercises, problems);
   const all = scan(page.source, file, problems);
+  page.minutes = minutesToRead(all);
   page.pieces = all.filter(piece => piece.type !== 'text');
   page.pieces.forEach((piece, i) => { piece.token = i; });
   checkBoxes(page, problems);

@@ -9,6 +9,12 @@
 
 inline const scenes::Projectile<> jump{.start_velocity = {0, 5}};
 
+/// How high the jump goes without any computer [m].
+inline double top_of_jump() {
+  const double v = jump.start_velocity.y();
+  return v * v / (2 * jump.g);
+}
+
 /// How high the jump goes when every frame is one step [m].
 template <class Step>
 double apex(Step step, int frames_per_second) {

@@ -10,8 +10,8 @@
 #include "measure/order.h"
 #include "measure/record.h"
 #include "scenes/linear_drag.h"
-#include "scenes/quadratic_drag.h"
 #include "scenes/rocket.h"
+#include "shot.h"
 
 using measure::euler;
 using measure::Record;
@@ -27,7 +27,12 @@ void jumps(Record& record) {
                  [&](double t, const auto& now) { table.add({double(rate), t, now.x.y()}); });
     record.number("apex-" + std::to_string(rate), apex(euler, rate), 4, "m");
   }
-  record.number("apex-exact", jump.exact(5 / 9.81).x.y(), 4, "m");
+  record.number("apex-exact", top_of_jump(), 4, "m");
+  double missed = 0;
+  for (const int rate : {20, 30, 60, 144}) {
+    missed = std::max(missed, top_of_jump() - apex(measure::constant_acceleration, rate));
+  }
+  record.number("top-missed", 1000 * missed, 2, "mm");
 }
 
 void cannon(Record& record) {
@@ -46,15 +51,12 @@ void cannon(Record& record) {
     exact.add({landing * frame / 12, now.x(), now.y()});
   }
   auto& air = record.table("cannon-in-air", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
-  const scenes::QuadraticDrag<> heavy_air{.k = 0.01};
-  s = ball.start();
   long n = 0;
-  measure::run(
-      euler, [&](auto& x, auto& v, double t) { return heavy_air(x, v, t); }, s, 1e-4, 60'000,
-      [&](double t, const auto& now) {
-        if (n++ % 500 == 0 && now.x.y() >= 0) air.add({t, now.x.x(), now.x.y()});
-      });
-  record.number("cannon-range-in-air", air.rows.back()[1].value, 3, "m");
+  const Landing down = land_in_air(ball.start(), [&](double t, const auto& now) {
+    if (n++ % 500 == 0) air.add({t, now.x.x(), now.x.y()});
+  });
+  air.add({down.t, down.x, 0.0});
+  record.number("cannon-range-in-air", down.x, 3, "m");
 }
 
 void rocket(Record& record) {
@@ -177,7 +179,7 @@ void display(Record& record) {
 }
 
 void far_away(Record& record) {
-  auto& table = record.table("far", {{"distance", "m", whole}, {"t", "s"}, {"walked", "m"}});
+  auto& table = record.table("far", {{"distance", "m", whole}, {"t", "s"}, {"drifted", "m"}});
   for (const float distance : {0.0f, 1500.0f, 4000.0f, 16'000.0f}) {
     // [far]
     float x = distance;
@@ -186,7 +188,7 @@ void far_away(Record& record) {
       x = x + (1 / 240.0f) * 0.1f;
     }
     // [far]
-    record.number("walked-" + std::to_string(int(distance)), table.rows.back()[2].value, 3, "m");
+    record.number("drifted-" + std::to_string(int(distance)), table.rows.back()[2].value, 3, "m");
   }
   float clock = 0;
   constexpr long night = 8L * 3600 * 60;

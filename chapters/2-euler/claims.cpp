@@ -8,6 +8,7 @@
 #include "drone.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
+#include "measure/linear_methods.h"
 #include "measure/order.h"
 #include "measure/stability.h"
 #include "planets.h"
@@ -193,6 +194,31 @@ TEST_CASE("Under a constant force Euler's position is off by a h t / 2") {
   }
 }
 
+TEST_CASE("The exact steps of a spring and of a brake have no limit") {
+  for (const double step : {0.01, 0.1, 1.0, 10.0}) {
+    // The door with the strongest closer of the table, and a spring that swings.
+    for (const Spring<>& spring : {Spring<>{.omega = 80, .zeta = 40}, Spring<>{.zeta = 0.1}}) {
+      CHECK(measure::spectral_radius(measure::spring_exact, spring, step) < 1);
+    }
+    double x = 0, v = 10;
+    for (int n = 1; n <= 20; ++n) {
+      x += v * (1 - std::exp(-braking.c * step)) / braking.c;
+      v *= std::exp(-braking.c * step);
+      CHECK_THAT(x, WithinRel(braking.exact(n * step).x, 1e-12));
+      CHECK_THAT(v, WithinRel(braking.exact(n * step).v, 1e-12));
+    }
+  }
+  CHECK(measure::spectral_radius(euler, Spring<>{.omega = 80, .zeta = 40}, 0.01) > 1);
+}
+
+TEST_CASE("Within a centimetre for a turn of the drone Euler takes 2470 steps a second") {
+  const auto error = [](long steps) {
+    return measure::largest_error(euler, drone, 8.0 / double(steps), steps).position;
+  };
+  CHECK(error(8 * 2475) < 0.01);
+  for (long rate = 100; rate < 2465; rate += 5) CHECK(error(8 * rate) > 0.01);
+}
+
 TEST_CASE("Under Coulomb friction Euler never comes to rest but trembles") {
   const scenes::Friction<> puck;
   auto s = puck.start();
@@ -221,6 +247,33 @@ TEST_CASE("Ten-day steps of Euler carry Jupiter past the orbit of Saturn") {
 TEST_CASE("Ten-day steps of Euler throw Saturn past the orbit of Neptune") {
   const auto start = Planets().start();
   CHECK(apart(after_ten_day_steps(start), 0, 2) > 1.1 * apart(start, 0, 4));
+}
+
+TEST_CASE(
+    "Ten-day steps of Euler leave the outer three near their orbits and 8 to 32 AU off their "
+    "places") {
+  auto s = Planets().start(), truth = s;
+  double farthest[Planets::bodies] = {}, true_farthest[Planets::bodies] = {};
+  for (long n = 0; n < planet_steps; ++n) {
+    euler(s.x, s.v, 0.0, days, Planets());
+    // Velocity Verlet in steps of a day, written out: the program's truth comes from RK4.
+    for (int day = 0; day < days; ++day) {
+      truth.v += 0.5 * Planets()(truth.x, truth.v, 0.0);
+      truth.x += truth.v;
+      truth.v += 0.5 * Planets()(truth.x, truth.v, 0.0);
+    }
+    for (int body = 3; body < Planets::bodies; ++body) {
+      farthest[body] = std::max(farthest[body], apart(s, 0, body));
+      true_farthest[body] = std::max(true_farthest[body], apart(truth, 0, body));
+    }
+  }
+  CHECK_THAT(misplaced(s, truth, 3), WithinAbs(32.2, 0.1));
+  CHECK_THAT(misplaced(s, truth, 4), WithinAbs(19.6, 0.1));
+  CHECK_THAT(misplaced(s, truth, 5), WithinAbs(7.6, 0.1));
+  for (int body = 3; body < Planets::bodies; ++body) {
+    CHECK(farthest[body] > 0.99 * true_farthest[body]);
+    CHECK(farthest[body] < 1.2 * true_farthest[body]);
+  }
 }
 
 TEST_CASE("With two lines swapped the drone stays within four centimetres of its circle") {

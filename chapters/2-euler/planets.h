@@ -42,6 +42,12 @@ scenes::State<Planets::Vec> follow(measure::Record& record, const std::string& n
   return s;
 }
 
+/// How far a body is from where it should be, both seen from the sun [AU].
+inline double misplaced(const scenes::State<Planets::Vec>& s,
+                        const scenes::State<Planets::Vec>& truth, int body) {
+  return ((s.x.col(body) - s.x.col(0)) - (truth.x.col(body) - truth.x.col(0))).norm();
+}
+
 /// When and how close Jupiter and Saturn pass each other under Euler's method.
 inline void meeting(measure::Record& record) {
   double closest = INFINITY, when = 0;
@@ -63,6 +69,10 @@ inline void planets(measure::Record& record) {
   record.number("jupiter-start", apart(start, 0, 1), 3, "AU");
   record.number("jupiter-end", apart(end, 0, 1), 3, "AU");
   record.number("saturn-end", apart(end, 0, 2), 3, "AU");
+  const auto truth = measure::after(measure::rk4, system, start, days, planet_steps);
+  record.number("uranus-off", misplaced(end, truth, 3), 3, "AU");
+  record.number("neptune-off", misplaced(end, truth, 4), 3, "AU");
+  record.number("pluto-off", misplaced(end, truth, 5), 2, "AU");
   record.number("jupiter-angle", days * 2 * std::numbers::pi / 4332.6, 3);
   record.number("years", planet_steps * days / 365.25, 3);
   const double energy = system.energy(start.x, start.v);

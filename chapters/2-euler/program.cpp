@@ -6,6 +6,7 @@
 
 #include "drone.h"
 #include "measure/energy.h"
+#include "measure/fewest_steps.h"
 #include "measure/order.h"
 #include "measure/path.h"
 #include "measure/stability.h"
@@ -70,18 +71,6 @@ void energy(Record& record) {
   }
 }
 
-/// Fewest steps per second, in hundreds, that keep the drone within a centimetre of its place.
-double rate_for_a_centimetre(long turns) {
-  const auto error = [turns](double rate) {
-    return measure::largest_error(euler, drone, 1 / rate, turns * std::lround(8 * rate)).position;
-  };
-  double rate = 2000.0 * double(turns);
-  rate = 100 * std::ceil(rate / 100 * error(rate) / 0.01);  // order one says where to look
-  while (error(rate) > 0.01) rate += 100;
-  while (error(rate - 100) <= 0.01) rate -= 100;
-  return rate;
-}
-
 void order(Record& record) {
   auto& table = record.table("order", {{"steps per second", "", whole},
                                        {"error", "m"},
@@ -95,8 +84,11 @@ void order(Record& record) {
   }
   // [order]
   record.number("error-60", table.rows[2][1].value, 3, "m");
-  record.number("rate-for-one-turn", rate_for_a_centimetre(1), whole);
-  record.number("rate-for-ten-turns", rate_for_a_centimetre(10), whole);
+  const auto rate_for_a_centimetre = [](double seconds) {
+    return double(measure::fewest_steps(euler, drone, seconds, 0.01)) / seconds;
+  };
+  record.number("rate-for-one-turn", rate_for_a_centimetre(8), 3);
+  record.number("rate-for-ten-turns", rate_for_a_centimetre(80), 3);
 }
 
 // [suspension]

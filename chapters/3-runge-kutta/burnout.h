@@ -10,12 +10,16 @@
 #include "measure/run.h"
 #include "toys.h"
 
-/// How far a step is from the height after `rocket_time`, and the same with one step cut at
-/// burnout.
-inline std::array<double, 2> burnout_errors(double rate) {
-  const double truth = rocket.exact(rocket_time).x;
+/// How far a method that steps across the burnout is from the height after `rocket_time` [m].
+template <class Step>
+double error_across(Step step, double rate) {
   const long all = std::lround(rocket_time * rate);
-  const auto across = measure::after(measure::rk4, rocket, rocket.start(), 1 / rate, all);
+  const auto end = measure::after(step, rocket, rocket.start(), 1 / rate, all);
+  return std::abs(end.x - rocket.exact(rocket_time).x);
+}
+
+/// How far RK4 is from that height across the burnout, and with one step cut there [m].
+inline std::array<double, 2> burnout_errors(double rate) {
   const double step = 1 / rate, stop = rocket.burn_time;
   // [cut]
   const scenes::Rocket<> engine_on{.burn_time = INFINITY};
@@ -26,8 +30,10 @@ inline std::array<double, 2> burnout_errors(double rate) {
   integrate::rk4(s.x, s.v, done, stop - done, engine_on);
   integrate::rk4(s.x, s.v, stop, rocket_time - stop, engine_off);
   // [cut]
-  return {std::abs(across.x - truth), std::abs(s.x - truth)};
+  return {error_across(measure::rk4, rate), std::abs(s.x - rocket.exact(rocket_time).x)};
 }
+
+inline constexpr int slowest = 20, fastest = 240;  ///< rates at which RK4 meets Euler's method
 
 /// Height of the rocket against the number of steps, with and without the cut.
 inline void burnout(measure::Record& record) {
@@ -38,6 +44,12 @@ inline void burnout(measure::Record& record) {
     table.add({rate, across, cut});
   }
   const auto [across, cut] = burnout_errors(60);
-  record.number("burnout-across", 100 * across, 2, "cm");
+  record.number("burnout-across", 100 * across, 3, "cm");
+  record.number("burnout-euler", 100 * error_across(measure::euler, 60), 3, "cm");
+  int worse = 0;
+  for (int rate = slowest; rate <= fastest; ++rate) {
+    worse += error_across(measure::rk4, rate) > error_across(measure::euler, rate);
+  }
+  record.number("burnout-worse", 100.0 * worse / (fastest - slowest + 1), 2, "%");
   record.number("burnout-cut", 1e9 * cut, 2, "nm");
 }

@@ -25,6 +25,7 @@
 #include "scenes/linear_drag.h"
 #include "scenes/pendulum.h"
 #include "scenes/projectile.h"
+#include "single.h"
 #include "toys.h"
 #include "wrong.h"
 
@@ -254,6 +255,33 @@ TEST_CASE("Across the end of a burn RK4 has order one") {
   }
 }
 
+TEST_CASE("Across a burnout at 60 Hz RK4 is further off than Euler, as at a third of all rates") {
+  // The truth by many short steps up to the burnout, and the height that a throw gains from there.
+  const auto end = [](bool by_rk4, int rate) {
+    const double step = 1.0 / rate;
+    double x = 0, v = 0;
+    for (int n = 0; n < 6 * rate; ++n) {
+      if (by_rk4) {
+        integrate::rk4(x, v, n * step, step, rocket);
+      } else {
+        integrate::euler(x, v, n * step, step, rocket);
+      }
+    }
+    return x;
+  };
+  const double step = rocket.burn_time / 1000, coasting = 6 - rocket.burn_time;
+  double x = 0, v = 0;
+  for (int n = 0; n < 1000; ++n) integrate::rk4(x, v, n * step, step, engine_on);
+  const double truth = x + coasting * v - rocket.g * coasting * coasting / 2;
+  CHECK_THAT(end(true, 60) - truth, WithinAbs(0.268, 0.001));
+  CHECK_THAT(end(false, 60) - truth, WithinAbs(-0.237, 0.001));
+  int worse = 0;
+  for (int rate = 20; rate <= 240; ++rate) {
+    worse += std::abs(end(true, rate) - truth) > std::abs(end(false, rate) - truth);
+  }
+  CHECK_THAT(worse / 221.0, WithinAbs(0.34, 0.02));
+}
+
 TEST_CASE("A step cut where the engine stops gives RK4 its fourth order back") {
   for (const double rate : {8.0, 16.0, 32.0}) {
     CHECK_THAT(std::log2(burnout_errors(rate)[1] / burnout_errors(2 * rate)[1]), WithinAbs(4, 0.1));
@@ -445,6 +473,23 @@ TEST_CASE("With its fourth stage along the second slope RK4 has order three and 
   check_order(bug, drone, 1.0 / 2, 8, 3);
   check_order(bug, ellipse, 1.0 / 64, 4, 3);
   CHECK(error_in_one_turn(bug, 60) < 1e-5);
+}
+
+TEST_CASE("In a float RK4 is nearest to the drone at 16 steps a second, and more make it worse") {
+  double before = 1;
+  for (const int rate : {4, 8, 16}) {
+    CHECK(error_in_float(rk4, rate) < before / 10);
+    before = error_in_float(rk4, rate);
+  }
+  for (const int rate : {32, 64, 128, 256}) CHECK(error_in_float(rk4, rate) > 2 * before);
+  // In double the same runs go on falling.
+  CHECK(error_in_one_turn(rk4, 128) < 1e-3 * error_in_one_turn(rk4, 16));
+}
+
+TEST_CASE("In a float the right RK4 shows a negative order, and the wrong index nearly three") {
+  CHECK_THAT(order_in_float(rk4), WithinAbs(-1.4, 0.1));
+  const auto bug = wrong::method_of(wrong::fourth_looks_too_soon.stages);
+  CHECK_THAT(order_in_float(bug), WithinAbs(2.77, 0.05));
 }
 
 TEST_CASE("With its third stage a repeat of the second RK4 has order two") {

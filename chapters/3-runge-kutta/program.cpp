@@ -10,10 +10,12 @@
 #include "energy.h"
 #include "equal_cost.h"
 #include "limits.h"
+#include "measure/fewest_steps.h"
 #include "measure/linear_methods.h"
 #include "measure/order.h"
 #include "measure/path.h"
 #include "rest.h"
+#include "single.h"
 #include "toys.h"
 #include "wrong.h"
 
@@ -81,21 +83,6 @@ void one_step(Record& record) {
   record.number("eight-rk4", around("eight-rk4", rk4, 1, 8), 3, "m");
 }
 
-/// Fewest equal steps in which a method takes the drone round once, never a centimetre off.
-template <class Step>
-long steps_for_a_centimetre(Step step) {
-  const auto good = [&](long steps) {
-    return measure::largest_error(step, drone, 8.0 / double(steps), steps).position <= 0.01;
-  };
-  long least = 1, enough = 1;
-  while (!good(enough)) least = enough, enough *= 2;
-  while (enough - least > 1) {
-    const long middle = (least + enough) / 2;
-    (good(middle) ? enough : least) = middle;
-  }
-  return enough;
-}
-
 void work(Record& record) {
   auto& orders = record.table(
       "order",
@@ -122,9 +109,12 @@ void work(Record& record) {
   record.number("at-240-euler", 100 * error(euler, 240), 2, "cm");
   record.number("at-240-midpoint", 1000 * error(midpoint, 120), 2, "mm");
   record.number("at-240-rk4", 1e9 * error(rk4, 60), 2, "nm");
-  record.number("centimetre-euler", double(steps_for_a_centimetre(euler)) / 8, 3);
-  record.number("centimetre-midpoint", double(2 * steps_for_a_centimetre(midpoint)) / 8, 3);
-  record.number("centimetre-rk4", double(4 * steps_for_a_centimetre(rk4)) / 8, 3);
+  const auto steps = [](auto step) {
+    return double(measure::fewest_steps(step, drone, 8.0, 0.01)) / 8;
+  };
+  record.number("centimetre-euler", steps(euler), 3);
+  record.number("centimetre-midpoint", 2 * steps(midpoint), 3);
+  record.number("centimetre-rk4", 4 * steps(rk4), 3);
 }
 
 void large_steps(Record& record) {
@@ -208,6 +198,7 @@ int main(int argc, char** argv) {
     limits(record);
     matrix(record);
     bugs(record);
+    single_precision(record);
     comet_passes(record);
   });
 }

@@ -37,23 +37,23 @@ struct Stages {
 /// @param t  time at the start of the step [s]
 /// @param h  step size [s]
 /// @param acceleration  callable `(x, v, t) -> Vec`
-template <class Vec, class Acceleration>
-void step_by(const Stages& stages, Vec& x, Vec& v, double t, double h,
+template <class Vec, class Time, class Real, class Acceleration>
+void step_by(const Stages& stages, Vec& x, Vec& v, Time t, Real h,
              const Acceleration& acceleration) {
   Vec velocity[4] = {v, v, v, v};
   Vec slope[4] = {v, v, v, v};
   for (int i = 0; i < 4; ++i) {
-    const double part = h * stages.reach[i];
+    const Real part = h * Real(stages.reach[i]);
     Vec place = x;
     if (i > 0) {
       place = x + part * velocity[stages.position_from[i]];
       velocity[i] = v + part * slope[stages.velocity_from[i]];
     }
-    slope[i] = acceleration(place, velocity[i], t + h * stages.clock[i]);
+    slope[i] = acceleration(place, velocity[i], t + h * Real(stages.clock[i]));
   }
   for (int i = 0; i < 4; ++i) {
-    x = x + (h * stages.weight[i]) * velocity[i];
-    v = v + (h * stages.weight[i]) * slope[i];
+    x = x + (h * Real(stages.weight[i])) * velocity[i];
+    v = v + (h * Real(stages.weight[i])) * slope[i];
   }
 }
 

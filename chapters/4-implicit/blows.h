@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bar.h"
+#include "bdf2_spring.h"
 #include "integrate/trapezoid.h"
 #include "measure/record.h"
 #include "parachute.h"
@@ -39,6 +41,19 @@ double solves_of_trapezoid(const Scene& scene, double speed, int steps) {
   return double(sum) / steps;
 }
 
+/// One solve of BDF2, begun with one of backward Euler; for one blow.
+inline auto bdf2_once() {
+  return [previous = std::optional<Struck>()](Struck& s, const auto& scene, auto& system) mutable {
+    const Struck now = s;
+    if (previous) {
+      s = {(4 * now.x - previous->x) / 3, (4 * now.v - previous->v) / 3};
+    }
+    const double step = previous ? 2 * frame / 3 : frame;
+    previous = now;
+    return integrate::backward_euler(s.x, s.v, 0.0, step, scene, system);
+  };
+}
+
 /// A gentle blow, and what a second leaves of it.
 inline void a_second(measure::Record& record) {
   auto& table = record.table("second", {{"t", "s"}, {"chain"}, {"rope"}, {"cloth"}, {"1 Hz"}});
@@ -51,6 +66,13 @@ inline void a_second(measure::Record& record) {
   record.number("first-chain", 100 * c[1], 2, "%");
   record.number("second-rope", 100 * r[60], 2, "%");
   record.number("second-cloth", 100 * cl[60], 2, "%");
+  for (const int times : {1, 2}) {
+    record.number("bdf2-" + std::to_string(times) + "hz", 100 * left_by_bdf2(swinging(times).omega),
+                  2, "%");
+  }
+  record.number("bdf2-cloth", 100 * shares(cloth, gentle, 60, bdf2_once()).back(), 2, "%");
+  record.number("bdf2-rope", 100 * shares(rope, gentle, 60, bdf2_once()).back(), 2, "%");
+  record.number("bdf2-suspension", 100 * left_by_bdf2(suspension.omega), 2, "%");
   const auto left = [](const scenes::Spring<>& spring) {
     return 100 * std::pow(left_in_a_step(frame * spring.omega), 60);
   };

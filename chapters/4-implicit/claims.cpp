@@ -6,12 +6,17 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 #include "bar.h"
+#include "bdf2_spring.h"
 #include "blows.h"
 #include "hanging.h"
+#include "iterated.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
 #include "measure/implicit_methods.h"
@@ -152,6 +157,41 @@ TEST_CASE("Backward Euler holds every spring at every step") {
   }
 }
 
+TEST_CASE(
+    "Backward Euler divides each part of a spring's motion by one plus the step times its rate") {
+  for (const double zeta : {0.0, 0.1, 0.9, 1.5, 5.0}) {
+    for (const double homega : {0.01, 1.0, 10.0, 1e3}) {
+      const auto matrix = measure::step_matrix(backward_euler, Spring<>{.zeta = zeta}, homega);
+      const std::complex<double> root = std::sqrt(std::complex<double>(zeta * zeta - 1));
+      std::complex<double> product = 1, sum = 0;
+      for (const double sign : {-1.0, 1.0}) {
+        const std::complex<double> factor = 1.0 / (1.0 + homega * (zeta + sign * root));
+        product *= factor;
+        sum += factor;
+        if (zeta < 1) {
+          CHECK_THAT(std::norm(factor),
+                     WithinRel(1 / (1 + 2 * zeta * homega + homega * homega), 1e-12));
+        }
+      }
+      CHECK_THAT(matrix.determinant(), WithinAbs(product.real(), 1e-12));
+      CHECK_THAT(matrix.trace(), WithinAbs(sum.real(), 1e-12));
+    }
+  }
+}
+
+TEST_CASE("When a parachute opens the derived step ends nearer to the truth than one solve") {
+  // The truth: (u - 5) / (u + 5) falls like exp(-2 g t / 5).
+  const double part = (50.0 - 5) / (50 + 5) * std::exp(-2 * 9.81 * slow / 5);
+  const double truth = 5 * (1 + part) / (1 - part);
+  const double derived = -derived_parachute(diving, slow);
+  const double once = -parachute_solved_once(diving, slow);
+  CHECK_THAT(truth, WithinAbs(17.4, 0.05));
+  CHECK_THAT(derived, WithinAbs(25.5, 0.05));
+  CHECK_THAT(once, WithinAbs(30.3, 0.05));
+  // It is the end itself: its slope leads back to the start.
+  CHECK_THAT(derived - slow * (9.81 - parachute.k * derived * derived), WithinRel(50, 1e-13));
+}
+
 TEST_CASE("On a spring the derived step, the solved one and Newton's are one step") {
   const State<double> start{0.3, -2};
   for (const double zeta : {0.0, 0.1, 1.0, 5.0}) {
@@ -219,6 +259,45 @@ TEST_CASE("Fifty substeps hold the chain, and 49 lose it") {
   CHECK(substeps_for(chain) == 50);
   CHECK(chain_after(50) < 0.1);
   CHECK_FALSE(chain_after(49) < 1e6);  // nor is it a number
+}
+
+TEST_CASE("The fastest motion of the chain has twice the h omega of its springs") {
+  CHECK_THAT(frame * std::sqrt(k / mass), WithinRel(50, 1e-12));
+  // Neighbours against neighbours, at a place far from both ends.
+  Eigen::VectorXd x(chain.count);
+  for (int i = 0; i < chain.count; ++i) x[i] = chain.start().x[i] + (i % 2 == 0 ? 1e-3 : -1e-3);
+  const Eigen::VectorXd a = chain(x, chain.start().v, 0.0);
+  CHECK_THAT(frame * std::sqrt(-a[50] / 1e-3), WithinRel(100, 1e-9));
+  CHECK_THAT(frame * fastest(chain), WithinRel(100, 0.001));
+}
+
+TEST_CASE(
+    "In 50 substeps the chain has up to 59 times its energy, and in 81 at most a fifth more") {
+  CHECK_THAT(most_energy(chain, 50), WithinAbs(59, 0.5));
+  CHECK(most_energy(chain, 80) > 1.2);
+  CHECK(most_energy(chain, 81) < 1.2);
+  CHECK_THAT(most_energy(rope, 50), WithinAbs(2.2, 0.05));
+  CHECK(most_energy(rope, 56) > 1.2);
+  CHECK(most_energy(rope, 57) < 1.2);
+  CHECK_THAT(most_energy(cloth, 68), WithinAbs(1.9, 0.05));
+  CHECK(most_energy(cloth, 90) > 1.2);
+  CHECK(most_energy(cloth, 91) < 1.2);
+  // In many substeps there is nothing to gain: it is the method that puts the energy in.
+  for (const double most : {most_energy(chain, 400), most_energy(rope, 400)}) CHECK(most < 1.01);
+}
+
+TEST_CASE(
+    "On cloth of 18 x 18 conjugate gradients to a thousandth take twice the work of elimination") {
+  const auto loose = by_conjugate_gradients(cloth_of(18), 1e-2);
+  const auto tight = by_conjugate_gradients(cloth_of(18), 1e-3);
+  CHECK_THAT(loose.iterations, WithinAbs(48, 1));
+  CHECK(loose.first > 2.5);
+  CHECK_THAT(tight.iterations, WithinAbs(101, 1));
+  CHECK_THAT(tight.multiplications * 3 * 18 * 18 / work_of_step(cloth_of<Tallied>(18)),
+             WithinAbs(2.25, 0.25));
+  const auto direct = shares(cloth_of(18), gentle, 60, solved_once);
+  CHECK(direct[1] < 0.5);
+  CHECK_THAT(tight.last, WithinRel(direct.back(), 0.01));
 }
 
 TEST_CASE("Four times the stiffness takes twice the substeps and the same work to solve") {
@@ -332,6 +411,58 @@ TEST_CASE("In a second backward Euler takes half of a slow spring and all of a f
   CHECK(left(Spring<>{.omega = suspension.omega}) < 0.002);
 }
 
+TEST_CASE("In a second BDF2 leaves 98 per cent of a spring of one swing, and 89 of one of two") {
+  CHECK_THAT(left_by_bdf2(swinging(1).omega), WithinAbs(0.98, 0.005));
+  CHECK_THAT(left_by_bdf2(swinging(2).omega), WithinAbs(0.89, 0.005));
+  CHECK_THAT(left_by_bdf2(suspension.omega), WithinAbs(0.65, 0.005));
+  // Against the formula: the slope of the end is (3 x - 4 x_n + x_{n-1}) / (2 h).
+  const Spring<> spring = suspension;
+  State<double> previous{0.3, -2}, s{0.25, -1.5};
+  const State<double> two_ago = previous, one_ago = s;
+  bdf2_spring(s, previous, frame, spring.omega, spring.zeta);
+  CHECK(previous.x == one_ago.x);
+  CHECK_THAT((3 * s.x - 4 * one_ago.x + two_ago.x) / (2 * frame), WithinRel(s.v, 1e-12));
+  CHECK_THAT((3 * s.v - 4 * one_ago.v + two_ago.v) / (2 * frame),
+             WithinRel(spring(s.x, s.v, 0.0), 1e-12));
+}
+
+TEST_CASE(
+    "A second of BDF2 leaves a struck cloth twice what backward Euler does, and a chain nothing") {
+  const auto of_cloth = shares(cloth, gentle, 60, bdf2_once());
+  const auto by_backward_euler = shares(cloth, gentle, 60, solved_once);
+  REQUIRE(of_cloth.size() == 61);
+  CHECK_THAT(of_cloth.back() / by_backward_euler.back(), WithinAbs(2, 0.3));
+  CHECK_THAT(shares(rope, gentle, 60, bdf2_once()).back(), WithinAbs(0.71, 0.01));
+  CHECK(shares(chain, gentle, 60, bdf2_once()).back() < 1e-3);
+}
+
+TEST_CASE("BDF2 has order two on a spring") {
+  const auto error = [](int rate) {
+    const auto end = after_bdf2(suspension, 1.0 / rate, rate / 5);
+    return std::abs(end.x - suspension.exact(0.2).x);
+  };
+  for (const int rate : {960, 1920, 3840}) {
+    CHECK_THAT(std::log2(error(rate) / error(2 * rate)), WithinAbs(2, 0.1));
+  }
+}
+
+TEST_CASE("BDF2 holds every spring at every step and brings the bar to rest") {
+  for (const double zeta : {0.0, 0.1, 1.0, 5.0, 50.0}) {
+    for (const double homega : {0.01, 0.1, 1.0, 10.0, 1e3}) {
+      // The four columns of what it does to the last two states; its powers must die away.
+      Eigen::Matrix4d step;
+      for (int column = 0; column < 4; ++column) {
+        Eigen::Vector4d kept = Eigen::Vector4d::Unit(column);
+        State<double> s{kept[0], kept[1]}, previous{kept[2], kept[3]};
+        bdf2_spring(s, previous, homega, 1, zeta);
+        step.col(column) << s.x, s.v, previous.x, previous.v;
+      }
+      CHECK(step.eigenvalues().cwiseAbs().maxCoeff() < 1);
+    }
+  }
+  CHECK(std::abs(after_bdf2(bar, frame, 10).x) < 1e-7);
+}
+
 TEST_CASE("A second after a gentle blow the rope has two thirds of its energy, the chain none") {
   const auto left = [](const auto& scene) { return shares(scene, gentle, 60, solved_once).back(); };
   CHECK(left(chain) < 1e-12);
@@ -426,6 +557,51 @@ TEST_CASE("A rope takes five or six of Newton's iterations, cloth after a hard b
   CHECK(changes(rope, gentle).size() == 5);
   CHECK(changes(rope, hard).size() == 6);
   CHECK(changes(cloth, hard).size() == 18);
+}
+
+TEST_CASE(
+    "Rope and cloth leave out of their matrix how a compressed spring pushes its ends aside") {
+  // A push across a spring, and what the matrix says that it does.
+  const auto check = [](const auto& scene, double longer, bool same) {
+    auto s = scene.start();
+    s.x *= longer;
+    const int middle = 3 * (scene.nodes() / 2) + 1;  // upwards, where nothing lies
+    double in_matrix = 0;
+    scene.jacobian(s.x, s.v, 0.0, [&](int i, int j, double dadx, double) {
+      if (i == middle && j == middle) in_matrix += dadx;
+    });
+    auto aside = s.x;
+    aside[middle] += 1e-6;
+    const double true_slope = scene(aside, s.v, 0.0)[middle] / 1e-6;
+    if (same) {
+      CHECK(true_slope < 0);
+      CHECK_THAT(in_matrix, WithinRel(true_slope, 1e-3));
+    } else {
+      CHECK(true_slope > 0);
+      CHECK_THAT(in_matrix, WithinAbs(0, 1e-9 * true_slope));
+    }
+  };
+  check(rope_of(9), 1.1, true);
+  check(rope_of(9), 0.9, false);
+  check(cloth_of(5), 1.1, true);
+  check(cloth_of(5), 0.9, false);
+}
+
+TEST_CASE(
+    "After a gentle blow most springs of the rope end their step compressed, after a hard one "
+    "none") {
+  const auto compressed = [](double speed) {
+    Struck s = struck(rope, speed);
+    auto system = system_of(rope);
+    REQUIRE(to_the_end(s, rope, system));
+    int count = 0;
+    for (int i = 1; i < rope.count; ++i) {
+      count += (s.x.segment<3>(3 * i) - s.x.segment<3>(3 * i - 3)).norm() < rope.length / (rope.count - 1);
+    }
+    return count;
+  };
+  CHECK(compressed(gentle) > rope.count / 2);
+  CHECK(compressed(hard) == 0);
 }
 
 TEST_CASE("On cloth the matrix is not quite the derivative, and each iteration gains a factor") {
@@ -527,6 +703,44 @@ TEST_CASE("Asked for 5 Hz without damping a soft constraint gives 0.24 at 60 ste
   CHECK_THAT(moved(soft_step, swinging(5), frame / 4).zeta, WithinAbs(0.065, 0.001));
 }
 
+TEST_CASE("Asked for 5 Hz a soft constraint swings 4.6 times a second at 60 steps and 3.9 at 30") {
+  for (const auto& [rate, swings] : {std::pair{60, 4.6}, {30, 3.9}}) {
+    // A step turns the state by the angle whose tangent is h omega.
+    const double turned = std::atan(swinging(5).omega / rate) / (2 * std::numbers::pi) * rate;
+    CHECK_THAT(turned, WithinAbs(swings, 0.05));
+    const auto got = moved(soft_step, swinging(5), 1.0 / rate);
+    CHECK_THAT(got.omega * std::sqrt(1 - got.zeta * got.zeta) / (2 * std::numbers::pi),
+               WithinRel(turned, 1e-9));
+  }
+}
+
+TEST_CASE(
+    "With its third number a soft constraint ends at one velocity, from any guess, after any "
+    "number of passes") {
+  const double omega = 30, zeta = 0.2, stretch = 0.3, start = -2;
+  const double damping_and_step = 2 * zeta + frame * omega;
+  const double stiff = frame * omega * damping_and_step, bias = omega / damping_and_step * stretch;
+  const double mass_scale = stiff / (1 + stiff);
+  const auto end = [&](double guess, int passes, double impulse_scale) {
+    double v = start + guess, given = guess;  // impulses for a mass of one
+    for (; passes > 0; --passes) {
+      const double impulse = -mass_scale * (v + bias) - impulse_scale * given;
+      given += impulse;
+      v += impulse;
+    }
+    return v;
+  };
+  double x = stretch, v = start;
+  soft_constraint(x, v, frame, omega, zeta);
+  for (const double guess : {0.0, -1.0, 5.0}) {
+    for (const int passes : {1, 2, 10}) {
+      CHECK_THAT(end(guess, passes, 1 - mass_scale), WithinRel(v, 1e-13));
+    }
+  }
+  CHECK(std::abs(end(5, 1, 0) - v) > 1);     // without it the guess stays in
+  CHECK(std::abs(end(0, 10, 0) - v) > 0.1);  // and every pass stiffens
+}
+
 TEST_CASE("The gyroscopic step of Bullet is one solve of backward Euler") {
   const Thrown body;
   auto s = body.start();
@@ -563,6 +777,25 @@ TEST_CASE("A thrown body tumbles under backward Euler and loses three tenths in 
   const auto truth = measure::after(measure::rk4, body, body.start(), frame / 20, 1200);
   CHECK_THAT(body.energy(truth.v) / first, WithinAbs(1, 1e-6));
   CHECK(truth.v.y() < 0);
+}
+
+TEST_CASE(
+    "A thrown body first turns over after 0.52 s under backward Euler, and the true one after "
+    "0.55") {
+  CHECK_THAT(first_over(backward_euler, 1), WithinAbs(0.517, 0.001));
+  for (const int parts : {10, 40}) {
+    CHECK_THAT(first_over(measure::midpoint, 10 * parts), WithinAbs(0.55, 0.001));
+  }
+}
+
+TEST_CASE("In ten seconds RK4 takes less than a hundredth of a per cent from a thrown body") {
+  const Thrown body;
+  const auto start = body.start();
+  const auto s = measure::after(measure::rk4, body, start, frame, 600);
+  CHECK(body.energy(s.v) < body.energy(start.v));
+  CHECK(body.energy(s.v) > 0.9999 * body.energy(start.v));
+  const auto lost = measure::after(backward_euler, body, start, frame, 600);
+  CHECK_THAT(body.energy(lost.v) / body.energy(start.v), WithinAbs(0.115, 0.005));
 }
 
 TEST_CASE("The trapezoid rule keeps a thrown body's energy within one per cent") {

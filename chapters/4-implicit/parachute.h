@@ -22,6 +22,19 @@ inline constexpr auto solve_parachute = [](double, double v, double, double, dou
 };
 // [solve]
 
+/// Her velocity after a step of backward Euler, by the formula for the root of its equation [m/s].
+/// @param v  before the step; downwards [m/s]
+inline double derived_parachute(double v, double h) {
+  const double hk = h * parachute.k;
+  return (1 - std::sqrt(1 + 4 * hk * (h * parachute.g - v))) / (2 * hk);
+}
+
+/// The same by one solve of the linear system; not a number if there was none.
+inline double parachute_solved_once(double v, double h) {
+  double x = 0;
+  return integrate::backward_euler(x, v, 0.0, h, parachute, solve_parachute) ? v : NAN;
+}
+
 /// By how much each of Newton's iterations changes her velocity in the step in which it opens.
 inline std::vector<double> changes_of_parachute() {
   std::vector<double> found;

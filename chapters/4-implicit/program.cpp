@@ -4,6 +4,7 @@
 
 #include "bar.h"
 #include "blows.h"
+#include "iterated.h"
 #include "measure/error.h"
 #include "measure/implicit_methods.h"
 #include "measure/linear_methods.h"
@@ -24,6 +25,7 @@ using measure::rk4;
 using measure::symplectic_euler;
 using measure::trapezoid;
 using measure::whole;
+using scenes::State;
 
 namespace {
 
@@ -66,6 +68,14 @@ void from_the_end(Record& record) {
   record.number("drone-10", home.x.norm(), 3, "m");
 }
 
+void derived(Record& record) {
+  record.number("parachute-once", -parachute_solved_once(diving, slow), 3, "m/s");
+  record.number("parachute-derived", -derived_parachute(diving, slow), 3, "m/s");
+  const State<double> opening{0, diving};
+  record.number("parachute-true", -measure::after(rk4, parachute, opening, slow / 1000, 1000).v, 3,
+                "m/s");
+}
+
 void predictors(Record& record) {
   auto& table =
       record.table("corrections", {{"corrections", "", whole}, {"drag"}, {"undamped spring"}});
@@ -104,8 +114,10 @@ int main(int argc, char** argv) {
   return measure::record(argc, argv, [](Record& record) {
     opening(record);
     from_the_end(record);
+    derived(record);
     matrices(record);
     costs(record);
+    fairer(record);
     costs_on_a_nail(record);
     predictors(record);
     a_second(record);

@@ -4,6 +4,7 @@
 #pragma once
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <string>
 
 #include "bar.h"
@@ -52,5 +53,8 @@ inline void soft_damping(measure::Record& record) {
   for (const int rate : {30, 60, 240}) {
     const auto got = moved(soft_step, swinging(5), 1.0 / rate);
     record.number("soft-" + std::to_string(rate), got.zeta, 2);
+    if (rate == 240) continue;  // too short a step to tell
+    const double swings = got.omega * std::sqrt(1 - got.zeta * got.zeta) / (2 * std::numbers::pi);
+    record.number("soft-swings-" + std::to_string(rate), swings, 2);
   }
 }

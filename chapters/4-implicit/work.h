@@ -108,6 +108,8 @@ inline void costs(measure::Record& record) {
   };
   record.number("chain-wins", ratio(0), 2);
   record.number("rope-wins", ratio(3), 2);
+  record.number("cloth-level-solved", table.rows[8][3].value, 2);
+  record.number("cloth-level-stepped", table.rows[8][5].value, 2);
   record.number("cloth-loses", 1 / ratio(10), 2);
   record.number("factor-small", table.rows[6][2].value, 2);
   record.number("factor-large", table.rows[10][2].value, 2);

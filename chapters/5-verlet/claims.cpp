@@ -5,6 +5,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -104,6 +105,26 @@ TEST_CASE("At 60 steps a second a rope of stiff springs is longer than 100 m aft
   CHECK(length_of(calm.x) < 2.2);
 }
 
+TEST_CASE("The fastest motion of the stiff rope is 102 swings a second, of one of its springs 72") {
+  CHECK_THAT(fastest_swing(), WithinAbs(102, 0.5));
+  // Twenty equal masses held at one end: the formula for neighbours against neighbours.
+  const double root = std::sqrt(springs.k / springs.mass);
+  CHECK_THAT(fastest_swing() * 2 * std::numbers::pi,
+             WithinRel(2 * root * std::sin(39 * std::numbers::pi / 82), 1e-6));
+  // Two masses and one spring, by running them.
+  const double h = 1e-5;
+  double x = 1e-3, v = 0;  // of one mass; the other mirrors it
+  int swings = 0;
+  for (int n = 0; n < 100'000; ++n) {
+    const double before = x;
+    integrate::symplectic_euler(x, v, 0.0, h, [](double place, double, double) {
+      return -springs.k * 2 * place / springs.mass;
+    });
+    swings += before < 0 && x >= 0;
+  }
+  CHECK(swings == 72);
+}
+
 TEST_CASE("With its own start position Verlet has order two, in the position") {
   for (const double order : {last_halving(stormer_verlet, drone).position_order,
                              last_halving(stormer_verlet, swing).position_order}) {
@@ -153,6 +174,20 @@ TEST_CASE("Leapfrog's velocity is the last distance of position Verlet over the 
     const auto frog = kept_after(leapfrog, pendulum, frame, steps);
     CHECK_THAT(integrate::stormer_verlet_velocity(positions[0], positions[1], frame),
                WithinAbs(frog[1], 1e-11));
+  }
+}
+
+TEST_CASE("Begun half a kick back, symplectic Euler takes the steps of leapfrog bit for bit") {
+  const double h = 1.0 / 60;
+  auto s = pendulum.start();
+  double x = s.x, v_half = integrate::leapfrog_start(s.x, s.v, 0.0, h, pendulum);
+  CHECK(v_half == s.v - h / 2 * pendulum(s.x, s.v, 0.0));
+  s.v = v_half;
+  for (int n = 0; n < 1000; ++n) {
+    integrate::leapfrog(x, v_half, n * h, h, pendulum);
+    integrate::symplectic_euler(s.x, s.v, n * h, h, pendulum);
+    CHECK(s.x == x);
+    CHECK(s.v == v_half);
   }
 }
 
@@ -370,6 +405,33 @@ TEST_CASE("A hanging rope of n links is stretched by about n^2 g h^2 / (2 q)") {
         const double predicted = links * links * 9.81 * h * h / (2 * q);
         CHECK_THAT(2 * hanging(links, h, q), WithinRel(predicted, 0.14));  // for many links
       }
+    }
+  }
+}
+
+TEST_CASE(
+    "A link that is pulled is 2 j g h^2 / q too long, and about half of that after the step") {
+  const std::size_t links = 20;
+  const auto too_long = [](const Rope& rope, std::size_t i) {
+    return (rope.x[i] - rope.x[i - 1]).norm() - rope.link;
+  };
+  for (const int q : {1, 2, 4}) {
+    Rope rope = two_metres(int(links), {0, -1});
+    for (int n = 0; n < 36'000; ++n) rope.step(frame, q);  // until it hangs still
+    std::vector<double> pulled(links + 1);
+    for (std::size_t i = 1; i <= links; ++i) {
+      integrate::stormer_verlet(rope.x[i], rope.x_previous[i], 0.0, frame, gravity);
+    }
+    for (int iteration = 0; iteration < q; ++iteration) {
+      for (std::size_t i = 1; i <= links; ++i) {
+        pulled[i] += too_long(rope, i) / q;  // on average over the iterations
+        rope.pull(i);
+      }
+    }
+    for (std::size_t i = 2; i <= links; ++i) {  // the first hangs on a nail, which does not give
+      const double carried = double(links - i + 1);
+      CHECK_THAT(pulled[i], WithinRel(2 * carried * 9.81 * frame * frame / q, 1e-6));
+      if (carried >= 10) CHECK_THAT(too_long(rope, i) / pulled[i], WithinAbs(0.46, 0.02));
     }
   }
 }

@@ -2,6 +2,9 @@
 /// @file
 /// What becomes of two metres of rope.
 #pragma once
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "measure/methods_with_memory.h"
@@ -19,6 +22,15 @@ inline double length_of(const Eigen::VectorXd& x) {
   return length;
 }
 
+/// The frequency of the fastest motion of the rope of springs, which is along it [1/s].
+inline double fastest_swing() {
+  const auto s = springs.start();
+  const auto size = s.x.size();
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(size, size);
+  springs.jacobian(s.x, s.v, 0.0, [&](int i, int j, double dadx, double) { slopes(i, j) += dadx; });
+  return std::sqrt(slopes.eigenvalues().cwiseAbs().maxCoeff()) / (2 * std::numbers::pi);
+}
+
 inline void burst(measure::Record& record) {
   auto& table = record.table("burst", {{"frame", "", measure::whole}, {"springs", "m"}});
   auto s = springs.start();
@@ -28,6 +40,8 @@ inline void burst(measure::Record& record) {
   };
   measure::run(measure::stormer_verlet, springs, s, frame, 8, keep);
   // [burst]
+  record.number("burst-pair", std::sqrt(2 * springs.k / springs.mass) / (2 * std::numbers::pi), 2);
+  record.number("burst-fastest", fastest_swing(), 3);
   record.number("burst-5", table.rows[5][1].value, 2, "m");
   auto& calm =
       record.table("calm", {{"frame", "", measure::whole}, {"springs", "m"}, {"links", "m"}});

@@ -29,6 +29,19 @@ test('references to another chapter', () => {
   assert.equal(read('claims.html').match(/said in chapter 2<\/a>, .*?and in chapter 3<\/a>/g)?.length, 1);
 });
 
+test('how long a chapter takes: 200 words a minute, a minute for each thing to look at, nothing for the exercises', () => {
+  const words = count => 'word '.repeat(count);
+  const minutes = text => weaves(...chapter(`${text}\n\nIt takes \\minutes{3-heun}.`))('3-heun.html').match(/It takes (.*?)\./)[1];
+  assert.equal(minutes(words(2800)), '15\u202fmin');
+  assert.equal(minutes(`${words(2800)}\n\n${'\\f[ a \\f]\n\n'.repeat(5)}`), '20\u202fmin');
+  assert.equal(minutes(`${words(2800)}\n\n${'\\f[ a \\f]\n\n'.repeat(5)}## Exercises\n\n${words(9000)}`), '20\u202fmin');
+});
+
+test('minutes of a chapter that is not there', () => refuses(
+  chapter('It takes \\minutes{3-huen}.'),
+  [SECOND, '3-huen', 'there is no chapter "3-huen". Did you mean "3-heun"?'],
+));
+
 test('numbers and tables of another chapter', () => refuses(
   chapter('\\number{radius}\nand \\number{2-euler/gain}\n\n\\table{other}\nCaption.\n\\rows{growth}\n\\endtable'),
   [SECOND, '{radius}', 'unknown number "radius"; chapters/3-heun/program.cpp writes none of that name. Did you mean "2-euler/radius"?'],

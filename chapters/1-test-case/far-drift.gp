@@ -1,4 +1,4 @@
-eval axis_names("time  [s]", "walked  [m]")
+eval axis_names("time  [s]", "drifted  [m]")
 set xrange [0:10.4]
 set yrange [-0.08:1.3]
 set xtics 2
