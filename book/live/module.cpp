@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // What the page may call. An instance of the module holds one figure: choose() it first.
+#include <cstddef>
 #include <cstdint>
 
 #include "fingerprint.h"

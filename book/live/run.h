@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "measure/run.h"

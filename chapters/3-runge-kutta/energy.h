@@ -3,6 +3,7 @@
 /// What RK4 does to energy, in chapter 3.
 #pragma once
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
 #include <vector>

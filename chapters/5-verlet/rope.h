@@ -3,6 +3,8 @@
 /// A rope of points and links, moved by position Verlet.
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "integrate/stormer_verlet.h"

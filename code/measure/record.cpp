@@ -9,7 +9,10 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <ostream>
 #include <stdexcept>
+#include <system_error>
+#include <utility>
 
 namespace measure {
 namespace {

@@ -3,6 +3,7 @@
 /// Takes a number of equal steps and lets somebody watch.
 #pragma once
 #include <array>
+#include <cstddef>
 
 #include "measure/methods.h"
 #include "scenes/state.h"

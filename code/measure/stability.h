@@ -3,6 +3,7 @@
 /// Where a method on a linear scene stops being stable.
 #pragma once
 #include <Eigen/Eigenvalues>
+#include <cstddef>
 
 #include "measure/run.h"
 

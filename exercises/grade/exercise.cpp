@@ -2,6 +2,7 @@
 #include "exercise.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <utility>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <initializer_list>
 
 #include "diagnostics.h"
 #include "signature.h"

@@ -2,6 +2,7 @@
 #include "printable.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace grade {

@@ -2,6 +2,7 @@
 /// @file
 /// Text from outside, made fit to be shown.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <string_view>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include "signature.h"
 
+#include <cstddef>
 #include <optional>
 #include <string_view>
 

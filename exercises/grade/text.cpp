@@ -2,6 +2,7 @@
 #include "text.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "printable.h"
 

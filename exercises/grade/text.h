@@ -2,6 +2,7 @@
 /// @file
 /// Whether a file can be a header at all.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <string_view>
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <system_error>
 
 namespace grade {
 namespace {

@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "reference.h"
 #include "scenes/orbit.h"

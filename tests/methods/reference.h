@@ -3,6 +3,7 @@
 // rule with ever smaller steps, extrapolated to steps of no length, in long double.
 #pragma once
 #include <array>
+#include <cstddef>
 
 #include "scenes/state.h"
 

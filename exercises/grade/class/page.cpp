@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #include <array>
+#include <cctype>
 #include <cstdio>
 
 #include "class/page_style.h"

@@ -3,6 +3,7 @@
 /// Runs this program again and again, several at a time.
 #pragma once
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <stdexcept>
 #include <string>

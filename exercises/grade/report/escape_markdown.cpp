@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #include <algorithm>
+#include <cstddef>
 
 #include "report/escape.h"
 

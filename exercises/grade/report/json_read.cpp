@@ -2,6 +2,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <system_error>
 
 #include "report/json.h"
 #include "report/words.h"

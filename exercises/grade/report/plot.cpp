@@ -2,6 +2,7 @@
 #include "report/plot.h"
 
 #include <algorithm>
+#include <system_error>
 
 #include "report/curve.h"
 #include "report/escape.h"

@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 
 #include "integrate/symplectic_euler.h"
 #include "particles/forces.h"

@@ -2,6 +2,7 @@
 // Particles as everyone writes them: an array of structs.
 #pragma once
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "integrate/symplectic_euler.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // The ways to step many particles, in the order of the report.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
