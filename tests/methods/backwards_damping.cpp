@@ -7,6 +7,7 @@
 
 #include "integrate/backward_euler_spring.h"
 #include "integrate/linear_damping.h"
+#include "integrate/trapezoid.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -143,4 +144,26 @@ TEST_CASE(
       CHECK(std::abs(place(-angle / 8, 8, zeta)) <= (1 + 2 * zeta) / (1 - zeta * zeta));
     }
   }
+}
+
+TEST_CASE("The trapezoid rule takes its own step back while c h is under 2, and refuses at 2") {
+  const auto there_and_back = [](double c, double h, double v) {
+    const auto drag = [c](double, double speed_now, double) { return -c * speed_now; };
+    const auto solve = [c](double, double, double, double, double q, double& change) {
+      const double pivot = 1 - q * c;
+      change = change / pivot;
+      return pivot != 0;
+    };
+    double x = 0;
+    if (!integrate::trapezoid(x, v, 0.0, h, drag, solve))
+      return std::numeric_limits<double>::infinity();
+    if (!integrate::trapezoid(x, v, h, -h, drag, solve))
+      return std::numeric_limits<double>::infinity();
+    return v;
+  };
+  for (const double ch : {1e-6, 1e-3, 0.1, 1.0, 1.9}) {
+    CAPTURE(ch);
+    CHECK_THAT(there_and_back(60 * ch, 1 / 60.0, speed), WithinRel(speed, 1e-13));
+  }
+  CHECK(std::isinf(there_and_back(128, 1 / 64.0, speed)));
 }
