@@ -51,7 +51,7 @@ function lineOf({ config }, name) {
 export function cardHtml(card, times, title) {
   const parts = [...new Set(card.rows.map(row => row.about))]
     .map(about => `<div class="part"><p class="label">${variables(about)}</p><dl>${card.rows.filter(row => row.about === about).map(row => line(row, times)).join('')}</dl></div>`);
-  const timed = card.rows.some(row => isTime(row.measured)) ? aboutTimes(times) : '';
+  const timed = aboutTimes(times, card.rows.map(row => row.measured));
   const note = card.note ? `<p class="note">${escapeHtml(card.note)}</p>` : '';
   return `<div class="card" role="note" aria-label="Card of ${escapeHtml(card.name)}">
 <div class="cardhead"><p>${title}</p><p class="sources"><a href="data/cards/${card.name}.csv">${card.name}.csv</a>, <a href="${sourceHref(MEASURED_BY)}">every_card.cpp</a></p></div>

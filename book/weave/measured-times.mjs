@@ -1,5 +1,6 @@
 // Times of a step: those that the book was written with, and beside them this machine's, if nothing else ran while they were taken.
 import { existsSync, readFileSync } from 'node:fs';
+import { basename } from 'node:path';
 import { numberHtml } from './numbers.mjs';
 import { escapeHtml } from './text.mjs';
 
@@ -17,27 +18,27 @@ export function readTimes(path) {
   return times;
 }
 
-// Both files; { } where a book has no times.
-export function readAllTimes({ recorded, here } = {}, problems) {
-  if (!recorded) return {};
-  if (!existsSync(recorded)) {
-    problems.add('chapters/times.csv', 1, 'there are no recorded times; build the target record_times on a quiet machine');
-    return {};
-  }
-  return { recorded: readTimes(recorded), here: existsSync(here) ? readTimes(here) : undefined };
+// Pairs of files, { recorded, here }: what was recorded, and what this machine took, if it did.
+export function readAllTimes(pairs = [], problems) {
+  return pairs.flatMap(({ recorded, here }) => {
+    if (existsSync(recorded)) return [{ recorded: readTimes(recorded), here: existsSync(here) ? readTimes(here) : undefined }];
+    problems.add('chapters/recorded', 1, `there are no ${basename(recorded)}; build the target record_times on a quiet machine, or record_libraries of the preset peers`);
+    return [];
+  });
 }
 
 // A twentieth of a processor is what a quiet system itself takes.
 const quiet = times => Number(times.others) < 0.05;
 
 export const isTime = field => MARK.test(field);
-export const holdsTimes = rows => rows.some(row => row.some(isTime));
+const pairOf = (pairs, field) => pairs.find(({ recorded }) => recorded.of.has(field.match(MARK)[1]));
 
 // `time:NAME` as the median, its quartiles, and this machine's.
-export function timeHtml({ recorded, here }, field) {
+export function timeHtml(pairs, field) {
   const [, name] = field.match(MARK);
-  const time = recorded?.of.get(name);
-  if (!time) return 'not recorded';
+  const { recorded, here } = pairOf(pairs, field) ?? {};
+  if (!recorded) return 'not recorded';
+  const time = recorded.of.get(name);
   const number = value => numberHtml(value, 2);
   const own = here && quiet(here) && here.of.get(name);
   return `<span class="time" title="half of the runs between ${time.lower} and ${time.upper} ns">${number(time.median)}</span>`
@@ -46,14 +47,17 @@ export function timeHtml({ recorded, here }, field) {
 
 const share = ({ others }) => `${Number((100 * others).toPrecision(2))}\u202f%`;
 
-// What has to be known of them.
-export function aboutTimes({ recorded, here }) {
-  if (!recorded) return '';
-  const taken = `Medians of 31 runs in turn, recorded on ${recorded.processor} at ${recorded.clock} with ${recorded.compiler}, `
-    + `${recorded.date}, while other programs took ${share(recorded)} of a processor.`;
-  if (!here) return `<p class="times">${escapeHtml(taken)}</p>`;
-  const own = quiet(here)
-    ? `In brackets: on the machine that this copy was built on, ${escapeHtml(here.processor)} at ${escapeHtml(here.clock)} with ${escapeHtml(here.compiler)}.`
-    : `The machine that this copy was built on was not quiet: other programs took ${share(here)} of a processor, so its times are not shown.`;
-  return `<p class="times">${escapeHtml(taken)} ${own}</p>`;
+// What has to be known of the times in these fields; nothing if there are none.
+export function aboutTimes(pairs, fields) {
+  const pair = fields.filter(isTime).map(field => pairOf(pairs, field)).find(Boolean);
+  return pair ? `<p class="times">${escapeHtml(`${about(pair.recorded)} ${aboutHere(pair.here)}`.trim())}</p>` : '';
+}
+
+const about = ({ runs, processor, clock, compiler, date, ...times }) =>
+  `Medians of ${runs} runs in turn, recorded on ${processor} at ${clock} with ${compiler}, ${date}, while other programs took ${share(times)} of a processor.`;
+
+function aboutHere(here) {
+  if (!here) return '';
+  if (!quiet(here)) return `The machine that this copy was built on was not quiet: other programs took ${share(here)} of a processor, so its times are not shown.`;
+  return `In brackets: on the machine that this copy was built on, ${here.processor} at ${here.clock} with ${here.compiler}.`;
 }

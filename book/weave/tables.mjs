@@ -2,7 +2,7 @@
 import { existsSync } from 'node:fs';
 import { basename } from 'node:path';
 import { readCsv, readRecords } from './csv.mjs';
-import { aboutTimes, holdsTimes, isTime, timeHtml } from './measured-times.mjs';
+import { aboutTimes, isTime, timeHtml } from './measured-times.mjs';
 import { numberHtml, unitHtml } from './numbers.mjs';
 import { escapeHtml } from './text.mjs';
 
@@ -39,7 +39,7 @@ export function tableHtml(table, times) {
   const align = columns.map((c, i) => (right(c, i) ? ' class="right"' : ''));
   const heads = columns.map((c, i) => `<th scope="col"${align[i]}>${head(c)}</th>`);
   const body = rows.map(row => `<tr>${row.map((field, i) => `<td${align[i]}>${cell(field, columns[i], times)}</td>`).join('')}</tr>`);
-  return `<table><thead><tr>${heads.join('')}</tr></thead><tbody>\n${body.join('\n')}\n</tbody></table>${holdsTimes(rows) ? aboutTimes(times) : ''}`;
+  return `<table><thead><tr>${heads.join('')}</tr></thead><tbody>\n${body.join('\n')}\n</tbody></table>${aboutTimes(times, rows.flat())}`;
 }
 
 const head = c => escapeHtml(c.column) + (c.unit ? ` <span class="unit">[${unitHtml(c.unit)}]</span>` : '');

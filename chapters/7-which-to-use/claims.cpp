@@ -11,6 +11,7 @@
 #include "floor.h"
 #include "map.h"
 #include "particles.h"
+#include "peers.h"
 #include "solved.h"
 #include "verdicts.h"
 #include "wall.h"
@@ -661,4 +662,20 @@ TEST_CASE("With 16 steps a visit a step of any number of packs takes the same ti
   const double fewest = particle_time("blocks", 4'096);
   for (const long count : particle_counts)
     CHECK_THAT(particle_time("blocks", count) / fewest, WithinAbs(1, 0.2));
+}
+
+TEST_CASE("On a planet the headers take the time of a loop by hand, and so does odeint on arrays") {
+  for (const char* method : {"symplectic_euler", "velocity_verlet", "rk4"}) {
+    const double by_hand = library_time(method, "by hand");
+    for (const char* called : {"header struct", "header Vector2d", "odeint array"}) {
+      CAPTURE(method, called);
+      CHECK_THAT(library_time(method, called) / by_hand, WithinAbs(1, 0.1));
+    }
+  }
+}
+
+TEST_CASE("For a step of RK4 GSL takes twice the time of the loop by hand, SUNDIALS twelve times") {
+  const double by_hand = library_time("rk4", "by hand");
+  CHECK_THAT(library_time("rk4", "GSL") / by_hand, WithinAbs(2.2, 0.3));
+  CHECK_THAT(library_time("rk4", "SUNDIALS ERKStep") / by_hand, WithinAbs(12, 1));
 }

@@ -1,55 +1,28 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What the libraries cost: the results of tests/peers, where that has been run in this build.
+/// What the libraries cost: what tests/peers found.
 #pragma once
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <set>
 #include <string>
-#include <vector>
 
-#include "measure/machine.h"
 #include "measure/record.h"
+#include "measure/times.h"
 
-/// The fields of one line, of which those with a comma stand between quotes.
-inline std::vector<std::string> fields(const std::string& line) {
-  std::vector<std::string> found(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      found.emplace_back();
-    } else {
-      found.back() += c;
+/// The recorded time of a step of one planet [ns].
+/// @param called  how, such as `GSL`
+inline double library_time(const std::string& method, const std::string& called) {
+  return measure::recorded_times("libraries.csv").at("library/" + method + "/" + called).median;
+}
+
+inline void libraries(measure::Record& record) {
+  auto& table = record.table(
+      "libraries", {{"a step of"}, {"called"}, {"time", "ns"}, {"by hand = 1", "", 2}});
+  for (const std::string method : {"symplectic_euler", "velocity_verlet", "rk4"}) {
+    for (const std::string called : {"by hand", "header struct", "header Vector2d", "odeint array",
+                                     "odeint Eigen", "GSL", "SUNDIALS ERKStep"}) {
+      const std::string name = "library/" + method + "/" + called;
+      if (!measure::recorded_times("libraries.csv").of.contains(name)) continue;
+      table.add({method, called, "time:" + name,
+                 library_time(method, called) / library_time(method, "by hand")});
     }
   }
-  return found;
 }
-
-// [peers]
-/// @param speed  the file that the benchmark writes, if it has been run
-inline void libraries(measure::Record& record, const std::filesystem::path& speed) {
-  auto& table = record.table("libraries", {{"measured"},
-                                           {"a step of"},
-                                           {"called"},
-                                           {"on " + measure::machine(), "ns", 3},
-                                           {"by hand = 1", "", 3}});
-  const std::set<std::string> methods{"symplectic_euler", "velocity_verlet", "rk4"};
-  const std::set<std::string> called{"by hand",         "header, struct", "header, Vector2d",
-                                     "odeint, array",   "odeint, Eigen",  "GSL",
-                                     "SUNDIALS ERKStep"};
-  std::ifstream file(speed);
-  std::map<std::string, double> by_hand;
-  for (std::string line; std::getline(file, line);) {
-    const auto row = fields(line);
-    if (row.size() < 4 || row[2] != "-O3 -march=native") continue;
-    if (!methods.contains(row[0]) || !called.contains(row[1])) continue;
-    const double time = std::stod(row[3]);
-    if (row[1] == "by hand") by_hand[row[0]] = time;
-    table.add({"time", row[0], row[1], time, time / by_hand[row[0]]});
-  }
-  if (table.rows.empty()) table.add({"time", "any method", "not run in this build", NAN, NAN});
-}
-// [peers]

@@ -58,8 +58,6 @@ void one_for_all_numbers(Record& record) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // The benchmark writes into the same build, beside the chapters.
-  const std::string folder = argc == 2 ? argv[1] : "";
   return measure::record(argc, argv, [&](Record& record) {
     one_for_all(record);
     one_for_all_numbers(record);
@@ -69,7 +67,7 @@ int main(int argc, char** argv) {
     your_spring(record);
     floor_of_float(record);
     memory_wall(record);
-    libraries(record, folder + "/../../../peers/speed.csv");
+    libraries(record);
     level_again(record);
     example_choice(record);
     wall(record);

@@ -2,6 +2,7 @@
 /// @file
 /// The machine that this runs on.
 #pragma once
+#include <cstdio>
 #include <fstream>
 #include <string>
 
@@ -17,10 +18,22 @@ inline std::string processor_says(const std::string& what) {
   return "";
 }
 
-/// The processor, as the system names it.
+/// The processor, as the system names it, and its family: systems that run on others often hide the
+/// name.
 inline std::string machine() {
-  const std::string name = processor_says("model name");
-  return name.empty() ? "an unnamed processor" : name;
+  const std::string name = processor_says("model name"), family = processor_says("cpu family");
+  if (name.empty()) return "an unnamed processor";
+  if (family.empty()) return name;
+  return name + " (family " + family + ", model " + processor_says("model\t") + ")";
+}
+
+/// The clock of the processor while this is asked.
+inline std::string clock_rate() {
+  const std::string mhz = processor_says("cpu MHz");
+  if (mhz.empty()) return "a clock that the system does not tell";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f GHz", std::stod(mhz) / 1000);
+  return text;
 }
 
 }  // namespace measure

@@ -48,20 +48,6 @@ std::string today() {
   return text;
 }
 
-/// Systems that run on others often hide its name, but not its family.
-std::string processor() {
-  return machine() + " (family " + processor_says("cpu family") + ", model " +
-         processor_says("model\t") + ")";
-}
-
-std::string clock_of_processor() {
-  const std::string mhz = processor_says("cpu MHz");
-  if (mhz.empty()) return "a clock that the system does not tell";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f GHz", std::stod(mhz) / 1000);
-  return text;
-}
-
 constexpr const char* columns = "name,lower,median,upper";
 
 }  // namespace
@@ -88,7 +74,7 @@ const Quartiles& Times::at(const std::string& name) const {
 }
 
 Times take_times(const std::vector<Timed>& all, const std::string& compiler, int turns) {
-  Times times{processor(), clock_of_processor(), compiler, today(), 0, {}};
+  Times times{machine(), clock_rate(), compiler, today(), turns, 0, {}};
   std::vector<std::vector<double>> taken(all.size());
   const auto begin = std::chrono::steady_clock::now();
   const double before = everybody() - this_program();
@@ -108,6 +94,7 @@ void write_times(const Times& times, const std::filesystem::path& file) {
          "below.\n"
       << "# processor: " << times.processor << "\n# clock: " << times.clock
       << "\n# compiler: " << times.compiler << "\n# date: " << times.date
+      << "\n# runs: " << times.runs
       << "\n# others: " << std::setprecision(2) << times.others << "\n"
       << columns << "\n";
   for (const auto& [name, time] : times.of) {
@@ -134,6 +121,8 @@ Times read_times(const std::filesystem::path& file) {
     const std::string head = line.substr(0, colon);
     if (const auto word = words.find(head); word != words.end()) {
       *word->second = line.substr(colon + 2);
+    } else if (head == "# runs") {
+      times.runs = std::stoi(line.substr(colon + 2));
     } else if (head == "# others") {
       times.others = std::stod(line.substr(colon + 2));
     }
@@ -149,9 +138,11 @@ Times read_times(const std::filesystem::path& file) {
   return times;
 }
 
-const Times& recorded_times() {
-  static const Times times = read_times(RECORDED_TIMES);
-  return times;
+const Times& recorded_times(const std::string& file) {
+  static std::map<std::string, Times> read;
+  const auto found = read.find(file);
+  if (found != read.end()) return found->second;
+  return read[file] = read_times(std::filesystem::path(RECORDED) / file);
 }
 
 }  // namespace measure

@@ -30,6 +30,7 @@ struct Times {
   std::string clock;                    ///< its clock while it ran
   std::string compiler;                 ///< name, version and flags
   std::string date;                     ///< year, month and day
+  int runs = 0;                         ///< of each thing that was timed
   double others = 0;                    ///< processors that other programs kept busy meanwhile
   std::map<std::string, Quartiles> of;  ///< time of a step by name [ns]
 
@@ -55,8 +56,10 @@ void write_times(const Times& times, const std::filesystem::path& file);
 /// @throws std::runtime_error  one line that says what is wrong with the file
 Times read_times(const std::filesystem::path& file);
 
-/// The times that the book was written with: the one kind of measured number that is kept with the
-/// sources.
-const Times& recorded_times();
+/// Times that the book was written with, in chapters/recorded: the one kind of measured number that
+/// is kept with the sources.
+/// @param file  `times.csv`, all that the book times itself, or `libraries.csv`, what tests/peers
+///              does
+const Times& recorded_times(const std::string& file = "times.csv");
 
 }  // namespace measure

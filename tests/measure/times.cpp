@@ -42,7 +42,7 @@ TEST_CASE("Times are taken in turn") {
 
 TEST_CASE("What is written of times is read again") {
   const Folder folder;
-  measure::Times times{"a processor: fast", "3.1 GHz", "a compiler", "2026-11-22", 0.01, {}};
+  measure::Times times{"a processor: fast", "3.1 GHz", "a compiler", "2026-11-22", 31, 0.01, {}};
   times.of["shuttle/Yoshida 4"] = {1.25, 2.5, 5};
   measure::write_times(times, folder.path / "times.csv");
   const measure::Times again = measure::read_times(folder.path / "times.csv");
@@ -50,6 +50,7 @@ TEST_CASE("What is written of times is read again") {
   CHECK(again.clock == times.clock);
   CHECK(again.compiler == times.compiler);
   CHECK(again.date == times.date);
+  CHECK(again.runs == 31);
   CHECK(again.others == times.others);
   CHECK(again.at("shuttle/Yoshida 4").lower == 1.25);
   CHECK(again.at("shuttle/Yoshida 4").upper == 5);

@@ -11,6 +11,8 @@ export function readMeasurements(files) {
 function addFile(all, { context, benchmarks }) {
   all.processor = `${context.processor}, ${context.num_cpus} cores`;
   all.compiler = context.compiler;
+  all.clock = context.clock;
+  all.date = context.date.slice(0, 10);
   all.libraries = context.libraries;
   for (const [key, value] of Object.entries(context)) {
     if (key.startsWith('lacks ')) all.lacks.set(key.slice(6), value);

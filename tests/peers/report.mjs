@@ -8,7 +8,7 @@ import { readMeasurements } from './read.mjs';
 
 const [out, ...files] = process.argv.slice(2);
 const measured = readMeasurements(files);
-const { processor, compiler, rounds, groups } = measured;
+const { processor, clock, compiler, date, rounds, groups, share } = measured;
 
 const quoted = value => /[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : value;
 const csv = rows => rows.map(row => row.map(quoted).join(',') + '\n').join('');
@@ -21,9 +21,23 @@ function allRows() {
   return rows;
 }
 
+// The steps of one planet as the book keeps times: code/measure/times.h.
+function timesOfThePlanet(flags) {
+  const lines = ['# Times of a step [ns]: what a quarter, a half and three quarters of the runs stayed below.', `# processor: ${processor}`, `# clock: ${clock}`,
+    `# compiler: ${compiler} ${flags}`, `# date: ${date}`, `# runs: ${rounds}`, `# others: ${Number((1 - Math.min(1, share)).toPrecision(2))}`, 'name,lower,median,upper'];
+  for (const method of ['symplectic_euler', 'velocity_verlet', 'rk4']) {
+    for (const [variant, { times }] of groups.get(method)) {
+      const { lower, median, upper } = times.get(flags);
+      lines.push([`library/${method}/${variant.replaceAll(',', '')}`, ...[lower, median, upper].map(time => time.toPrecision(4))].join(','));
+    }
+  }
+  return lines.join('\n') + '\n';
+}
+
 mkdirSync(join(out, 'plot'), { recursive: true });
 writeFileSync(join(out, 'speed.md'), markdown(measured));
 writeFileSync(join(out, 'speed.csv'), csv(allRows()));
+writeFileSync(join(out, 'times.csv'), timesOfThePlanet('-O3 -march=native'));
 for (const [name, rows] of Object.entries(plotTables(groups))) writeFileSync(join(out, 'plot', `${name}.csv`), csv(rows));
 writeFileSync(join(out, 'plot', 'machine.gp'), `MACHINE = ${JSON.stringify(`Measured on ${processor}, with ${compiler}`)}\n`);
 console.log(`${goalsTable(measured)}\nAll the rest: ${join(out, 'speed.md')}, with speed.csv and speed.svg beside it.`);

@@ -2,6 +2,7 @@
 #include "rows.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "measure/machine.h"
@@ -18,12 +19,24 @@ std::vector<std::string> with_ours_first(int count, char** arguments) {
   return all;
 }
 
+// What so many quarters of the values are not above.
+double below(std::vector<double> values, std::size_t quarters) {
+  std::ranges::sort(values);
+  return values[quarters * (values.size() - 1) / 4];
+}
+
 }  // namespace
 
 Benchmark* in_rounds(Benchmark* row) {
   const auto least = [](const std::vector<double>& v) { return *std::ranges::min_element(v); };
   const auto most = [](const std::vector<double>& v) { return *std::ranges::max_element(v); };
-  return row->MinTime(0.02)->ComputeStatistics("min", least)->ComputeStatistics("max", most);
+  const auto lower = [](const std::vector<double>& v) { return below(v, 1); };
+  const auto upper = [](const std::vector<double>& v) { return below(v, 3); };
+  return row->MinTime(0.02)
+      ->ComputeStatistics("min", least)
+      ->ComputeStatistics("lower", lower)
+      ->ComputeStatistics("upper", upper)
+      ->ComputeStatistics("max", most);
 }
 
 void lacks_row(const Row& row) {
@@ -32,6 +45,7 @@ void lacks_row(const Row& row) {
 
 int measure_rows(int count, char** arguments) {
   benchmark::AddCustomContext("processor", measure::machine());
+  benchmark::AddCustomContext("clock", measure::clock_rate());
   benchmark::AddCustomContext("flags", PEERS_FLAGS);
   benchmark::AddCustomContext("compiler", PEERS_COMPILER);
   benchmark::AddCustomContext("libraries", PEERS_LIBRARIES);
