@@ -22,7 +22,7 @@ export function readTimes(path) {
 export function readAllTimes(pairs = [], problems) {
   return pairs.flatMap(({ recorded, here }) => {
     if (existsSync(recorded)) return [{ recorded: readTimes(recorded), here: existsSync(here) ? readTimes(here) : undefined }];
-    problems.add('chapters/times.cpp', 1, `there are no ${basename(recorded)}; build the target record_times on a quiet machine, or record_libraries of the preset peers`);
+    problems.add('code/measure/times.cpp', 1, `there are no ${basename(recorded)}; build the target record_times on a quiet machine, or record_libraries of the preset peers`);
     return [];
   });
 }

@@ -40,6 +40,6 @@ test('a table without times says nothing of them', () => {
 });
 
 test('a book that wants times and has no record of them', () => refuses(
-  [here(0), ['chapters/times.cpp', '// takes them\n']],
-  ['chapters/times.cpp', '', 'there are no recorded.csv; build the target record_times on a quiet machine, or record_libraries of the preset peers'],
+  [here(0), ['code/measure/times.cpp', '// takes them\n']],
+  ['code/measure/times.cpp', '', 'there are no recorded.csv; build the target record_times on a quiet machine, or record_libraries of the preset peers'],
 ));
