@@ -11,8 +11,9 @@ import { figures } from './live-list.mjs';
 
 // Playwright has it as an experiment; its own build of Firefox comes from no distribution.
 const browser = await playwright._bidiFirefox.launch({ executablePath: process.argv[3] }).catch(fault => {
-  if (!fault.message.includes('unknown command')) throw fault;
-  console.log('skipped: this Firefox is too old for the protocol by which it would be driven');
+  const [, command] = fault.message.match(/\((\S+)\): unknown command/) ?? [];
+  if (!command) throw fault;
+  console.log(`skipped: this Firefox is too old to be driven, since it lacks ${command}`);
   process.exit(77);
 });
 after(() => browser.close());
