@@ -13,3 +13,6 @@ void add_spring_times(std::vector<measure::Timed>& all);
 /// called `particles/...`.
 void add_shuttle_times(std::vector<measure::Timed>& all);
 void add_particle_times(std::vector<measure::Timed>& all);
+
+/// Forgets times that can't be right.
+void forget_disturbed(measure::Times& times);

@@ -679,3 +679,13 @@ TEST_CASE("For a step of RK4 GSL takes twice the time of the loop by hand, SUNDI
   CHECK_THAT(library_time("rk4", "GSL") / by_hand, WithinAbs(2.2, 0.3));
   CHECK_THAT(library_time("rk4", "SUNDIALS ERKStep") / by_hand, WithinAbs(12, 1));
 }
+
+TEST_CASE("Times of particles that undercut their limit are forgotten, and others kept") {
+  measure::Times times = measure::recorded_times();
+  forget_if_disturbed(times);
+  CHECK(times.of == measure::recorded_times().of);
+  times.of[particles_name("packs", 65'536)].median = 0.9 * particle_time("memory", 65'536);
+  forget_if_disturbed(times);
+  CHECK_FALSE(times.of.contains(particles_name("structs", 4'096)));
+  CHECK(times.of.contains("shuttle/RK4"));
+}

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -113,6 +114,19 @@ inline constexpr long particle_counts[] = {4'096, 16'384, 65'536, 262'144, 1'048
 /// What a time is called.
 inline std::string particles_name(const std::string& layout, long count) {
   return "particles/" + layout + "/" + std::to_string(count);
+}
+
+/// Forgets the times of particles if to move some took less time than to touch their memory: then
+/// something came between, and there is no telling which of them it met.
+inline void forget_if_disturbed(measure::Times& times) {
+  const auto taken = [&](const std::string& layout, long count) {
+    return times.at(particles_name(layout, count)).median;
+  };
+  const bool disturbed = std::ranges::any_of(particle_counts, [&](long count) {
+    return std::min(taken("packs", count), taken("structs", count)) < taken("memory", count);
+  });
+  if (!disturbed) return;
+  std::erase_if(times.of, [](const auto& time) { return time.first.starts_with("particles/"); });
 }
 
 inline void memory_wall(measure::Record& record) {

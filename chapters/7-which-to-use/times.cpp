@@ -64,3 +64,7 @@ void add_particle_times(std::vector<measure::Timed>& all) {
     all.push_back(timed("blocks", packs, count, step_blocks, steps_a_visit));
   }
 }
+
+void forget_disturbed(measure::Times& times) {
+  forget_if_disturbed(times);
+}

@@ -13,6 +13,8 @@ namespace measure {
 /// What a quarter, a half and three quarters of the runs stayed below.
 struct Quartiles {
   double lower = 0, median = 0, upper = 0;
+
+  bool operator==(const Quartiles&) const = default;
 };
 
 /// @param values  at least one, in any order
