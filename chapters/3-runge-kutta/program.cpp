@@ -14,6 +14,7 @@
 #include "measure/linear_methods.h"
 #include "measure/order.h"
 #include "measure/path.h"
+#include "measure/times.h"
 #include "rest.h"
 #include "single.h"
 #include "toys.h"
@@ -152,6 +153,9 @@ void matrix(Record& record) {
              "time:spring/RK4 folded at rest"});
   speed.add({"the exact step, folded likewise", "time:spring/exact folded", "–"});
   record.number("rests-after", comes_to_rest() / 60, 2, "min");
+  const measure::Times& times = measure::recorded_times();
+  record.number("rest-longer",
+                times.at("spring/RK4 at rest").median / times.at("spring/RK4").median, 2);
 }
 
 void bugs(Record& record) {

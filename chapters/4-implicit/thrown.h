@@ -77,9 +77,13 @@ inline void spins(measure::Record& record) {
   const Thrown body;
   auto e = body.start(), b = e, tr = e, r = e;
   const double first = body.energy(e.v);
+  // What exploded is not a number in the end, and compilers do not agree on the sign of that.
+  const auto share = [&](const auto& s) {
+    const double found = body.energy(s.v) / first;
+    return std::isnan(found) ? INFINITY : found;
+  };
   for (int n = 0; n <= 600; ++n) {
-    spin.add({n * frame, body.energy(e.v) / first, body.energy(b.v) / first,
-              body.energy(tr.v) / first, body.energy(r.v) / first});
+    spin.add({n * frame, share(e), share(b), share(tr), share(r)});
     measure::euler(e.x, e.v, 0.0, frame, body);
     measure::backward_euler(b.x, b.v, 0.0, frame, body);
     measure::trapezoid(tr.x, tr.v, 0.0, frame, body);

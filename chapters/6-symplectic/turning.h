@@ -41,11 +41,12 @@ double turning(Step step, double h, int turns) {
 
 /// How long a turn of the shuttle takes, from one farthest point to the next, on average over the
 /// time of a thousand turns [s].
+/// @param started  how long after its nearest point the shuttle sets out [s]
 template <class Step>
-double turn_takes(Step step, double h) {
+double turn_takes(Step step, double h, double started = 0) {
   double first = 0, last = 0;
   long turns = -1;
-  auto s = shuttle.start();
+  auto s = shuttle.exact(started);
   for (double t = 0; t < 1000 * shuttle_turn; t += h) {
     const double outwards = s.x.dot(s.v);
     step(s.x, s.v, 0.0, h, shuttle);
@@ -69,6 +70,8 @@ inline void orbit(measure::Record& record) {
   record.number("turn-takes", turn_takes(measure::symplectic_euler, tick), 3, "s");
   record.number("turns-flown", turns(tick), 3);
   record.number("turns-flown-60", turns(tick / 4), 3);
+  record.number("turns-flown-later",
+                1000 * shuttle_turn / turn_takes(measure::symplectic_euler, tick, 1), 4);
   record.number("turns-turned", turns(tick) * -turning(measure::symplectic_euler, tick, 60) / 360,
                 2);
   record.number("turning-60", -turning(measure::symplectic_euler, tick / 4, 60), 3, "°");

@@ -12,18 +12,18 @@
 /// @endcode
 ///
 /// What is damped is the speed in the world: it is drag, or a damper whose other end is fixed. A
-/// damper between two bodies, of c newtons for each metre per second, must damp the speed at which
-/// they part, or it brakes both of them against the world. Divide that speed by 1 + c*h*(1/m1 +
+/// damper between two bodies, of d newtons for each metre per second, must damp the speed at which
+/// they part, or it brakes both of them against the world. Divide that speed by 1 + d*h*(1/m1 +
 /// 1/m2), and what it loses goes into both as one impulse:
 /// @code
-/// const double m1 = 1, m2 = 2, stiffness = 6, damper = 2 / 3.0;
+/// const double m1 = 1, m2 = 2, stiffness = 6, d = 2 / 3.0;
 /// const double light = 1 / m1 + 1 / m2;
 /// double x1 = 0, v1 = 10, x2 = 1, v2 = 10;
 /// for (int n = 0; n < 60; ++n) {
 ///   const double pull = stiffness * (x2 - x1);
 ///   v1 += h * pull / m1, v2 -= h * pull / m2;
 ///   const double parting = v2 - v1;
-///   const double impulse = (parting - parting / (1 + damper * h * light)) / light;
+///   const double impulse = (parting - parting / (1 + d * h * light)) / light;
 ///   v1 += impulse / m1, v2 -= impulse / m2;
 ///   x1 += h * v1, x2 += h * v2;
 /// }

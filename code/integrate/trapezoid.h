@@ -43,7 +43,7 @@ namespace integrate {
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
 /// @param t  time at the start of the step [s]
-/// @param h  step size [s]; a negative step goes back in time while c*|h| < 2; at 2 nothing is solved
+/// @param h  step size [s]; a negative step goes back in time, on drag while c*|h| < 2
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @param solve  callable `(x, v, t, p, q, change) -> bool`: solves (1 + p da/dx + q da/dv) y =
 /// change and puts y into `change`; false if it could not. For a single unknown that is
@@ -85,7 +85,7 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve>
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
 /// @param t  time at the start of the step [s]
-/// @param h  step size [s]; a negative step goes back in time while c*|h| < 2; at 2 nothing is solved
+/// @param h  step size [s]; a negative step goes back in time, on drag while c*|h| < 2
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @param solve  as for trapezoid
 /// @param norm  callable `(Vec) -> Real`, the size of a change of velocity
