@@ -65,6 +65,20 @@
 
   addEventListener('beforeprint', () => { for (const details of all('details')) details.open = true; });
 
+  // A page opens where its address says, and goes there again once its live figures run, in case they took more room than was kept for
+  // them; but not with a reader who has moved on, or who came back to where they were. From then on it scrolls smoothly.
+  const [{ type }] = performance.getEntriesByType('navigation');
+  let moved = type === 'reload' || type === 'back_forward';
+  for (const means of ['wheel', 'touchstart', 'pointerdown', 'keydown']) {
+    addEventListener(means, () => { moved = true; }, { capture: true, passive: true, once: true });
+  }
+  addEventListener('load', async () => {
+    await Promise.allSettled(globalThis.Live?.started ?? []);
+    const figure = location.hash.match(/^#([\w-]+)\?/)?.[1];  // one with settings, which is no target to the browser
+    if (!moved) (document.querySelector(':target') ?? document.getElementById(figure))?.scrollIntoView();
+    root.classList.add('arrived');
+  });
+
   // The section in view, at the right: the last one whose heading has passed the top, at the page's end the last of all
   const links = all('.onpage a');
   const headings = links.map(a => document.getElementById(decodeURIComponent(a.hash.slice(1))));

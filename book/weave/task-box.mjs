@@ -25,5 +25,5 @@ export function taskFoot({ book, hold }, { name, exercise, folder }) {
     + `<a class="file" href="${sourceHref(starter)}">${escapeHtml(starter).replace(/\//g, '/<wbr>')}</a></figcaption>`
     + `<pre><code>${hold(codeLines(lines, lines.map((_, i) => i + 1)))}</code></pre></figure></div></details>\n`
     + `<div class="codebox terminal"><pre><code>${hold(highlightLines(commands, 'sh').join('\n'))}</code></pre></div>\n`
-    + `<p class="sources">${book.sources.has(GIVEN) ? `What you are given: <a href="${sourceHref(GIVEN)}">given.h</a>. ` : ''}Its tests: <a href="${sourceHref(`${folder}/judge.cpp`)}">judge.cpp</a></p>`;
+    + (book.sources.has(GIVEN) ? `<p class="sources">What you are given: <a href="${sourceHref(GIVEN)}">given.h</a></p>` : '');
 }

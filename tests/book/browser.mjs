@@ -24,9 +24,10 @@ const looks = {
   dark: { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true, colorScheme: 'dark' },
 };
 
-// A tab with `faults`, which collects console messages and requests that leave the disk or fail.
-export async function openTab(look = 'light') {
-  const context = await browser.newContext({ ...looks[look], reducedMotion: 'reduce' });
+// A tab with `faults`, which collects console messages and requests that leave the disk or fail. Its readers want no motion,
+// unless `more` says so.
+export async function openTab(look = 'light', more = {}) {
+  const context = await browser.newContext({ ...looks[look], reducedMotion: 'reduce', ...more });
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const tab = await context.newPage();
   tab.setDefaultTimeout(20000);
@@ -38,10 +39,14 @@ export async function openTab(look = 'light') {
   return tab;
 }
 
+export function addressOf(page) {
+  const [file, fragment] = page.split('#');
+  return pathToFileURL(join(folder, file)).href + (fragment ? `#${fragment}` : '');
+}
+
 export async function visit(tab, page) {
   tab.faults.length = 0;
-  const [file, fragment] = page.split('#');
-  await tab.goto(pathToFileURL(join(folder, file)).href + (fragment ? `#${fragment}` : ''), { waitUntil: 'load' });
+  await tab.goto(addressOf(page), { waitUntil: 'load' });
   await tab.waitForFunction(() => [...document.querySelectorAll('[data-live]')].every(figure => figure.classList.contains('live')));
 }
 

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { chapters, parse } from './book.mjs';
-import { openTab, pageOf, visit } from './browser.mjs';
+import { addressOf, openTab, pageOf, visit } from './browser.mjs';
 
 const tab = await openTab();
 const phone = await openTab('dark');
@@ -113,6 +113,16 @@ test('figures have a shape for a desktop and one for a phone', async () => {
       assert.ok(await figure.locator(`${hidden} svg`).isHidden(), `${id}: ${hidden} as well`);
     }
   }
+});
+
+test('a browser that cannot run the live figures keeps their still pictures', async () => {
+  const old = await openTab();
+  await old.addInitScript(() => { WebAssembly.compile = async () => { throw new WebAssembly.CompileError('too new'); }; });
+  await old.goto(addressOf(chapter));
+  const figure = old.locator('figure[data-live]').first();
+  await old.evaluate(() => Promise.all(globalThis.Live.started));
+  assert.ok(await figure.locator('.still svg:visible').count());
+  assert.deepEqual(old.faults, []);
 });
 
 test('a chapter prints on white, without menus, with its hints open', async () => {

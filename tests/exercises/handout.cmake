@@ -23,7 +23,7 @@ endforeach()
 
 file(GLOB_RECURSE all RELATIVE ${top} ${top}/*)
 foreach(file IN LISTS all)
-  if(file MATCHES "solution|(^|/)(right|wrong)/|(^|/)seed|^book/source-exercises-.*-(right|wrong)-")
+  if(file MATCHES "solution|(^|/)(right|wrong)/|(^|/)seed|^book/source-exercises-.*-(right-.*|wrong-.*|judge-cpp)\\.html$")
     message(SEND_ERROR "the handout has ${file}")
   endif()
 endforeach()

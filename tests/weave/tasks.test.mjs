@@ -19,9 +19,9 @@ test('a task in its place', () => {
 test('what a student must find out is on no page', () => {
   const book = sampleBook(['exercises/2-euler/back-again/solution.h', '// the answer\n'], ['exercises/2-euler/back-again/right/other.h', '// another\n']);
   assert.equal(book.weave().status, 0);
-  assert.ok(book.has('built/book/source-exercises-2-euler-back-again-judge-cpp.html'));
-  assert.ok(!book.has('built/book/source-exercises-2-euler-back-again-solution-h.html'));
-  assert.ok(!book.has('built/book/source-exercises-2-euler-back-again-right-other-h.html'));
+  assert.ok(book.has('built/book/source-exercises-2-euler-back-again-starter-h.html'));
+  for (const hidden of ['judge-cpp', 'harness-h', 'solution-h', 'right-other-h']) assert.ok(!book.has(`built/book/source-exercises-2-euler-back-again-${hidden}.html`), hidden);
+  assert.doesNotMatch(book.read('built/book/2-euler.html'), /judge/);
 });
 
 test('a task that is not there', () => refuses(

@@ -5,40 +5,52 @@
   const still = matchMedia('(prefers-reduced-motion: reduce)');
   let compiled;
   Live.opened = {};
+  Live.started = [];  // a promise for each figure, kept once it runs or never will
 
   // `drawing` has view(settings), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence.
-  Live.figure = async function (name, drawing) {
+  Live.figure = function (name, drawing) {
     if (!globalThis.WebAssembly) return;  // a browser that is too old keeps the still picture
-    for (const element of document.querySelectorAll(`[data-live="${name}"]`)) {
-      try {
-        compiled ??= Live.compile(Live.compiled);
-        await document.fonts.ready;
-        Live.opened[name] = new Figure(element, await Live.open(await compiled, name), Live.descriptions[name], drawing);
-      } catch (fault) {
-        if (!(fault instanceof WebAssembly.CompileError)) throw fault;  // nor can it run newer code
-      }
-    }
+    for (const element of document.querySelectorAll(`[data-live="${name}"]`)) Live.started.push(start(element, name, drawing));
   };
 
+  // The stage stands at once: what takes its height later would move the text under the reader's eyes.
+  async function start(element, name, drawing) {
+    const figure = new Figure(element, Live.descriptions[name], drawing);
+    try {
+      const [code] = await Promise.all([compiled ??= Live.compile(Live.compiled), document.fonts.ready]);
+      figure.open(await Live.open(code, name));
+      Live.opened[name] = figure;
+    } catch (fault) {
+      figure.stage.remove();
+      if (!(fault instanceof WebAssembly.CompileError)) throw fault;  // nor can an old browser run newer code
+    }
+  }
+
   class Figure {
-    constructor(element, module, description, drawing) {
+    constructor(element, description, drawing) {
       Object.assign(this, { element, drawing, description, playing: false, frameAsked: 0 });
-      element.querySelector('.still').after(element.querySelector('template').content.cloneNode(true));
-      element.classList.add('live');
+      element.querySelector('.still').before(element.querySelector('template').content.cloneNode(true));
       const find = selector => element.querySelector(selector);
       this.stage = find('.stage');
       this.readout = find('.readout');
       this.status = find('[role=status]');
       this.settings = new Live.Settings(this.stage, description.controls);
+      this.pen = new Live.Pen(find('canvas.scene'));
+      this.chart = new Live.Chart(find('.chart'), find('canvas.scene'), description.chart, description.seconds);
+      this.readLink();
+      this.settings.tell();
+      this.showCode(this.values.method);
+    }
+    open(module) {
+      const { element, description } = this;
+      const find = selector => element.querySelector(selector);
       this.run = new Live.Run(module, description);
       this.clock = new Live.Clock(description.pace);
-      this.pen = new Live.Pen(find('canvas.scene'));
       if (description.handle) this.handle = new Live.Handle(find('canvas.scene'), description.handle, values => this.hold(values));
-      this.chart = new Live.Chart(find('.chart'), find('canvas.scene'), description.chart, description.seconds);
       this.listen(find);
-      this.readLink();
       this.showWhole();
       this.startWhenSeen();
+      element.classList.add('live');
     }
 
     listen(find) {
@@ -48,7 +60,11 @@
       on('reset', () => this.reset());
       on('link', event => this.link(event.target));
       this.stage.addEventListener('input', () => this.change());
-      addEventListener('hashchange', () => this.readLink() && this.change());
+      addEventListener('hashchange', () => {
+        if (!this.readLink()) return;
+        this.change();
+        this.element.scrollIntoView();
+      });
       new ResizeObserver(() => { this.chart.resize(); this.draw(); }).observe(this.stage);
       for (const source of [matchMedia('(prefers-color-scheme: dark)'), still]) source.addEventListener('change', () => this.draw());
       document.addEventListener('themechange', () => this.draw());
@@ -174,7 +190,6 @@
       const [, id, query] = location.hash.match(/^#([\w-]+)\?(.*)$/) ?? [];
       if (id !== this.element.id) return false;
       this.settings.query = query;
-      this.element.scrollIntoView();
       return true;
     }
   }

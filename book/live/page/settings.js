@@ -21,14 +21,14 @@
     }
     words(shown = this.shown) { return `${Live.digits(shown, 4)}${this.unit ? `\u202f${this.unit}` : ''}`; }
 
-    // `now` holds the value to be marked on the slider, where it has one.
+    // `now`, where there is a run already, holds the value to be marked on the slider, where it has one.
     tell(now) {
       const text = this.words() + this.markWords(now);
       this.output.textContent = text;
       this.input.setAttribute('aria-valuetext', text);
     }
     markWords(now) {
-      if (!this.mark) return '';
+      if (!this.mark || !now) return '';
       const at = now[this.mark] / this.scale;
       const place = (at - this.from) / (this.to - this.from);
       this.dot.hidden = !(place >= 0 && place <= 1);
