@@ -626,10 +626,10 @@ TEST_CASE("Of 512 shuttles RK4 takes five times Euler's time, Dormand-Prince thi
   CHECK_THAT(time_of_many("Dormand-Prince") / time_of_many("Euler"), WithinAbs(13, 1));
 }
 
-TEST_CASE("Of 512 shuttles an implicit step takes over twice the time of its evaluations") {
+TEST_CASE("Of 512 shuttles an implicit step takes nearly twice the time of its evaluations, or more") {
   const double one = time_of_many("Euler");
-  CHECK(time_of_many("backward Euler") > 2.5 * one * double(price(backward_euler, shuttle, frame)));
-  CHECK(time_of_many("trapezoid") > 2 * one * double(price(measure::trapezoid, shuttle, frame)));
+  CHECK(time_of_many("backward Euler") > 1.8 * one * double(price(backward_euler, shuttle, frame)));
+  CHECK(time_of_many("trapezoid") > 1.8 * one * double(price(measure::trapezoid, shuttle, frame)));
 }
 
 namespace {
