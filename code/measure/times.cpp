@@ -138,7 +138,7 @@ Times read_times(const std::filesystem::path& file) {
   return times;
 }
 
-const Times& recorded_times(const std::string& file) {
+const Times& recorded_times(const char* file) {
   static std::map<std::string, Times> read;
   const auto found = read.find(file);
   if (found != read.end()) return found->second;

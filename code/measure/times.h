@@ -62,6 +62,6 @@ Times read_times(const std::filesystem::path& file);
 /// is kept with the sources.
 /// @param file  `times.csv`, all that the book times itself, or `libraries.csv`, what tests/peers
 ///              does
-const Times& recorded_times(const std::string& file = "times.csv");
+const Times& recorded_times(const char* file = "times.csv");
 
 }  // namespace measure
