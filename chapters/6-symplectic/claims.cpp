@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT-0
 // The claims of chapter 6. Each name is a sentence that the chapter says.
+#include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <vector>
 
@@ -491,6 +493,44 @@ TEST_CASE("A damper divided out of the relative velocity leaves two thrown bodie
     CHECK_THAT(x.b - x.a, WithinAbs(apart, 1e-13));
     CHECK_THAT(v.b - v.a, WithinAbs(opening, 1e-12));
   }
+}
+
+namespace {
+
+/// How far bodies of a kilogram in a row are apart at most, each tied to the next by a critically
+/// damped spring whose damper is divided out of their relative velocity, one pair after the other.
+double farthest_in_row(std::size_t bodies, double homega) {
+  const double omega = homega / frame, k = omega * omega / 2, d = omega;  // of a pair
+  std::vector<double> x(bodies), v(bodies);
+  for (std::size_t i = 0; i < bodies; ++i) x[i] = i % 2 ? 0.01 : -0.01;
+  double farthest = 0;
+  for (int n = 0; n < 600; ++n) {
+    for (std::size_t i = 1; i < bodies; ++i) {
+      const double impulse = frame * k * (x[i] - x[i - 1]);
+      v[i - 1] += impulse;
+      v[i] -= impulse;
+    }
+    for (std::size_t i = 1; i < bodies; ++i) {
+      const double relative = v[i] - v[i - 1];
+      const double impulse = (relative / (1 + 2 * d * frame) - relative) / 2;
+      v[i - 1] -= impulse;
+      v[i] += impulse;
+    }
+    for (std::size_t i = 0; i < bodies; ++i) x[i] += frame * v[i];
+    for (std::size_t i = 1; i < bodies; ++i)
+      farthest = std::max(farthest, std::abs(x[i] - x[i - 1]));
+  }
+  return farthest;
+}
+
+}  // namespace
+
+TEST_CASE("Ten bodies in a row fly apart at a step that one damped pair holds") {
+  CHECK(farthest_in_row(2, 4.7) < 0.1);
+  CHECK(farthest_in_row(2, 4.9) > 1e6);  // the limit of one spring, 2 (1 + the root of two)
+  CHECK(farthest_in_row(10, 4.7) > 1e6);
+  CHECK(farthest_in_row(10, 2.0) > 1e6);
+  CHECK(farthest_in_row(10, 1.2) < 0.1);
 }
 
 TEST_CASE("A damper divided out of each velocity brakes two thrown bodies to a hundredth") {

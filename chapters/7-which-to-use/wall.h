@@ -49,7 +49,7 @@ inline void wall(measure::Record& record) {
   add("the same with drag against the air, or a damper to something fixed", "drag divided",
       "linear_damping_implicit_last", measure::linear_damping_implicit_last);
   // Between two bodies the relative motion is the spring, and the division is the same.
-  add("the same with dampers between bodies", "relative velocity divided",
+  add("two bodies with a damper between them", "relative velocity divided",
       "linear_damping_implicit_last", measure::linear_damping_implicit_last);
   add("ropes and cloth of particles, by constraints", "Störmer–Verlet", "stormer_verlet",
       measure::stormer_verlet);
