@@ -34,7 +34,7 @@ function missing(file) {
     for (const [, name] of line.matchAll(/(?<![\w:])(?:::)?std::((?:ranges::|experimental::)?\w+)/g)) {
       const headers = headersOf.get(name);
       const place = `${file}:${i + 1}: `;
-      if (!headers) found.set(name, `${place}std::${name} stands in no row of tests/build/std_headers.mjs; add it to its header's`);
+      if (!headers) found.set(name, `${place}std::${name} stands in no row of tests/compilers/std_headers.mjs; add it to its header's`);
       else if (!headers.some(header => there.has(header))) found.set(name, `${place}std::${name} needs ${headers.map(header => `<${header}>`).join(' or ')}`);
     }
   });
