@@ -290,8 +290,11 @@ cage::Kit scattered(const Folder& folder) {
 
 /// What the build finds out of a compiler.
 std::vector<std::string> shown_to(const std::string& compiler) {
-  cage::Process ask(shell("\"" CMAKE "\" -DCOMPILER=" + compiler + " -P " SHOWN_TO), {}, {});
-  std::istringstream said(ask.finish().err);
+  const std::string ask = "\"" CMAKE "\" -DCOMPILER=" + compiler + " -P " + beside("shown_to.cmake");
+  const cage::Ended done = cage::Process(shell(ask), {}, {}).finish();
+  REQUIRE(done.how == cage::Ended::How::exited);
+  REQUIRE(done.code == 0);
+  std::istringstream said(done.err);
   std::vector<std::string> folders;
   for (std::string line; std::getline(said, line);) folders.push_back(line);
   return folders;
