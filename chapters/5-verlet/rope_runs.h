@@ -2,11 +2,11 @@
 /// @file
 /// What becomes of two metres of rope.
 #pragma once
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 #include <string>
 
+#include "measure/eigenvalues.h"
 #include "measure/methods_with_memory.h"
 #include "measure/record.h"
 #include "measure/run.h"
@@ -28,7 +28,7 @@ inline double fastest_swing() {
   const auto size = s.x.size();
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(size, size);
   springs.jacobian(s.x, s.v, 0.0, [&](int i, int j, double dadx, double) { slopes(i, j) += dadx; });
-  return std::sqrt(slopes.eigenvalues().cwiseAbs().maxCoeff()) / (2 * std::numbers::pi);
+  return std::sqrt(measure::largest_eigenvalue(slopes)) / (2 * std::numbers::pi);
 }
 
 inline void burst(measure::Record& record) {

@@ -88,7 +88,7 @@ void shadow(Record& record) {
   }
 
   const auto angle = std::arg(
-      std::complex(measure::step_matrix(symplectic_euler, suspension, frame).eigenvalues()[0]));
+      measure::eigenvalues(measure::step_matrix(symplectic_euler, suspension, frame))[0]);
   const double fast = std::abs(angle) / (frame * suspension.omega);
   record.number("clock-fast", 100 * (fast - 1), 2, "%");
   record.number("clock-minute", 60 * suspension.omega * (fast - 1) / (2 * std::numbers::pi), 2);

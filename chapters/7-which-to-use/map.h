@@ -50,7 +50,8 @@ bool true_to_life(const Step& step, double homega, double zeta) {
   using Complex = std::complex<double>;
   const Complex rate = -zeta + std::sqrt(Complex(zeta * zeta - 1));
   double nearest = INFINITY;
-  for (const Complex& factor : measure::step_matrix(step, spring_of(zeta), homega).eigenvalues()) {
+  const auto matrix = measure::step_matrix(step, spring_of(zeta), homega);
+  for (const Complex& factor : measure::eigenvalues(matrix)) {
     nearest = std::min(nearest, std::abs(std::log(factor / std::exp(homega * rate))));
   }
   return nearest < 0.1 * homega * std::abs(rate);

@@ -2,9 +2,9 @@
 /// @file
 /// Where a method on a linear scene stops being stable.
 #pragma once
-#include <Eigen/Eigenvalues>
 #include <cstddef>
 
+#include "measure/eigenvalues.h"
 #include "measure/run.h"
 
 namespace measure {
@@ -40,7 +40,7 @@ auto step_matrix(Step step, const Scene& scene, double h) {
 /// @param h  step size [s]
 template <class Step, class Scene>
 double spectral_radius(Step step, const Scene& scene, double h) {
-  return step_matrix(step, scene, h).eigenvalues().cwiseAbs().maxCoeff();
+  return largest_eigenvalue(step_matrix(step, scene, h));
 }
 // [radius]
 

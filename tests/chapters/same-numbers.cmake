@@ -4,7 +4,7 @@ file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH}/data)
 execute_process(COMMAND ${COMPILER} -std=c++20 -O2 -ffp-contract=off -DEIGEN_DONT_VECTORIZE
   -I${SOURCE}/code -isystem ${EIGEN} "-DRECORDED=\"${RECORDED}\"" ${PROGRAM}
-  code/measure/record.cpp code/measure/times.cpp -o ${SCRATCH}/program
+  code/measure/eigenvalues.cpp code/measure/record.cpp code/measure/times.cpp -o ${SCRATCH}/program
   WORKING_DIRECTORY ${SOURCE} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${SCRATCH}/program ${SCRATCH}/data COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB files RELATIVE ${SCRATCH}/data ${SCRATCH}/data/*.csv)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/eigenvalues.h"
 #include "theory.h"
 
 namespace theory {
@@ -13,7 +14,7 @@ namespace theory {
 inline double radius(const Polynomial& p) {
   Eigen::Matrix3d companion;
   companion << -p[0], -p[1], -p[2], 1, 0, 0, 0, 1, 0;
-  return companion.eigenvalues().cwiseAbs().maxCoeff();
+  return measure::largest_eigenvalue(companion);
 }
 
 // Of the velocity alone: drag leaves the position where it is, which is a root of one.
