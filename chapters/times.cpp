@@ -6,18 +6,6 @@
 #include <cstdio>
 #include <exception>
 
-#include "measure/card.h"
-
-namespace {
-
-void add_card_times(std::vector<measure::Timed>& all) {
-  for (const measure::Card& card : measure::every_card()) {
-    if (card.seconds_per_step) all.push_back({"card/" + card.method, card.seconds_per_step});
-  }
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
   if (argc != 2) {
     std::fprintf(stderr, "times: name the file to write, as in: times here.csv\n");

@@ -6,6 +6,9 @@
 
 #include "measure/times.h"
 
+/// The cards: a step of every method, called `card/...`.
+void add_card_times(std::vector<measure::Timed>& all);
+
 /// Chapter 3: steps of one spring, called `spring/...`.
 void add_spring_times(std::vector<measure::Timed>& all);
 

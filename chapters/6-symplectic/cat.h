@@ -40,7 +40,7 @@ inline Outline cat(int parts) {
 
 /// Where every point of an outline is after a number of steps.
 template <class Step, class Scene>
-Outline carried(Step step, const Scene& scene, Outline outline, double h, long steps) {
+Outline carried(const Step& step, const Scene& scene, Outline outline, double h, long steps) {
   for (auto& point : outline) point = measure::after(step, scene, point, h, steps);
   return outline;
 }

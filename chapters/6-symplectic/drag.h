@@ -5,40 +5,43 @@
 #include <string>
 #include <vector>
 
-#include "measure/linear_methods.h"
 #include "measure/record.h"
+#include "measure/registry.h"
 #include "measure/stability.h"
 #include "scenes/linear_drag.h"
 #include "scenes/spring.h"
 
 inline constexpr scenes::LinearDrag<> leaf{.c = 2};
 
-/// Calls `visit(name, formula, step)` for each of the six ways.
-template <class Visit>
-void for_each_way(Visit visit) {
-  visit("explicit last", "(v + ha)(1 − ch)", measure::linear_damping_explicit_last);
-  visit("explicit first", "v(1 − ch) + ha", measure::linear_damping_explicit_first);
-  visit("implicit last", "(v + ha)/(1 + ch)", measure::linear_damping_implicit_last);
-  visit("implicit first", "v/(1 + ch) + ha", measure::linear_damping_implicit_first);
-  visit("exponential last", "(v + ha) exp(−ch)", measure::linear_damping_exponential_last);
-  visit("exponential first", "v exp(−ch) + ha", measure::linear_damping_exponential_first);
-}
+/// One way to brake within a step of symplectic Euler.
+struct Way {
+  const char* name;
+  const char* formula;
+  const measure::Method& method;
+};
+
+inline constexpr Way ways[] = {
+    {"explicit last", "(v + ha)(1 − ch)", method::linear_damping_explicit_last},
+    {"explicit first", "v(1 − ch) + ha", method::linear_damping_explicit_first},
+    {"implicit last", "(v + ha)/(1 + ch)", method::linear_damping_implicit_last},
+    {"implicit first", "v/(1 + ch) + ha", method::linear_damping_implicit_first},
+    {"exponential last", "(v + ha) exp(−ch)", method::linear_damping_exponential_last},
+    {"exponential first", "v exp(−ch) + ha", method::linear_damping_exponential_first},
+};
 
 /// The speed at which a leaf ends [m/s].
-template <class Step>
-double end_speed(Step step, double h) {
-  return -measure::after(step, leaf, leaf.start(), h, 2000).v;
+inline double end_speed(const measure::Method& method, double h) {
+  return -measure::after(method, leaf, leaf.start(), h, 2000).v;
 }
 
 /// The h omega from which on a spring is lost; infinite from 100 on. It is looked for from below,
 /// since some ways hold a spring again at much longer steps.
-template <class Step>
-double limit(Step step, double zeta) {
+inline double limit(const measure::Method& method, double zeta) {
   const scenes::Spring<> spring{.zeta = zeta};
   constexpr double by = 0.01;
   for (int n = 1; n <= 10'000; ++n) {
-    if (measure::spectral_radius(step, spring, n * by) > 1 + 1e-12) {
-      return measure::stability_limit(step, spring, (n - 1) * by, n * by);
+    if (measure::spectral_radius(method, spring, n * by) > 1 + 1e-12) {
+      return measure::stability_limit(method, spring, (n - 1) * by, n * by);
     }
   }
   return INFINITY;
@@ -51,27 +54,27 @@ inline void six_ways(measure::Record& record) {
                                       {"at 60 Hz", "m/s", 5},
                                       {"at 20 Hz", "m/s", 5},
                                       {"limit at ζ = 1", "", 4}});
-  for_each_way([&](auto name, auto formula, auto step) {
-    table.add(
-        {name, formula, end_speed(step, 1.0 / 60), end_speed(step, 1.0 / 20), limit(step, 1)});
-  });
+  for (const auto& [name, formula, method] : ways) {
+    table.add({name, formula, end_speed(method, 1.0 / 60), end_speed(method, 1.0 / 20),
+               limit(method, 1)});
+  }
 
-  const auto tenth = [&](const char* name, auto step) {
-    record.number(name, limit(step, 0.1), 3);
+  const auto tenth = [&](const char* name, const measure::Method& method) {
+    record.number(name, limit(method, 0.1), 3);
   };
-  tenth("tenth-explicit-last", measure::linear_damping_explicit_last);
-  tenth("tenth-exponential-last", measure::linear_damping_exponential_last);
-  tenth("tenth-implicit-last", measure::linear_damping_implicit_last);
+  tenth("tenth-explicit-last", method::linear_damping_explicit_last);
+  tenth("tenth-exponential-last", method::linear_damping_exponential_last);
+  tenth("tenth-implicit-last", method::linear_damping_implicit_last);
 
-  const double fifth = end_speed(measure::linear_damping_exponential_last, frame);
+  const double fifth = end_speed(method::linear_damping_exponential_last, frame);
   record.number("leaf-exponential-last", 100 * (1 - fifth / leaf.terminal_speed()), 2, "%");
 
   std::vector<measure::Column> columns{{"steps per second", "", measure::whole}};
-  for_each_way([&](auto name, auto, auto) { columns.push_back({name, "m/s", 4}); });
+  for (const Way& way : ways) columns.push_back({way.name, "m/s", 4});
   auto& speeds = record.table("terminal", columns);
   for (const int rate : {10, 12, 15, 20, 24, 30, 40, 60, 120, 240}) {
     std::vector<measure::Cell> row{double(rate)};
-    for_each_way([&](auto, auto, auto step) { row.push_back(end_speed(step, 1.0 / rate)); });
+    for (const Way& way : ways) row.push_back(end_speed(way.method, 1.0 / rate));
     speeds.add(row);
   }
 }
@@ -81,18 +84,18 @@ inline void damped_limits(measure::Record& record) {
       record.table("damped", {{"ζ"}, {"Euler"}, {"symplectic Euler"}, {"last"}, {"first"}});
   for (int i = 0; i <= 40; ++i) {
     const double zeta = i / 20.0;
-    const auto stable = [&](auto step) {
-      return measure::stability_limit(step, scenes::Spring<>{.zeta = zeta}, 0, 100);
+    const auto stable = [&](const measure::Method& method) {
+      return measure::stability_limit(method, scenes::Spring<>{.zeta = zeta}, 0, 100);
     };
-    table.add({zeta, stable(measure::euler), stable(measure::symplectic_euler),
-               stable(measure::linear_damping_implicit_last),
-               stable(measure::linear_damping_implicit_first)});
+    table.add({zeta, stable(method::euler), stable(method::symplectic_euler),
+               stable(method::linear_damping_implicit_last),
+               stable(method::linear_damping_implicit_first)});
   }
-  record.number("camera", limit(measure::symplectic_euler, 1), 2);
-  record.number("camera-divided", limit(measure::linear_damping_implicit_last, 1), 2);
+  record.number("camera", limit(method::symplectic_euler, 1), 2);
+  record.number("camera-divided", limit(method::linear_damping_implicit_last, 1), 2);
   constexpr scenes::Spring<> door{.omega = 10, .zeta = 5};
-  record.number("door-euler", 1000 * measure::stability_limit(measure::euler, door, 1e-6, 1), 3,
+  record.number("door-euler", 1000 * measure::stability_limit(method::euler, door, 1e-6, 1), 3,
                 "ms");
   record.number("door-symplectic",
-                1000 * measure::stability_limit(measure::symplectic_euler, door, 1e-6, 1), 3, "ms");
+                1000 * measure::stability_limit(method::symplectic_euler, door, 1e-6, 1), 3, "ms");
 }

@@ -8,17 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "measure/implicit_methods.h"
-#include "measure/methods.h"
-#include "measure/methods_with_memory.h"
 #include "measure/record.h"
+#include "measure/registry.h"
+#include "measure/run.h"
 #include "scenes/outer_solar_system.h"
 
 /// The outer solar system with all its unknowns in one column, as the implicit methods want it.
 struct Planets {
   using System = scenes::OuterSolarSystem<>;
-  static constexpr int unknowns = 3 * System::bodies;
-  using Vec = Eigen::Matrix<double, unknowns, 1>;
+  using Vec = Eigen::VectorXd;
   System system;
 
   static Vec column(const System::Vec& x) { return x.reshaped(); }
@@ -65,7 +63,7 @@ constexpr int jupiter = 1;
 /// Where the planets really end, as near as very short steps of a good method show it.
 inline Planets::Vec true_end() {
   const Planets planets;
-  return measure::after(measure::dopri5, planets, planets.start(), 5.0, 40'000).x;
+  return measure::after(method::dopri5, planets, planets.start(), 5.0, 40'000).x;
 }
 
 /// What became of the planets under one method.
@@ -77,14 +75,14 @@ struct Fate {
 
 /// Runs all the days, unless a step has no solution.
 /// @param observe  called as `observe(day, largest error of the energy so far)`
-template <class Step, class Observe>
-Fate fate(Step step, double h, const Planets::Vec& truth, Observe observe) {
+template <class Observe>
+Fate fate(const measure::Method& method, double h, const Planets::Vec& truth, Observe observe) {
   const Planets planets;
   Fate found;
   auto s = planets.start();
   const double energy = planets.energy(s.x, s.v);
   try {
-    measure::run(step, planets, s, h, std::lround(all_days / h), [&](double day, const auto& now) {
+    measure::run(method, planets, s, h, std::lround(all_days / h), [&](double day, const auto& now) {
       const double error = std::abs(planets.energy(now.x, now.v) / energy - 1);
       if (!(error <= found.largest)) found.largest = error;
       const double apart = (planets.body(now.x, jupiter) - planets.body(now.x, 0)).norm();
@@ -115,10 +113,10 @@ inline void planets(measure::Record& record) {
   std::vector<std::vector<measure::Cell>> rows;
   for (const double day : days) rows.push_back({day / 365.25});
 
-  const auto tell = [&](const std::string& name, auto step, int evaluations_per_step) {
+  const auto tell = [&](const std::string& name, const measure::Method& method, int evaluations_per_step) {
     const double h = all_days / evaluations * evaluations_per_step;
     std::vector<double> course;
-    const Fate found = fate(step, h, truth, [&](double day, double largest) {
+    const Fate found = fate(method, h, truth, [&](double day, double largest) {
       while (course.size() < days.size() && days[course.size()] < day + h / 2) {
         course.push_back(largest);
       }
@@ -129,21 +127,21 @@ inline void planets(measure::Record& record) {
     table.add({name, h, found.largest, found.jupiter_off});
     return found;
   };
-  tell("Euler", measure::euler, 1);
-  const Fate fallen = tell("backward Euler", measure::backward_euler_newton, 1);
+  tell("Euler", method::euler, 1);
+  const Fate fallen = tell("backward Euler", method::backward_euler_newton, 1);
   record.number("fall-year", fallen.fall / 365.25, 2);
-  const Fate hundred = fate(measure::symplectic_euler, 100.0, truth, [](double, double) {});
+  const Fate hundred = fate(method::symplectic_euler, 100.0, truth, [](double, double) {});
   record.number("hundred-days", 100 * hundred.largest, 2, "%");
   record.number("years", all_days / 365.25, 3);
-  tell("midpoint", measure::midpoint, 2);
-  tell("Heun", measure::heun, 2);
-  tell("symplectic Euler", measure::symplectic_euler, 1);
-  tell("symplectic Euler from half a kick back", measure::leapfrog, 1);
-  tell("velocity Verlet", measure::velocity_verlet, 1);
-  tell("trapezoid rule", measure::trapezoid_newton, 1);
-  tell("RK4", measure::rk4, 4);
-  tell("Yoshida 4", measure::yoshida4, 3);
-  tell("Dormand-Prince 5", measure::dopri5, 6);
+  tell("midpoint", method::midpoint, 2);
+  tell("Heun", method::heun, 2);
+  tell("symplectic Euler", method::symplectic_euler, 1);
+  tell("symplectic Euler from half a kick back", method::leapfrog, 1);
+  tell("velocity Verlet", method::velocity_verlet, 1);
+  tell("trapezoid rule", method::trapezoid_newton, 1);
+  tell("RK4", method::rk4, 4);
+  tell("Yoshida 4", method::yoshida4, 3);
+  tell("Dormand-Prince 5", method::dopri5, 6);
 
   auto& centuries = record.table("centuries", columns);
   for (const auto& row : rows) centuries.add(row);

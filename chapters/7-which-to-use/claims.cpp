@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "floor.h"
 #include "map.h"
+#include "measure/method_of.h"
 #include "particles.h"
 #include "peers.h"
 #include "solved.h"
@@ -18,19 +21,20 @@
 #include "work.h"
 #include "your_spring.h"
 
+using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
-using measure::backward_euler;
-using measure::euler;
-using measure::rk4;
-using measure::symplectic_euler;
-using measure::velocity_verlet;
+using measure::Method;
+using method::backward_euler;
+using method::euler;
+using method::rk4;
+using method::symplectic_euler;
+using method::velocity_verlet;
 
 namespace {
 
 /// The errors of one method on the six things at 60 Hz [cm].
-template <class Step>
-std::map<std::string, double> errors(const Step& step) {
+std::map<std::string, double> errors(const Method& step) {
   std::map<std::string, double> found;
   for_each_thing([&](const auto& name, const auto& scene, double seconds) {
     found[name] = 100 * off(step, scene, frame, seconds);
@@ -39,8 +43,7 @@ std::map<std::string, double> errors(const Step& step) {
 }
 
 /// The words for the three kinds of force, one after the other.
-template <class Step>
-std::string words(const Step& step) {
+std::string words(const Method& step) {
   const Verdict found = verdict(step);
   return word(found.position) + ", " + word(found.velocity) + ", " + word(found.constant);
 }
@@ -52,22 +55,21 @@ std::map<std::string, double> bills() {
     const Contest done = to_within(centimetre, scene, seconds);
     found["chosen"] += taken(done).evaluations;
     for (const Entry& entry : done.methods) {
-      if (header_of(entry.function) == "linear_damping.h") continue;  // not for all six
-      found[entry.method] += entry.good ? entry.evaluations : INFINITY;
+      if (entry.method->header == "linear_damping.h") continue;  // not for all six
+      found[entry.name] += entry.good ? entry.evaluations : INFINITY;
     }
   });
   return found;
 }
 
-/// The entry of one function.
-const Entry& entry_of(const Contest& contest, const std::string& function) {
+/// The entry of one method.
+const Entry& entry_of(const Contest& contest, const Method& method) {
   return *std::find_if(contest.methods.begin(), contest.methods.end(),
-                       [&](const Entry& entry) { return entry.function == function; });
+                       [&](const Entry& entry) { return entry.method == &method; });
 }
 
 /// How far a spring has been after many steps; infinite from a million times the start on.
-template <class Step>
-double farthest(const Step& step, double homega, double zeta) {
+double farthest(const Method& step, double homega, double zeta) {
   double most = 0;
   scenes::State<double> s{1, 0.5};
   measure::run(step, spring_of(zeta), s, homega, 100'000, [&](double, const auto& now) {
@@ -77,8 +79,8 @@ double farthest(const Step& step, double homega, double zeta) {
 }
 
 /// What one step asks for, the derivatives of an implicit one among it, counted by hand.
-double asks(const std::string& function) {
-  const std::map<std::string, double> often{
+double asks(std::string_view function) {
+  const std::map<std::string_view, double> often{
       {"midpoint", 2},  {"heun", 2}, {"predicted_euler", 2}, {"backward_euler", 2}, {"yoshida4", 3},
       {"trapezoid", 3}, {"rk4", 4},  {"dopri5", 6}};
   const auto found = often.find(function);
@@ -86,8 +88,8 @@ double asks(const std::string& function) {
 }
 
 /// Whether a whole run with so many steps in each frame stays within the bounds.
-template <class Step, class Scene>
-bool meets(const Step& step, const Scene& scene, const Bounds& bounds, long substeps) {
+template <class Scene>
+bool meets(const Method& step, const Scene& scene, const Bounds& bounds, long substeps) {
   const double h = 1 / bounds.hz / double(substeps);
   double farthest = 0, error = 0, energy = 0;
   auto s = scene.start();
@@ -106,34 +108,35 @@ bool meets(const Step& step, const Scene& scene, const Bounds& bounds, long subs
   return error <= bounds.error * farthest && !(energy > bounds.energy);
 }
 
+/// A method and its steps in each frame.
+std::string title(const Method& method, long substeps) {
+  return std::string(method.function) + " " + std::to_string(substeps) + ", ";
+}
+
 /// Every way to meet the bounds for less, by name and steps in each frame.
 template <class Scene>
 std::string cheaper(const Scene& scene, const Bounds& bounds, double evaluations) {
   std::string found;
-  for_each_entrant_on(scene, [&](const auto&, const std::string& function, const auto& step) {
-    const double once = bounds.hz * asks(function);
+  for (const Method* entrant : entrants_on(scene)) {
+    const double once = bounds.hz * asks(entrant->function);
     for (long substeps = std::lround(evaluations / once); substeps > 0; --substeps) {
       if (once * double(substeps) > evaluations - 1e-9) continue;
-      if (meets(step, scene, bounds, substeps)) {
-        found += function + " " + std::to_string(substeps) + ", ";
-      }
+      if (meets(*entrant, scene, bounds, substeps)) found += title(*entrant, substeps);
     }
-  });
+  }
   return found;
 }
 
 }  // namespace
 
 TEST_CASE("No method keeps all six things within a centimetre at 60 steps a second") {
-  int methods = 0;
-  for_each_entrant([&](const auto& method, const auto&, const auto& step) {
-    INFO(method);
+  for (const Method* entrant : entrants) {
+    INFO(entrant->name);
     double worst = 0;
-    for (const auto& [thing, error] : errors(step)) worst = std::max(worst, error);
+    for (const auto& [thing, error] : errors(*entrant)) worst = std::max(worst, error);
     CHECK(worst > 1);
-    ++methods;
-  });
-  CHECK(methods == 13);
+  }
+  CHECK(std::size(entrants) == 13);
 }
 
 TEST_CASE("Euler and symplectic Euler miss the centimetre with all six things") {
@@ -147,22 +150,21 @@ TEST_CASE("Euler and symplectic Euler miss the centimetre with all six things") 
 }
 
 TEST_CASE("With drag in the acceleration only the two implicit methods hold the hatch at 60 Hz") {
-  for_each_entrant([&](const auto& method, const auto&, const auto& step) {
-    INFO(method);
-    const std::string name = method;
-    CHECK(std::isfinite(errors(step)["hatch"]) ==
-          (name == "backward Euler" || name == "trapezoid"));
-  });
+  for (const Method* entrant : entrants) {
+    INFO(entrant->name);
+    CHECK(std::isfinite(errors(*entrant)["hatch"]) ==
+          (entrant == &backward_euler || entrant == &method::trapezoid));
+  }
   CHECK(errors(backward_euler)["hatch"] < 5);
 }
 
 TEST_CASE("With drag divided symplectic Euler holds the hatch as near as backward Euler") {
-  const double divided = off(measure::linear_damping_implicit_last, hatch, frame, 1);
+  const double divided = off(method::linear_damping_implicit_last, hatch, frame, 1);
   CHECK_THAT(divided, WithinRel(off(backward_euler, hatch, frame, 1), 0.05));
 }
 
 TEST_CASE("Dormand-Prince keeps five of the six things within a micrometre") {
-  for (const auto& [thing, error] : errors(measure::dopri5)) {
+  for (const auto& [thing, error] : errors(method::dopri5)) {
     INFO(thing);
     if (thing == "hatch") {
       CHECK(std::isinf(error));
@@ -217,12 +219,12 @@ TEST_CASE("What backward Euler is great for is the length of the step") {
 TEST_CASE("Of the methods that ask once a step velocity Verlet is nearest on all four scenes") {
   const auto check = [](const auto& scene, double seconds) {
     const double least = off(velocity_verlet, scene, frame, seconds);
-    for_each_entrant([&](const auto& method, const auto&, const auto& step) {
-      INFO(method);
-      if (price(step, scene, frame) > 1) return;
-      CHECK(off(step, scene, frame, seconds) >
+    for (const Method* entrant : entrants) {
+      INFO(entrant->name);
+      if (price(*entrant, scene, frame) > 1) continue;
+      CHECK(off(*entrant, scene, frame, seconds) >
             least * (1 - 1e-6));  // leapfrog's places are the same
-    });
+    }
   };
   check(suspension, 1);
   check(leaf, 2);
@@ -237,7 +239,7 @@ TEST_CASE("At 240 evaluations RK4's shuttle is 300 times nearer than Verlet's") 
 }
 
 TEST_CASE("Twice the steps halve Euler's error, quarter Verlet's and leave a sixteenth of RK4's") {
-  const auto gain = [](const auto& step) {
+  const auto gain = [](const Method& step) {
     return off(step, lamp, 1.0 / 960, 10) / off(step, lamp, 1.0 / 1920, 10);
   };
   CHECK_THAT(gain(symplectic_euler), WithinAbs(2, 0.05));
@@ -262,8 +264,8 @@ TEST_CASE("On the leaf symplectic Euler is five times as far off as Euler") {
 }
 
 TEST_CASE("On a damped spring Yoshida is no better than midpoint at the same rate per evaluation") {
-  CHECK_THAT(off(measure::yoshida4, suspension, 1.0 / 80, 1) /
-                 off(measure::midpoint, suspension, 1.0 / 120, 1),
+  CHECK_THAT(off(method::yoshida4, suspension, 1.0 / 80, 1) /
+                 off(method::midpoint, suspension, 1.0 / 120, 1),
              WithinAbs(1.1, 0.15));
 }
 
@@ -279,27 +281,27 @@ TEST_CASE("After a day velocity Verlet's shuttle is a turn behind, and RK4's sev
 }
 
 TEST_CASE("On the suspension velocity Verlet and RK4 meet at 120 evaluations a second") {
-  const auto error = [](const auto& step, double rate) {
+  const auto error = [](const Method& step, double rate) {
     return off(step, suspension, 1 / rate, 1);
   };
   CHECK_THAT(error(velocity_verlet, 120) / error(rk4, 30), WithinAbs(1, 0.1));
   CHECK(error(velocity_verlet, 60) < error(rk4, 15) / 3);
   CHECK(error(rk4, 60) < error(velocity_verlet, 240) / 3);
-  CHECK(error(measure::dopri5, 40) < error(rk4, 60));
+  CHECK(error(method::dopri5, 40) < error(rk4, 60));
 }
 
 TEST_CASE("Just inside the limits of the map a spring stays, just outside it explodes") {
   int checked = 0;
-  for_each_map([&](const auto& method, const auto& step) {
+  for (const auto& [name, step] : mapped) {
     for (const double zeta : {0.1, 0.5, 1.0, 2.0}) {
-      INFO(method << ", zeta " << zeta);
+      INFO(name << ", zeta " << zeta);
       const double limit = stable_until(step, zeta);
       CHECK(farthest(step, 0.98 * limit, zeta) < 100);
       if (limit == widest) continue;
       CHECK(std::isinf(farthest(step, 1.02 * limit, zeta)));
       ++checked;
     }
-  });
+  }
   CHECK(checked == 34);
 }
 
@@ -307,7 +309,7 @@ TEST_CASE("The eigenvalues know the limits that the formulas give") {
   for (const double zeta : {0.2, 0.5, 1.0, 1.5}) {
     const double root = std::sqrt(1 + zeta * zeta);
     CHECK_THAT(stable_until(symplectic_euler, zeta), WithinAbs(2 * (root - zeta), 1e-8));
-    CHECK_THAT(stable_until(measure::linear_damping_implicit_last, zeta),
+    CHECK_THAT(stable_until(method::linear_damping_implicit_last, zeta),
                WithinAbs(std::min(widest, 2 * (root + zeta)), 1e-8));
     if (zeta <= 1) CHECK_THAT(stable_until(euler, zeta), WithinAbs(2 * zeta, 1e-8));
   }
@@ -334,20 +336,20 @@ TEST_CASE(
 }
 
 TEST_CASE("With drag divided symplectic Euler is stable on nine tenths of the map") {
-  CHECK_THAT(stable_share(measure::linear_damping_implicit_last), WithinAbs(90, 1));
+  CHECK_THAT(stable_share(method::linear_damping_implicit_last), WithinAbs(90, 1));
 }
 
 TEST_CASE("Velocity Verlet with drag in the acceleration is stable on the least of the map") {
   const double least = stable_share(velocity_verlet);
-  for_each_map([&](const auto& method, const auto& step) {
-    INFO(method);
+  for (const auto& [name, step] : mapped) {
+    INFO(name);
     CHECK(stable_share(step) >= least);
-  });
+  }
   CHECK_THAT(least, WithinAbs(16, 1));
 }
 
 TEST_CASE("Drag divided is true to life on a seventh of the map, drag as a force on a tenth") {
-  CHECK_THAT(true_share(measure::linear_damping_implicit_last), WithinAbs(100.0 / 7, 0.5));
+  CHECK_THAT(true_share(method::linear_damping_implicit_last), WithinAbs(100.0 / 7, 0.5));
   CHECK_THAT(true_share(symplectic_euler), WithinAbs(10, 0.5));
 }
 
@@ -358,41 +360,41 @@ TEST_CASE("Backward Euler is stable on all of the map and true on an eighth of i
 }
 
 TEST_CASE("The exact step is stable and true on all of the map") {
-  CHECK(stable_share(measure::spring_exact) == 100);
-  CHECK(true_share(measure::spring_exact) == 100);
+  CHECK(stable_share(method::spring_exact) == 100);
+  CHECK(true_share(method::spring_exact) == 100);
 }
 
 TEST_CASE("One exact step of a second ends where sixty of a frame do") {
-  const auto once = measure::after(measure::spring_exact, suspension, suspension.start(), 1.0, 1);
+  const auto once = measure::after(method::spring_exact, suspension, suspension.start(), 1.0, 1);
   const auto often =
-      measure::after(measure::spring_exact, suspension, suspension.start(), frame, 60);
+      measure::after(method::spring_exact, suspension, suspension.start(), frame, 60);
   CHECK_THAT(once.x, WithinAbs(often.x, 1e-15));
   CHECK_THAT(once.x, WithinAbs(suspension.exact(1).x, 1e-15));
-  const auto leap = measure::after(measure::constant_acceleration, jump, jump.start(), 1.0, 1);
+  const auto leap = measure::after(method::constant_acceleration, jump, jump.start(), 1.0, 1);
   CHECK_THAT(leap.x, WithinAbs(jump.exact(1).x, 1e-15));
 }
 
 TEST_CASE("In float RK4's shuttle stays a tenth of a millimetre off, and more than 480 Hz hurt") {
   for (const long rate : {60L, 240L, 480L}) {
-    CHECK(error_of_a_turn<float>(rk4, rate) > 0.5e-4);
-    CHECK(error_of_a_turn<float>(rk4, rate) < 2.5e-4);
+    CHECK(error_of_a_turn<float>(measure::rk4, rate) > 0.5e-4);
+    CHECK(error_of_a_turn<float>(measure::rk4, rate) < 2.5e-4);
   }
-  CHECK(error_of_a_turn<float>(rk4, 120) < 2e-5);
+  CHECK(error_of_a_turn<float>(measure::rk4, 120) < 2e-5);
   for (long rate = 480; rate < 7680; rate *= 2) {
-    CHECK(error_of_a_turn<float>(rk4, 2 * rate) > error_of_a_turn<float>(rk4, rate));
+    CHECK(error_of_a_turn<float>(measure::rk4, 2 * rate) > error_of_a_turn<float>(measure::rk4, rate));
   }
 }
 
 TEST_CASE(
     "At 60 steps a second float changes no more than a per cent for symplectic Euler and Verlet") {
   for (const long rate : {30L, 60L, 120L}) {
-    CHECK_THAT(error_of_a_turn<float>(velocity_verlet, rate),
-               WithinRel(error_of_a_turn<double>(velocity_verlet, rate), 0.01));
-    CHECK_THAT(error_of_a_turn<float>(symplectic_euler, rate),
-               WithinRel(error_of_a_turn<double>(symplectic_euler, rate), 0.01));
+    CHECK_THAT(error_of_a_turn<float>(measure::velocity_verlet, rate),
+               WithinRel(error_of_a_turn<double>(measure::velocity_verlet, rate), 0.01));
+    CHECK_THAT(error_of_a_turn<float>(measure::symplectic_euler, rate),
+               WithinRel(error_of_a_turn<double>(measure::symplectic_euler, rate), 0.01));
   }
-  const double rounded = error_of_a_turn<float>(velocity_verlet, 240);
-  CHECK_THAT(rounded / error_of_a_turn<double>(velocity_verlet, 240), WithinAbs(0.92, 0.01));
+  const double rounded = error_of_a_turn<float>(measure::velocity_verlet, 240);
+  CHECK_THAT(rounded / error_of_a_turn<double>(measure::velocity_verlet, 240), WithinAbs(0.92, 0.01));
 }
 
 TEST_CASE("Packs move the particles to where structs do") {
@@ -429,21 +431,21 @@ TEST_CASE("Sixteen steps in one visit are the sixteen steps, bit for bit") {
 
 TEST_CASE("Far from the origin float's floor is a hundred times higher or more") {
   for (const long rate : {60L, 240L, 480L}) {
-    const double far = error_far_away(rk4, rate);
-    CHECK(far > 100 * error_of_a_turn<float>(rk4, rate));
-    CHECK(far < 10'000 * error_of_a_turn<float>(rk4, rate));
+    const double far = error_far_away(measure::rk4, rate);
+    CHECK(far > 100 * error_of_a_turn<float>(measure::rk4, rate));
+    CHECK(far < 10'000 * error_of_a_turn<float>(measure::rk4, rate));
   }
 }
 
 TEST_CASE("An implicit step is billed for its derivatives, an exact spring for nothing") {
   CHECK(price(euler, shuttle, frame) == 1);
   CHECK(price(velocity_verlet, shuttle, frame) == 1);
-  CHECK(price(measure::yoshida4, shuttle, frame) == 3);
+  CHECK(price(method::yoshida4, shuttle, frame) == 3);
   CHECK(price(rk4, shuttle, frame) == 4);
-  CHECK(price(measure::dopri5, shuttle, frame) == 6);
+  CHECK(price(method::dopri5, shuttle, frame) == 6);
   CHECK(price(backward_euler, shuttle, frame) == 2);
-  CHECK(price(measure::trapezoid, shuttle, frame) == 3);
-  CHECK(price(measure::spring_exact, suspension, frame) == 0);
+  CHECK(price(method::trapezoid, shuttle, frame) == 3);
+  CHECK(price(method::spring_exact, suspension, frame) == 0);
 }
 
 TEST_CASE("No method and no number of steps meets the bounds for less than the chosen one") {
@@ -452,11 +454,11 @@ TEST_CASE("No method and no number of steps meets the bounds for less than the c
     const Entry& best = found.methods[0];
     CHECK(best.good);
     CHECK(best.evaluations == evaluations);
-    CHECK(best.evaluations == bounds.hz * double(best.last.substeps) * asks(best.function));
+    CHECK(best.evaluations == bounds.hz * double(best.last.substeps) * asks(best.method->function));
     CHECK(cheaper(scene, bounds, best.evaluations).empty());
     // The search sees what is there: with room for one frame of RK4 more it finds the chosen one.
-    const std::string name = best.function + " " + std::to_string(best.last.substeps) + ", ";
-    CHECK(cheaper(scene, bounds, best.evaluations + 4 * bounds.hz).find(name) != std::string::npos);
+    CHECK_THAT(cheaper(scene, bounds, best.evaluations + 4 * bounds.hz),
+               ContainsSubstring(title(*best.method, best.last.substeps)));
   };
   check(example, example_bounds, 240);
   check(example, {.error = 0.012}, 180);
@@ -475,17 +477,17 @@ TEST_CASE("No method keeps the level within a centimetre with fewer steps than i
     Bounds bounds{.seconds = seconds};
     bounds.error = centimetre / size_of(scene, bounds);
     const Contest found = contest(scene, bounds);
-    for_each_entrant([&](const auto&, const std::string& function, const auto& step) {
-      const Entry& entry = entry_of(found, function);
-      if (!entry.good) return;
-      INFO(thing << ", " << function << ", " << entry.last.substeps);
-      CHECK(meets(step, scene, bounds, entry.last.substeps));
+    for (const Method* entrant : entrants) {
+      const Entry& entry = entry_of(found, *entrant);
+      if (!entry.good) continue;
+      INFO(thing << ", " << title(*entrant, entry.last.substeps));
+      CHECK(meets(*entrant, scene, bounds, entry.last.substeps));
       bool fewer = false;
       for (long substeps = entry.last.substeps - 1; substeps > 0; --substeps) {
-        fewer = fewer || meets(step, scene, bounds, substeps);
+        fewer = fewer || meets(*entrant, scene, bounds, substeps);
       }
       CHECK_FALSE(fewer);
-    });
+    }
   });
 }
 
@@ -521,19 +523,19 @@ TEST_CASE(
     "With 1024 steps a frame Euler, predicted and backward Euler miss the shuttle's centimetre") {
   const Contest found = to_within(centimetre, shuttle, 8);
   for (const Entry& entry : found.methods) {
-    INFO(entry.method);
-    CHECK(entry.good == (entry.function != "euler" && entry.function != "predicted_euler" &&
-                         entry.function != "backward_euler"));
+    INFO(entry.name);
+    CHECK(entry.good == (entry.method != &euler && entry.method != &method::predicted_euler &&
+                         entry.method != &backward_euler));
   }
 }
 
 TEST_CASE(
     "On the example velocity Verlet and RK4 cost the same, symplectic Euler 8 times as much") {
   const Contest found = contest(example, example_bounds);
-  const double least = entry_of(found, "velocity_verlet").evaluations;
-  CHECK(least == entry_of(found, "rk4").evaluations);
+  const double least = entry_of(found, velocity_verlet).evaluations;
+  CHECK(least == entry_of(found, rk4).evaluations);
   CHECK(found.methods[0].evaluations == least);
-  CHECK_THAT(entry_of(found, "symplectic_euler").evaluations / least, WithinAbs(8, 0.5));
+  CHECK_THAT(entry_of(found, symplectic_euler).evaluations / least, WithinAbs(8, 0.5));
   CHECK(found.exact[0].evaluations == 0);
 }
 
@@ -544,24 +546,24 @@ TEST_CASE(
 }
 
 TEST_CASE("At 60 Hz Yoshida holds 15 swings a second, fewer than velocity Verlet for one step") {
-  CHECK_THAT(swings(measure::yoshida4), WithinAbs(15, 0.05));
-  CHECK(swings(measure::yoshida4) < swings(velocity_verlet));
+  CHECK_THAT(swings(method::yoshida4), WithinAbs(15, 0.05));
+  CHECK(swings(method::yoshida4) < swings(velocity_verlet));
 }
 
 TEST_CASE(
     "The velocity that Störmer–Verlet shows has order one, that of velocity Verlet order two") {
-  const auto gain = [](const auto& step) {
+  const auto gain = [](const Method& step) {
     const scenes::Pendulum<> swing = lamp;
     return measure::largest_error(step, swing, 1.0 / 240, 2400).velocity /
            measure::largest_error(step, swing, 1.0 / 480, 4800).velocity;
   };
-  CHECK_THAT(gain(measure::stormer_verlet), WithinAbs(2, 0.05));
+  CHECK_THAT(gain(method::stormer_verlet), WithinAbs(2, 0.05));
   CHECK_THAT(gain(velocity_verlet), WithinAbs(4, 0.05));
 }
 
 TEST_CASE("Euler's jump is eight centimetres off, and the exact step asks as often") {
   CHECK_THAT(errors(euler)["jump"], WithinAbs(8.2, 0.05));
-  CHECK(price(measure::constant_acceleration, jump, frame) == price(euler, jump, frame));
+  CHECK(price(method::constant_acceleration, jump, frame) == price(euler, jump, frame));
 }
 
 TEST_CASE("A swing twice a second to one per cent takes velocity Verlet 288 steps a second") {
@@ -572,19 +574,20 @@ TEST_CASE(
     "For the swing of the exercise choose takes RK4, and bills velocity Verlet for five steps a "
     "frame") {
   const Contest found = contest(twice_a_second, example_bounds);
-  CHECK(found.methods[0].function == "rk4");
+  CHECK(found.methods[0].method == &rk4);
   CHECK(found.methods[0].last.substeps == 1);
-  CHECK(entry_of(found, "velocity_verlet").last.substeps == 5);
+  CHECK(entry_of(found, velocity_verlet).last.substeps == 5);
   CHECK(found.methods[0].evaluations < 288);
 }
 
 TEST_CASE("Velocity Verlet with drag divided at the end has more room and only order one") {
-  const auto divided = [](auto& x, auto& v, auto, double h, const auto& spring) {
-    const auto pull = [&] { return -spring.omega * spring.omega * x; };
-    v = v + h / 2 * pull();
-    x = x + h * v;
-    v = (v + h / 2 * pull()) / (1 + h * spring.damping());
-  };
+  const Method divided =
+      measure::method_of([](auto& x, auto& v, auto, double h, const auto& spring) {
+        const auto pull = [&] { return -spring.omega * spring.omega * x; };
+        v = v + h / 2 * pull();
+        x = x + h * v;
+        v = (v + h / 2 * pull()) / (1 + h * spring.damping());
+      });
   CHECK(stable_share(divided) > 3 * stable_share(velocity_verlet));
   for (const double zeta : {0.0, 0.5, 1.0, 2.0}) {
     CHECK_THAT(stable_until(divided, zeta), WithinAbs(2, 1e-6));
@@ -599,7 +602,7 @@ TEST_CASE("To a millimetre only the lamp pays more, and the level less than a fi
     INFO(name);
     const Entry before = taken(to_within(centimetre, scene, seconds));
     const Entry now = taken(to_within(centimetre / 10, scene, seconds));
-    CHECK(now.function == before.function);
+    CHECK(now.method == before.method);
     CHECK(now.evaluations == (name == "lamp" ? 2 : 1) * before.evaluations);
   });
   CHECK(total_to_within(centimetre / 10) < 1.2 * total_to_within(centimetre));
@@ -614,22 +617,23 @@ TEST_CASE("Alone, a shuttle takes symplectic Euler as long as midpoint, twice as
 }
 
 TEST_CASE("Of 512 shuttles the swapped lines and Verlet take Euler's time, midpoint twice as much") {
-  const double one = time_of_many("Euler");
-  for (const char* method : {"symplectic Euler", "velocity Verlet", "leapfrog", "Störmer–Verlet"})
-    CHECK_THAT(time_of_many(method) / one, WithinAbs(1, 0.1));
-  for (const char* method : {"midpoint", "Heun", "predicted Euler"})
-    CHECK_THAT(time_of_many(method) / one, WithinAbs(2, 0.2));
+  const double one = time_of_many(euler);
+  for (const Method* asks_once :
+       {&symplectic_euler, &velocity_verlet, &method::leapfrog, &method::stormer_verlet})
+    CHECK_THAT(time_of_many(*asks_once) / one, WithinAbs(1, 0.1));
+  for (const Method* asks_twice : {&method::midpoint, &method::heun, &method::predicted_euler})
+    CHECK_THAT(time_of_many(*asks_twice) / one, WithinAbs(2, 0.2));
 }
 
 TEST_CASE("Of 512 shuttles RK4 takes five times Euler's time, Dormand-Prince thirteen times") {
-  CHECK_THAT(time_of_many("RK4") / time_of_many("Euler"), WithinAbs(5, 0.5));
-  CHECK_THAT(time_of_many("Dormand-Prince") / time_of_many("Euler"), WithinAbs(13, 1));
+  CHECK_THAT(time_of_many(rk4) / time_of_many(euler), WithinAbs(5, 0.5));
+  CHECK_THAT(time_of_many(method::dopri5) / time_of_many(euler), WithinAbs(13, 1));
 }
 
 TEST_CASE("Of 512 shuttles an implicit step takes nearly twice the time of its evaluations, or more") {
-  const double one = time_of_many("Euler");
-  CHECK(time_of_many("backward Euler") > 1.8 * one * double(price(backward_euler, shuttle, frame)));
-  CHECK(time_of_many("trapezoid") > 1.8 * one * double(price(measure::trapezoid, shuttle, frame)));
+  const double one = time_of_many(euler);
+  CHECK(time_of_many(backward_euler) > 1.8 * one * double(price(backward_euler, shuttle, frame)));
+  CHECK(time_of_many(method::trapezoid) > 1.8 * one * double(price(method::trapezoid, shuttle, frame)));
 }
 
 namespace {

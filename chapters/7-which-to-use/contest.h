@@ -36,7 +36,8 @@ struct Attempt {
 
 /// How a method did in the contest.
 struct Entry {
-  std::string method, function;
+  std::string name;                         ///< "exact step", or what the book calls the method
+  const measure::Method* method = nullptr;  ///< never null
   Attempt last{};          ///< the first that is good enough; if none is, the nearest miss
   Attempt before{};        ///< with one step less; none if its `substeps` are zero
   bool good = false;       ///< whether `last` meets the bounds
@@ -91,23 +92,23 @@ inline bool nearer(const Attempt& one, const Attempt& other, const Bounds& bound
 // [attempt]
 /// Runs the scene and compares it with the truth in every frame, which is when a player sees it.
 /// Gives up as soon as it misses the bounds by more than `patience`.
-template <class Step, class Scene, class Vec>
-Attempt attempt(const Step& step, const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth,
-                long substeps, double patience) {
+template <class Scene, class Vec>
+Attempt attempt(const measure::Method& method, const Scene& scene, const Bounds& bounds,
+                const Truth<Vec>& truth, long substeps, double patience) {
   Attempt worst{.substeps = substeps};
   const auto start = scene.start();
   const bool keeps = keeps_energy(scene);
   const double h = 1 / (bounds.hz * double(substeps));
-  auto kept = measure::start(step, start, h, scene);
+  auto kept = measure::start(method, start, h, scene);
   long n = 0;  // steps taken
   for (std::size_t seen = 1; seen < truth.x.size(); ++seen) {
     try {
-      for (; n < long(seen) * substeps; ++n) measure::advance(step, kept, double(n) * h, h, scene);
+      for (; n < long(seen) * substeps; ++n) measure::advance(method, kept, double(n) * h, h, scene);
     } catch (const std::runtime_error&) {
       worst.error = INFINITY;  // an implicit step that could not be solved
       break;
     }
-    const auto now = measure::seen(step, kept, double(n) * h, h, scene);
+    const auto now = measure::seen(method, kept, double(n) * h, h, scene);
     const double error = measure::length(now.x - truth.x[seen]) / truth.size;
     if (!(error <= worst.error)) worst.error = error;
     if constexpr (requires { scene.energy(now.x, now.v); }) {
@@ -124,17 +125,17 @@ Attempt attempt(const Step& step, const Scene& scene, const Bounds& bounds, cons
 // [enter]
 /// Doubles the steps until the bounds are met, then tries every smaller number of steps. Where
 /// doubling does not get there, tries every number of steps that costs less than `cheapest`.
-template <class Step, class Scene, class Vec>
-Entry enter(const std::string& method, const std::string& function, const Step& step,
-            const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth, double cheapest) {
-  Entry entry{.method = method, .function = function};
+template <class Scene, class Vec>
+Entry enter(const measure::Method& method, const Scene& scene, const Bounds& bounds,
+            const Truth<Vec>& truth, double cheapest) {
+  Entry entry{.name = std::string(method.name), .method = &method};
   const long most = std::clamp(most_steps / bounds.frames(), 1L, most_substeps);
   const auto with = [&](long substeps, double patience = INFINITY) {
-    return attempt(step, scene, bounds, truth, substeps, patience);
+    return attempt(method, scene, bounds, truth, substeps, patience);
   };
   const auto cost = [&](long substeps) {
     const double steps = bounds.hz * double(substeps);
-    return steps * double(price(step, scene, 1 / steps));
+    return steps * double(price(method, scene, 1 / steps));
   };
   for (long substeps = 1; !entry.good; substeps = std::min(2 * substeps, most)) {
     const Attempt now = with(substeps);
@@ -179,23 +180,17 @@ inline bool better(const Entry& a, const Entry& b, const Bounds& bounds) {
   if (a.evaluations != b.evaluations) return a.evaluations < b.evaluations;
   const double one = without_rounding(a.last.error), other = without_rounding(b.last.error);
   if (one != other) return one < other;
-  const bool verlet = a.function == "velocity_verlet",
-             other_verlet = b.function == "velocity_verlet";
-  return verlet != other_verlet ? verlet : a.function < b.function;
+  const bool verlet = a.method == &method::velocity_verlet,
+             other_verlet = b.method == &method::velocity_verlet;
+  return verlet != other_verlet ? verlet : a.method->function < b.method->function;
 }
 
-/// Calls `visit` with the exact step of a scene that has one.
-template <class Scene, class Visit>
-void with_exact_step(const Scene&, Visit) {}
-
-template <class Visit>
-void with_exact_step(const scenes::Spring<>&, Visit visit) {
-  visit("exact step", "spring_exact", measure::spring_exact);
-}
-
-template <class Visit>
-void with_exact_step(const Ball&, Visit visit) {
-  visit("exact step", "constant_acceleration", measure::constant_acceleration);
+/// The exact step of a scene, or null if it has none.
+template <class Scene>
+const measure::Method* exact_step_of(const Scene&) {
+  if constexpr (std::is_same_v<Scene, scenes::Spring<>>) return &method::spring_exact;
+  if constexpr (std::is_same_v<Scene, Ball>) return &method::constant_acceleration;
+  return nullptr;
 }
 
 /// All entries for a scene, the best first.
@@ -219,19 +214,17 @@ Contest contest(const Scene& scene, const Bounds& bounds) {
   Contest found;
   found.keeps_energy = keeps_energy(scene);
   const auto truth = truth_of(scene, bounds);
-  const auto into = [&](std::vector<Entry>& entries) {
-    return [&](const auto& method, const auto& function, const auto& step) {
-      entries.push_back(enter(method, function, step, scene, bounds, truth, 0));
-    };
-  };
-  with_exact_step(scene, into(found.exact));
-  for_each_entrant_on(scene, into(found.methods));
+  if (const measure::Method* exact = exact_step_of(scene)) {
+    found.exact.push_back(enter(*exact, scene, bounds, truth, 0));
+    found.exact.back().name = "exact step";
+  }
+  for (const measure::Method* method : entrants_on(scene)) {
+    found.methods.push_back(enter(*method, scene, bounds, truth, 0));
+  }
   const double cheapest = cheapest_of(found.methods);
-  auto entry = found.methods.begin();
-  for_each_entrant_on(scene, [&](const auto& method, const auto& function, const auto& step) {
-    if (!entry->good) *entry = enter(method, function, step, scene, bounds, truth, cheapest);
-    ++entry;
-  });
+  for (Entry& entry : found.methods) {
+    if (!entry.good) entry = enter(*entry.method, scene, bounds, truth, cheapest);
+  }
   std::sort(found.methods.begin(), found.methods.end(),
             [&](const Entry& a, const Entry& b) { return better(a, b, bounds); });
   return found;

@@ -2,47 +2,31 @@
 /// @file
 /// All that compete in this chapter, and what they are charged.
 #pragma once
-#include <string>
+#include <iterator>
+#include <vector>
 
-#include "measure/cost.h"
-#include "measure/implicit_methods.h"
-#include "measure/linear_methods.h"
-#include "measure/methods_with_memory.h"
+#include "measure/evaluations.h"
+#include "measure/registry.h"
 
-/// The header that has a function of the book's.
-inline std::string header_of(const std::string& function) {
-  return (function.starts_with("linear_damping") ? "linear_damping" : function) + ".h";
-}
+/// The methods that take any acceleration.
+inline constexpr const measure::Method* entrants[] = {
+    &method::euler,          &method::symplectic_euler, &method::leapfrog,
+    &method::stormer_verlet, &method::velocity_verlet,  &method::yoshida4,
+    &method::midpoint,       &method::heun,             &method::rk4,
+    &method::dopri5,         &method::predicted_euler,  &method::backward_euler,
+    &method::trapezoid};
 
-/// Calls `visit(name, function, step)` for each method that takes any acceleration.
-template <class Visit>
-void for_each_entrant(Visit visit) {
-  visit("Euler", "euler", measure::euler);
-  visit("symplectic Euler", "symplectic_euler", measure::symplectic_euler);
-  visit("leapfrog", "leapfrog", measure::leapfrog);
-  visit("Störmer–Verlet", "stormer_verlet", measure::stormer_verlet);
-  visit("velocity Verlet", "velocity_verlet", measure::velocity_verlet);
-  visit("Yoshida 4", "yoshida4", measure::yoshida4);
-  visit("midpoint", "midpoint", measure::midpoint);
-  visit("Heun", "heun", measure::heun);
-  visit("RK4", "rk4", measure::rk4);
-  visit("Dormand-Prince", "dopri5", measure::dopri5);
-  visit("predicted Euler", "predicted_euler", measure::predicted_euler<1>);
-  visit("backward Euler", "backward_euler", measure::backward_euler);
-  visit("trapezoid", "trapezoid", measure::trapezoid);
-}
-
-/// Calls `visit(name, function, step)` for each method that a scene can be stepped with, those that
-/// take its linear damping apart among them.
-template <class Scene, class Visit>
-void for_each_entrant_on(const Scene& scene, Visit visit) {
-  for_each_entrant(visit);
+/// The methods that a scene can be stepped with, those that take its linear damping apart among
+/// them.
+template <class Scene>
+std::vector<const measure::Method*> entrants_on(const Scene& scene) {
+  std::vector<const measure::Method*> all(std::begin(entrants), std::end(entrants));
   if constexpr (requires { scene.damping(); }) {
-    if (scene.damping() == 0) return;
-    visit("symplectic Euler, drag divided", "linear_damping_implicit_last",
-          measure::linear_damping_implicit_last);
-    visit("symplectic Euler, drag exact", "linear_damping_exact", measure::linear_damping_exact);
+    if (scene.damping() != 0) {
+      all.insert(all.end(), {&method::linear_damping_implicit_last, &method::linear_damping_exact});
+    }
   }
+  return all;
 }
 
 // [bill]
@@ -62,11 +46,11 @@ struct Billed : measure::Counted<Scene> {
 // [bill]
 
 /// What a step costs: evaluations of the acceleration and of its derivatives.
-template <class Step, class Scene>
-long price(const Step& step, const Scene& scene, double h) {
+template <class Scene>
+long price(const measure::Method& method, const Scene& scene, double h) {
   const Billed<Scene> billed{scene};
-  auto kept = measure::start(step, scene.start(), h, billed);
+  auto kept = measure::start(method, scene.start(), h, billed);
   billed.evaluations = 0;
-  measure::advance(step, kept, 0.0, h, billed);
+  measure::advance(method, kept, 0.0, h, billed);
   return billed.evaluations;
 }

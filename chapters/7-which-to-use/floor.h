@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "level.h"
+#include "measure/methods.h"
+#include "measure/methods_with_memory.h"
 #include "measure/record.h"
 
 /// The shuttle in another precision.

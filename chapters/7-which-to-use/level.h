@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "entrants.h"
+#include "measure/error.h"
 #include "scenes/linear_drag.h"
 #include "scenes/orbit.h"
 #include "scenes/pendulum.h"
@@ -43,8 +44,8 @@ void for_each_thing(Visit visit) {
 // [level]
 
 /// The largest distance from where a thing should be [m]; infinite from a kilometre on.
-template <class Step, class Scene>
-double off(const Step& step, const Scene& scene, double h, double seconds) {
-  const double error = measure::largest_error(step, scene, h, std::lround(seconds / h)).position;
+template <class Scene>
+double off(const measure::Method& method, const Scene& scene, double h, double seconds) {
+  const double error = measure::largest_error(method, scene, h, std::lround(seconds / h)).position;
   return error < 1000 ? error : INFINITY;
 }

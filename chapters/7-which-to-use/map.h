@@ -15,42 +15,45 @@
 inline constexpr double widest = 4;   ///< of h omega on the map
 inline constexpr double tallest = 2;  ///< of zeta on the map
 
-/// Calls `visit(name, step)` for each method that has a map of its own. On a spring Heun is
-/// midpoint, and leapfrog and Störmer–Verlet have the limits of symplectic Euler.
-template <class Visit>
-void for_each_map(Visit visit) {
-  visit("Euler", measure::euler);
-  visit("midpoint", measure::midpoint);
-  visit("RK4", measure::rk4);
-  visit("Dormand-Prince", measure::dopri5);
-  visit("symplectic Euler", measure::symplectic_euler);
-  visit("drag divided", measure::linear_damping_implicit_last);
-  visit("velocity Verlet", measure::velocity_verlet);
-  visit("Yoshida 4", measure::yoshida4);
-  visit("predicted Euler", measure::predicted_euler<1>);
-  visit("trapezoid", measure::trapezoid);
-  visit("backward Euler", measure::backward_euler);
-  visit("exact step", measure::spring_exact);
-}
+/// A method with a map of its own, and what it is called there.
+struct Mapped {
+  const char* name;
+  const measure::Method& method;
+};
+
+/// The methods that have a map of their own. On a spring Heun is midpoint, and leapfrog and
+/// Störmer–Verlet have the limits of symplectic Euler.
+inline constexpr Mapped mapped[] = {
+    {"Euler", method::euler},
+    {"midpoint", method::midpoint},
+    {"RK4", method::rk4},
+    {"Dormand-Prince", method::dopri5},
+    {"symplectic Euler", method::symplectic_euler},
+    {"drag divided", method::linear_damping_implicit_last},
+    {"velocity Verlet", method::velocity_verlet},
+    {"Yoshida 4", method::yoshida4},
+    {"predicted Euler", method::predicted_euler},
+    {"trapezoid", method::trapezoid},
+    {"backward Euler", method::backward_euler},
+    {"exact step", method::spring_exact},
+};
 
 inline constexpr scenes::Spring<> spring_of(double zeta) {
   return {.omega = 1, .zeta = zeta};
 }
 
 /// Whether no start grows for ever.
-template <class Step>
-bool stable(const Step& step, double homega, double zeta) {
-  return measure::spectral_radius(step, spring_of(zeta), homega) <= 1 + 1e-12;
+inline bool stable(const measure::Method& method, double homega, double zeta) {
+  return measure::spectral_radius(method, spring_of(zeta), homega) <= 1 + 1e-12;
 }
 
 // [true]
 /// Whether the slow motion, the one that is seen, has its rate and its frequency within a tenth.
-template <class Step>
-bool true_to_life(const Step& step, double homega, double zeta) {
+inline bool true_to_life(const measure::Method& method, double homega, double zeta) {
   using Complex = std::complex<double>;
   const Complex rate = -zeta + std::sqrt(Complex(zeta * zeta - 1));
   double nearest = INFINITY;
-  const auto matrix = measure::step_matrix(step, spring_of(zeta), homega);
+  const auto matrix = measure::step_matrix(method, spring_of(zeta), homega);
   for (const Complex& factor : measure::eigenvalues(matrix)) {
     nearest = std::min(nearest, std::abs(std::log(factor / std::exp(homega * rate))));
   }
@@ -78,15 +81,13 @@ double holds_until(Holds holds) {
   return widest;
 }
 
-template <class Step>
-double stable_until(const Step& step, double zeta) {
-  return holds_until([&](double homega) { return stable(step, homega, zeta); });
+inline double stable_until(const measure::Method& method, double zeta) {
+  return holds_until([&](double homega) { return stable(method, homega, zeta); });
 }
 
-template <class Step>
-double true_until(const Step& step, double zeta) {
+inline double true_until(const measure::Method& method, double zeta) {
   return holds_until([&](double homega) {
-    return stable(step, homega, zeta) && true_to_life(step, homega, zeta);
+    return stable(method, homega, zeta) && true_to_life(method, homega, zeta);
   });
 }
 
@@ -103,32 +104,30 @@ double share(Holds holds) {
   return 100.0 * inside / (parts * parts);
 }
 
-template <class Step>
-double stable_share(const Step& step) {
-  return share([&](double homega, double zeta) { return stable(step, homega, zeta); });
+inline double stable_share(const measure::Method& method) {
+  return share([&](double homega, double zeta) { return stable(method, homega, zeta); });
 }
 
-template <class Step>
-double true_share(const Step& step) {
+inline double true_share(const measure::Method& method) {
   return share([&](double homega, double zeta) {
-    return stable(step, homega, zeta) && true_to_life(step, homega, zeta);
+    return stable(method, homega, zeta) && true_to_life(method, homega, zeta);
   });
 }
 
 inline void stability_map(measure::Record& record) {
   std::vector<measure::Column> columns{{"ζ"}};
-  for_each_map([&](const std::string& name, const auto&) {
-    columns.push_back({name});
-    columns.push_back({name + " true"});
-  });
+  for (const Mapped& one : mapped) {
+    columns.push_back({one.name});
+    columns.push_back({one.name + std::string(" true")});
+  }
   auto& map = record.table("map", columns);
   for (int i = 0; i <= 50; ++i) {
     const double zeta = tallest * i / 50;
     std::vector<measure::Cell> row{zeta};
-    for_each_map([&](const auto&, const auto& step) {
-      row.push_back(stable_until(step, zeta));
-      row.push_back(true_until(step, zeta));
-    });
+    for (const Mapped& one : mapped) {
+      row.push_back(stable_until(one.method, zeta));
+      row.push_back(true_until(one.method, zeta));
+    }
     map.add(row);
   }
 
@@ -140,18 +139,20 @@ inline void stability_map(measure::Record& record) {
                                         {"ζ = 2"},
                                         {"of the map", "%", 2},
                                         {"true on", "%", 2}});
-  for_each_map([&](const auto& name, const auto& step) {
-    std::vector<measure::Cell> row{name};
-    for (const double zeta : {0.0, 0.1, 0.5, 1.0, 2.0}) row.push_back(stable_until(step, zeta));
-    row.push_back(stable_share(step));
-    row.push_back(true_share(step));
+  for (const Mapped& one : mapped) {
+    std::vector<measure::Cell> row{one.name};
+    for (const double zeta : {0.0, 0.1, 0.5, 1.0, 2.0}) {
+      row.push_back(stable_until(one.method, zeta));
+    }
+    row.push_back(stable_share(one.method));
+    row.push_back(true_share(one.method));
     table.add(row);
-  });
-  record.number("map-euler", stable_share(measure::euler), 2, "%");
-  record.number("map-symplectic", stable_share(measure::symplectic_euler), 2, "%");
-  record.number("map-verlet", stable_share(measure::velocity_verlet), 2, "%");
-  record.number("map-divided", stable_share(measure::linear_damping_implicit_last), 2, "%");
-  record.number("true-symplectic", true_share(measure::symplectic_euler), 2, "%");
-  record.number("true-divided", true_share(measure::linear_damping_implicit_last), 2, "%");
-  record.number("true-backward", true_share(measure::backward_euler), 2, "%");
+  }
+  record.number("map-euler", stable_share(method::euler), 2, "%");
+  record.number("map-symplectic", stable_share(method::symplectic_euler), 2, "%");
+  record.number("map-verlet", stable_share(method::velocity_verlet), 2, "%");
+  record.number("map-divided", stable_share(method::linear_damping_implicit_last), 2, "%");
+  record.number("true-symplectic", true_share(method::symplectic_euler), 2, "%");
+  record.number("true-divided", true_share(method::linear_damping_implicit_last), 2, "%");
+  record.number("true-backward", true_share(method::backward_euler), 2, "%");
 }

@@ -28,31 +28,31 @@ void one_for_all(Record& record) {
                                        {"hatch", "cm", 2},
                                        {"lamp", "cm", 2},
                                        {"shuttle", "cm", 2}});
-  for_each_entrant([&](const auto& method, const auto&, const auto& step) {
-    std::vector<measure::Cell> row{method};
+  for (const measure::Method* method : entrants) {
+    std::vector<measure::Cell> row{method->name};
     for_each_thing([&](const auto&, const auto& scene, double seconds) {
-      row.push_back(100 * off(step, scene, frame, seconds));
+      row.push_back(100 * off(*method, scene, frame, seconds));
     });
     table.add(row);
-  });
+  }
 }
 // [one-for-all]
 
 void one_for_all_numbers(Record& record) {
-  const auto number = [&](const char* name, const auto& step, const auto& scene, double seconds,
-                          double unit, const char* of) {
-    record.number(name, unit * off(step, scene, frame, seconds), 2, of);
+  const auto number = [&](const char* name, const measure::Method& method, const auto& scene,
+                          double seconds, double unit, const char* of) {
+    record.number(name, unit * off(method, scene, frame, seconds), 2, of);
   };
-  number("jump-euler", measure::euler, jump, 1, 100, "cm");
-  number("suspension-euler", measure::euler, suspension, 1, 100, "cm");
-  number("lamp-euler", measure::euler, lamp, 10, 1, "m");
-  number("suspension-symplectic", measure::symplectic_euler, suspension, 1, 100, "cm");
-  number("lamp-symplectic", measure::symplectic_euler, lamp, 10, 100, "cm");
-  number("leaf-symplectic", measure::symplectic_euler, leaf, 2, 100, "cm");
-  number("shuttle-symplectic", measure::symplectic_euler, shuttle, 8, 100, "cm");
-  number("shuttle-backward", measure::backward_euler, shuttle, 8, 1, "m");
-  number("hatch-backward", measure::backward_euler, hatch, 1, 100, "cm");
-  number("hatch-divided", measure::linear_damping_implicit_last, hatch, 1, 100, "cm");
+  number("jump-euler", method::euler, jump, 1, 100, "cm");
+  number("suspension-euler", method::euler, suspension, 1, 100, "cm");
+  number("lamp-euler", method::euler, lamp, 10, 1, "m");
+  number("suspension-symplectic", method::symplectic_euler, suspension, 1, 100, "cm");
+  number("lamp-symplectic", method::symplectic_euler, lamp, 10, 100, "cm");
+  number("leaf-symplectic", method::symplectic_euler, leaf, 2, 100, "cm");
+  number("shuttle-symplectic", method::symplectic_euler, shuttle, 8, 100, "cm");
+  number("shuttle-backward", method::backward_euler, shuttle, 8, 1, "m");
+  number("hatch-backward", method::backward_euler, hatch, 1, 100, "cm");
+  number("hatch-divided", method::linear_damping_implicit_last, hatch, 1, 100, "cm");
 }
 
 }  // namespace

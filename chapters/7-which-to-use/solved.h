@@ -49,11 +49,11 @@ inline void level_again(measure::Record& record) {
     const Contest found = to_within(centimetre, scene, seconds);
     const Entry& best = taken(found);
     total += best.evaluations;
-    table.add({name, best.method, header_of(best.function), double(best.last.substeps),
+    table.add({name, best.name, best.method->header, double(best.last.substeps),
                best.evaluations,
                100 * best.last.error * size_of(scene, Bounds{.seconds = seconds})});
     for (const Entry& entry : found.methods) {
-      alone[entry.method] += entry.good ? entry.evaluations : INFINITY;
+      alone[entry.name] += entry.good ? entry.evaluations : INFINITY;
     }
   });
   // [solved]
@@ -64,11 +64,12 @@ inline void level_again(measure::Record& record) {
       record.table("bills", {{"what is taken"}, {"evaluations a second", "", measure::whole}});
   bills.add({"the choice for each", total});
   std::vector<std::pair<double, std::string>> sorted;
-  for_each_entrant([&](const auto& method, const auto&, const auto&) {
-    sorted.emplace_back(alone[method], method);
-  });
+  for (const measure::Method* method : entrants) {
+    const std::string name(method->name);
+    sorted.emplace_back(alone[name], name);
+  }
   std::sort(sorted.begin(), sorted.end());
-  for (const auto& [bill, method] : sorted) bills.add({method, bill});
+  for (const auto& [bill, name] : sorted) bills.add({name, bill});
   record.number("millimetre-total", total_to_within(centimetre / 10), measure::whole);
   record.number("rk4-total", alone["RK4"], measure::whole);
   record.number("verlet-total", alone["velocity Verlet"], measure::whole);
@@ -83,9 +84,9 @@ inline constexpr Bounds example_bounds{.hz = 60, .error = 0.01};
 inline constexpr scenes::Spring<> twice_a_second{.omega = 4 * std::numbers::pi};
 
 /// What a function costs in a contest.
-inline double bill_of(const Contest& found, const std::string& function) {
+inline double bill_of(const Contest& found, const measure::Method& method) {
   const auto entry = std::find_if(found.methods.begin(), found.methods.end(),
-                                  [&](const Entry& one) { return one.function == function; });
+                                  [&](const Entry& one) { return one.method == &method; });
   return entry->evaluations;
 }
 
@@ -96,12 +97,12 @@ inline void example_choice(measure::Record& record) {
                                         {"error", "", 2},
                                         {"with fewer steps"}});
   const Contest found = contest(example, example_bounds);
-  record.number("example-times", bill_of(found, "symplectic_euler") / bill_of(found, "rk4"), 2);
+  record.number("example-times", bill_of(found, method::symplectic_euler) / bill_of(found, method::rk4), 2);
   const Contest swing = contest(twice_a_second, example_bounds);
-  record.number("by-hand-rk4", bill_of(swing, "rk4"), measure::whole);
-  record.number("by-hand-verlet", bill_of(swing, "velocity_verlet"), measure::whole);
+  record.number("by-hand-rk4", bill_of(swing, method::rk4), measure::whole);
+  record.number("by-hand-verlet", bill_of(swing, method::velocity_verlet), measure::whole);
   const auto add = [&](const Entry& entry) {
-    table.add({entry.function, double(entry.last.substeps), entry.evaluations, entry.last.error,
+    table.add({entry.method->function, double(entry.last.substeps), entry.evaluations, entry.last.error,
                reason(entry, example_bounds)});
   };
   for (const Entry& entry : found.exact) add(entry);

@@ -34,30 +34,28 @@ struct Verdict {
   double position, velocity, constant;
 };
 
-template <class Step>
-Verdict verdict(const Step& step) {
+inline Verdict verdict(const measure::Method& method) {
   const double way = skid.v0 / skid.c, height = toss.v0 * toss.v0 / (2 * toss.g);
-  return {100 * off(step, drone, frame, minute) / drone.radius,
-          100 * off(step, skid, frame, moment) / way,
-          100 * off(step, toss, frame, moment) / height};
+  return {100 * off(method, drone, frame, minute) / drone.radius,
+          100 * off(method, skid, frame, moment) / way,
+          100 * off(method, toss, frame, moment) / height};
 }
 
 /// What becomes of the drone's energy in a minute, as shares of it.
-template <class Step>
-measure::Drift energy_of_drone(const Step& step) {
+inline measure::Drift energy_of_drone(const measure::Method& method) {
   const auto energy = [](const auto& x, const auto& v) { return drone.energy(x, v); };
-  return measure::drift(step, drone, frame, 3600, energy);
+  return measure::drift(method, drone, frame, 3600, energy);
 }
 
 /// The largest stable step, times omega or c; infinite from 1000 on, zero if there is none.
-template <class Step, class Scene>
-double longest_step(const Step& step, const Scene& scene) {
+template <class Scene>
+double longest_step(const measure::Method& method, const Scene& scene) {
   const auto stable = [&](double h) {
-    return measure::spectral_radius(step, scene, h) <= 1 + 1e-12;
+    return measure::spectral_radius(method, scene, h) <= 1 + 1e-12;
   };
   if (!stable(0.05)) return 0;
   if (stable(1000)) return INFINITY;
-  return measure::stability_limit(step, scene, 0.05, 1000);
+  return measure::stability_limit(method, scene, 0.05, 1000);
 }
 
 inline void verdicts(measure::Record& record) {
@@ -68,22 +66,23 @@ inline void verdicts(measure::Record& record) {
                                           {"measured"},
                                           {"energy off in a minute", "%", 2},
                                           {"longest step"}});
-  const auto add = [&](const std::string& name, auto step, const char* position,
-                       const char* velocity, const char* constant) {
-    const Verdict found = verdict(step);
-    const double spring = longest_step(step, scenes::Spring<>{});
-    const double drag = longest_step(step, scenes::LinearDrag<>{.c = 1, .g = 0});
+  const auto add = [&](const measure::Method& method, const char* position, const char* velocity,
+                       const char* constant) {
+    const std::string name(method.name);
+    const Verdict found = verdict(method);
+    const double spring = longest_step(method, scenes::Spring<>{});
+    const double drag = longest_step(method, scenes::LinearDrag<>{.c = 1, .g = 0});
     table.add({name, "position", position, found.position, word(found.position),
-               100 * energy_of_drone(step).largest, spring});
+               100 * energy_of_drone(method).largest, spring});
     table.add({name, "velocity", velocity, found.velocity, word(found.velocity), NAN, drag});
     table.add({name, "constant", constant, found.constant, word(found.constant), NAN, INFINITY});
   };
-  add("Euler", measure::euler, "lousy", "okay", "bad");
-  add("RK4", measure::rk4, "okay", "okay", "great");
-  add("backward Euler", measure::backward_euler, "okay", "great", "bad");
-  add("velocity Verlet", measure::velocity_verlet, "better", "okay", "okay");
-  add("symplectic Euler", measure::symplectic_euler, "good", "okay", "bad");
-  record.number("drone-backward-energy", 100 + 100 * energy_of_drone(measure::backward_euler).last,
+  add(method::euler, "lousy", "okay", "bad");
+  add(method::rk4, "okay", "okay", "great");
+  add(method::backward_euler, "okay", "great", "bad");
+  add(method::velocity_verlet, "better", "okay", "okay");
+  add(method::symplectic_euler, "good", "okay", "bad");
+  record.number("drone-backward-energy", 100 + 100 * energy_of_drone(method::backward_euler).last,
                 2, "%");
-  record.number("drone-symplectic", verdict(measure::symplectic_euler).position, 1, "%");
+  record.number("drone-symplectic", verdict(method::symplectic_euler).position, 1, "%");
 }

@@ -13,17 +13,15 @@
 inline constexpr scenes::Spring<> clock_spring{.omega = 2 * std::numbers::pi};
 
 /// The most that the energy of a swing a second is off in a minute at 60 Hz [%].
-template <class Step>
-double energy_off(const Step& step) {
+inline double energy_off(const measure::Method& method) {
   const auto energy = [](double x, double v) { return clock_spring.energy(x, v); };
-  return 100 * measure::drift(step, clock_spring, frame, 3600, energy).largest;
+  return 100 * measure::drift(method, clock_spring, frame, 3600, energy).largest;
 }
 
 /// How often a spring may swing in a second, or would without its damper, before the method loses
 /// it at 60 Hz.
-template <class Step>
-double swings(const Step& step, double zeta = 0) {
-  return longest_step(step, scenes::Spring<>{.zeta = zeta}) / frame / (2 * std::numbers::pi);
+inline double swings(const measure::Method& method, double zeta = 0) {
+  return longest_step(method, scenes::Spring<>{.zeta = zeta}) / frame / (2 * std::numbers::pi);
 }
 
 inline void wall(measure::Record& record) {
@@ -34,30 +32,25 @@ inline void wall(measure::Record& record) {
                                       {"at ζ = 1", "swings/s", 2},
                                       {"energy off in a minute", "%", 2},
                                       {"header"}});
-  const auto add = [&](const char* moves, const char* take, const std::string& function,
-                       const auto& step) {
-    table.add({moves, take, double(price(step, suspension, frame)), swings(step), swings(step, 1),
-               energy_off(step), header_of(function)});
+  const auto add = [&](const char* moves, const char* take, const measure::Method& method) {
+    table.add({moves, take, double(price(method, suspension, frame)), swings(method),
+               swings(method, 1), energy_off(method), method.header});
   };
   table.add({"a constant force: jumps, shells, sparks", "the exact step",
-             double(price(measure::constant_acceleration, jump, frame)), NAN, NAN, NAN,
-             "constant_acceleration.h"});
-  add("one spring: cameras, doors, recoil, suspensions", "the exact step", "spring_exact",
-      measure::spring_exact);
-  add("bodies with contacts, joints and springs", "symplectic Euler", "symplectic_euler",
-      measure::symplectic_euler);
+             double(price(method::constant_acceleration, jump, frame)), NAN, NAN, NAN,
+             method::constant_acceleration.header});
+  add("one spring: cameras, doors, recoil, suspensions", "the exact step", method::spring_exact);
+  add("bodies with contacts, joints and springs", "symplectic Euler", method::symplectic_euler);
   add("the same with drag against the air, or a damper to something fixed", "drag divided",
-      "linear_damping_implicit_last", measure::linear_damping_implicit_last);
+      method::linear_damping_implicit_last);
   // Between two bodies the relative motion is the spring, and the division is the same.
   add("two bodies with a damper between them", "relative velocity divided",
-      "linear_damping_implicit_last", measure::linear_damping_implicit_last);
-  add("ropes and cloth of particles, by constraints", "Störmer–Verlet", "stormer_verlet",
-      measure::stormer_verlet);
+      method::linear_damping_implicit_last);
+  add("ropes and cloth of particles, by constraints", "Störmer–Verlet", method::stormer_verlet);
   add("orbits and pendulums that never end; falls through air while ch < 1", "velocity Verlet",
-      "velocity_verlet", measure::velocity_verlet);
-  add("long orbits without drag whose place counts", "Yoshida 4", "yoshida4", measure::yoshida4);
-  add("a path that must be right: previews, flight", "RK4", "rk4", measure::rk4);
-  add("what is too stiff for the frame", "backward Euler", "backward_euler",
-      measure::backward_euler);
-  add("answers to compare with, in tools", "Dormand-Prince", "dopri5", measure::dopri5);
+      method::velocity_verlet);
+  add("long orbits without drag whose place counts", "Yoshida 4", method::yoshida4);
+  add("a path that must be right: previews, flight", "RK4", method::rk4);
+  add("what is too stiff for the frame", "backward Euler", method::backward_euler);
+  add("answers to compare with, in tools", "Dormand-Prince", method::dopri5);
 }

@@ -15,10 +15,10 @@ inline constexpr int rates[] = {30, 60, 120, 240};  ///< steps a second
 inline constexpr double watched = 60;               ///< how long energy is watched [s]
 
 /// The largest relative change of the energy in a minute.
-template <class Step, class Scene>
-double energy_error(const Step& step, const Scene& scene, double h) {
+template <class Scene>
+double energy_error(const measure::Method& method, const Scene& scene, double h) {
   const auto energy = [&](const auto& x, const auto& v) { return scene.energy(x, v); };
-  return measure::drift(step, scene, h, std::lround(watched / h), energy).largest;
+  return measure::drift(method, scene, h, std::lround(watched / h), energy).largest;
 }
 
 // [work]
@@ -29,13 +29,13 @@ void work(measure::Record& record, const std::string& name, const Scene& scene, 
                                               {"steps per second", "", measure::whole},
                                               {"evaluations per second", "", measure::whole},
                                               {"largest error", "m"}});
-  for_each_entrant([&](const auto& method, const auto&, const auto& step) {
+  for (const measure::Method* method : entrants) {
     for (const int rate : rates) {
       const double h = 1.0 / rate;
-      table.add({method, double(rate), double(rate * price(step, scene, h)),
-                 off(step, scene, h, seconds)});
+      table.add({method->name, double(rate), double(rate * price(*method, scene, h)),
+                 off(*method, scene, h, seconds)});
     }
-  });
+  }
 }
 // [work]
 
@@ -45,18 +45,18 @@ inline void work_energy(measure::Record& record) {
                                              {"steps per second", "", measure::whole},
                                              {"evaluations per second", "", measure::whole},
                                              {"energy error"}});
-  for_each_entrant([&](const auto& method, const auto&, const auto& step) {
+  for (const measure::Method* method : entrants) {
     for (const int rate : rates) {
       const double h = 1.0 / rate;
-      table.add({method, double(rate), double(rate * price(step, shuttle, h)),
-                 energy_error(step, shuttle, h)});
+      table.add({method->name, double(rate), double(rate * price(*method, shuttle, h)),
+                 energy_error(*method, shuttle, h)});
     }
-  });
+  }
 }
 
 /// The recorded time of a step of one of 512 shuttles [ns].
-inline double time_of_many(const std::string& method) {
-  return measure::recorded_times().at("512 shuttles/" + method).median;
+inline double time_of_many(const measure::Method& method) {
+  return measure::recorded_times().at("512 shuttles/" + std::string(method.name)).median;
 }
 
 /// What a step is charged, and the time that it takes: of one shuttle alone, and of one of many.
@@ -65,10 +65,11 @@ inline void step_times(measure::Record& record) {
                                             {"evaluations", "", measure::whole},
                                             {"alone", "ns"},
                                             {"one of 512", "ns"}});
-  for_each_entrant([&](const std::string& method, const auto&, const auto& step) {
-    table.add({method, double(price(step, shuttle, frame)), "time:shuttle/" + method,
-               "time:512 shuttles/" + method});
-  });
+  for (const measure::Method* method : entrants) {
+    const std::string name(method->name);
+    table.add({name, double(price(*method, shuttle, frame)), "time:shuttle/" + name,
+               "time:512 shuttles/" + name});
+  }
 }
 
 /// The errors of the shuttle beside the recorded times of a step of one of 512.
@@ -77,22 +78,22 @@ inline void work_time(measure::Record& record) {
                                            {"steps per second", "", measure::whole},
                                            {"time per second of play", "µs"},
                                            {"largest error", "m"}});
-  for_each_entrant([&](const std::string& method, const auto&, const auto& step) {
+  for (const measure::Method* method : entrants) {
     for (const int rate : rates) {
-      table.add({method, double(rate), 1e-3 * rate * time_of_many(method),
-                 off(step, shuttle, 1.0 / rate, 8)});
+      table.add({method->name, double(rate), 1e-3 * rate * time_of_many(*method),
+                 off(*method, shuttle, 1.0 / rate, 8)});
     }
-  });
+  }
 }
 
 /// When RK4's energy error at 60 Hz passes that of velocity Verlet at 240 Hz, which costs as much
 /// [s].
 inline double energy_passes() {
-  const double sways = energy_error(measure::velocity_verlet, shuttle, frame / 4);
+  const double sways = energy_error(method::velocity_verlet, shuttle, frame / 4);
   auto s = shuttle.start();
   const double first = shuttle.energy(s.x, s.v);
   double passed = INFINITY;
-  measure::run(measure::rk4, shuttle, s, frame, 3 * 3600 * 60, [&](double t, const auto& now) {
+  measure::run(method::rk4, shuttle, s, frame, 3 * 3600 * 60, [&](double t, const auto& now) {
     const double error = std::abs(shuttle.energy(now.x, now.v) / first - 1);
     if (error > sways) passed = std::min(passed, t);
   });
@@ -100,15 +101,14 @@ inline double energy_passes() {
 }
 
 /// How many turns the shuttle is ahead after a day, by its farthest points [turns].
-template <class Step>
-double ahead_after_a_day(const Step& step, double h) {
+inline double ahead_after_a_day(const measure::Method& method, double h) {
   constexpr double day = 86'400;
   double first = 0, last = 0;
   long turns = -1;
-  auto kept = measure::start(step, shuttle.start(), h, shuttle);
+  auto kept = measure::start(method, shuttle.start(), h, shuttle);
   for (long n = 0; n < std::lround(day / h); ++n) {
     const double outwards = kept[0].dot(kept[1]);
-    measure::advance(step, kept, double(n) * h, h, shuttle);
+    measure::advance(method, kept, double(n) * h, h, shuttle);
     const double afterwards = kept[0].dot(kept[1]);
     if (outwards <= 0 || afterwards > 0) continue;
     last = (double(n) + outwards / (outwards - afterwards)) * h;
@@ -124,20 +124,20 @@ inline void all_work(measure::Record& record) {
   work(record, "shuttle", shuttle, 8);
   work_energy(record);
   record.number("energy-nearer",
-                energy_error(measure::velocity_verlet, shuttle, frame / 4) /
-                    energy_error(measure::rk4, shuttle, frame),
+                energy_error(method::velocity_verlet, shuttle, frame / 4) /
+                    energy_error(method::rk4, shuttle, frame),
                 2);
   record.number("energy-passes", energy_passes() / 60, 3, "min");
-  record.number("day-verlet", -ahead_after_a_day(measure::velocity_verlet, frame / 4), 2);
-  record.number("day-rk4", ahead_after_a_day(measure::rk4, frame), 2);
+  record.number("day-verlet", -ahead_after_a_day(method::velocity_verlet, frame / 4), 2);
+  record.number("day-rk4", ahead_after_a_day(method::rk4, frame), 2);
   record.number("shuttle-240-symplectic",
-                100 * off(measure::symplectic_euler, shuttle, frame / 4, 8), 2, "cm");
-  record.number("shuttle-240-verlet", 100 * off(measure::velocity_verlet, shuttle, frame / 4, 8), 2,
+                100 * off(method::symplectic_euler, shuttle, frame / 4, 8), 2, "cm");
+  record.number("shuttle-240-verlet", 100 * off(method::velocity_verlet, shuttle, frame / 4, 8), 2,
                 "cm");
-  record.number("shuttle-240-rk4", 1e6 * off(measure::rk4, shuttle, frame, 8), 2, "µm");
+  record.number("shuttle-240-rk4", 1e6 * off(method::rk4, shuttle, frame, 8), 2, "µm");
   record.number(
       "rk4-nearer",
-      off(measure::symplectic_euler, shuttle, frame / 4, 8) / off(measure::rk4, shuttle, frame, 8),
+      off(method::symplectic_euler, shuttle, frame / 4, 8) / off(method::rk4, shuttle, frame, 8),
       2);
   step_times(record);
   work_time(record);

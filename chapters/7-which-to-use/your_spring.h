@@ -16,12 +16,12 @@ inline constexpr long camera_steps = 30;
 /// Every method of the map, with where it has the camera after each step.
 inline std::vector<std::pair<std::string, std::vector<double>>> cameras() {
   std::vector<std::pair<std::string, std::vector<double>>> found;
-  for_each_map([&](const char* name, const auto& step) {
-    auto& [method, way] = found.emplace_back(name, std::vector<double>());
+  for (const Mapped& one : mapped) {
+    auto& [method, way] = found.emplace_back(one.name, std::vector<double>());
     auto s = camera.start();
-    measure::run(step, camera, s, camera_step, camera_steps,
+    measure::run(one.method, camera, s, camera_step, camera_steps,
                  [&](double, const auto& now) { way.push_back(now.x); });
-  });
+  }
   return found;
 }
 

@@ -2,7 +2,6 @@
 /// @file
 /// A method on one card: its order, cost and limits, what it does to energy, all measured.
 #pragma once
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,8 +24,7 @@ struct Card {
   std::string method;  ///< name of the function in integrate
   std::string suits;   ///< what it is for, such as "any acceleration"
   std::vector<CardRow> rows;
-  std::function<double()> seconds_per_step;  ///< takes that time, in one run [s]
-  std::string timed_on;                      ///< the scene that it moves then
+  std::string timed_on;  ///< what the method moves while its steps are timed; empty if they aren't
 
   /// What stands in a line.
   /// @throws std::out_of_range  there is no line of this name

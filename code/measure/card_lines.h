@@ -9,7 +9,8 @@
 #include <utility>
 
 #include "measure/card.h"
-#include "measure/cost.h"
+#include "measure/evaluations.h"
+#include "measure/method.h"
 #include "measure/order.h"
 #include "measure/stability.h"
 #include "scenes/linear_drag.h"
@@ -32,6 +33,9 @@ struct Passing : scenes::Orbit<> {
   scenes::State<Vec> exact(double t) const { return Orbit::exact(t - early); }
 };
 
+/// What is moved while the steps of a method for any acceleration are timed.
+inline constexpr scenes::Orbit<> orbit;
+
 /// A damped spring, which also asks for the velocity.
 inline constexpr scenes::Spring<> damped{.omega = 2, .zeta = 0.25, .x0 = 1, .v0 = 0.5};
 
@@ -40,10 +44,10 @@ inline constexpr scenes::Spring<> undamped{.omega = 2, .x0 = 1, .v0 = 0.5};
 
 /// Halvings from the step `h` on, as long as the errors stay above rounding, which may be two in
 /// each step.
-template <class Step, class Scene>
-std::vector<Halving> clear_halvings(const Step& step, const Scene& scene, double h) {
+template <class Scene>
+std::vector<Halving> clear_halvings(const Method& method, const Scene& scene, double h) {
   const double duration = 3;
-  auto study = halvings(step, scene, h, duration, 10);
+  auto study = halvings(method, scene, h, duration, 10);
   const auto near_rounding = [duration](const Halving& row) {
     const double roundings = 2 * std::numeric_limits<double>::epsilon() * duration / row.h;
     return !(std::min(row.error.position, row.error.velocity) > roundings);
@@ -54,10 +58,10 @@ std::vector<Halving> clear_halvings(const Step& step, const Scene& scene, double
 
 /// Adds the orders in position and velocity that the last clear halving shows, as lines NAME and
 /// NAME-velocity. A method that is right to rounding with the largest step is exact.
-template <class Step, class Scene>
-void orders(Card& card, const Step& step, const Scene& scene, const std::string& name,
+template <class Scene>
+void orders(Card& card, const Method& method, const Scene& scene, const std::string& name,
             const std::string& where, double h = 1.0 / 8) {
-  const auto study = clear_halvings(step, scene, h);
+  const auto study = clear_halvings(method, scene, h);
   const Error first = study.front().error;
   const bool exact = std::max(first.position, first.velocity) < 1e-12;
   const auto add = [&](const std::string& line, const std::string& of, double order) {
@@ -72,28 +76,27 @@ void orders(Card& card, const Step& step, const Scene& scene, const std::string&
 ///
 /// Steps below 0.05 are not tried: a method that keeps two positions has few digits left there for
 /// the difference between them.
-template <class Step, class Scene>
-Cell limit(const Step& step, const Scene& scene) {
-  const auto stable = [&](double h) { return spectral_radius(step, scene, h) <= 1 + 1e-12; };
+template <class Scene>
+Cell limit(const Method& method, const Scene& scene) {
+  const auto stable = [&](double h) { return spectral_radius(method, scene, h) <= 1 + 1e-12; };
   const double least = 0.05;
   if (!stable(least)) return "never";
   for (double h = least; h < 1000; h *= 1.05) {
-    if (!stable(1.05 * h)) return stability_limit(step, scene, h, 1.05 * h);
+    if (!stable(1.05 * h)) return stability_limit(method, scene, h, 1.05 * h);
   }
   return "any step";
 }
 
 /// Adds the limit on drag, c h.
-template <class Step, class Scene>
-void drag_limit(Card& card, const Step& step, const Scene& drag) {
-  card.rows.push_back({"drag-limit", "Stable up to", "drag, ch", limit(step, drag)});
+template <class Scene>
+void drag_limit(Card& card, const Method& method, const Scene& drag) {
+  card.rows.push_back({"drag-limit", "Stable up to", "drag, ch", limit(method, drag)});
 }
 
 /// Adds the limits on springs, omega h.
-template <class Step>
-void spring_limits(Card& card, const Step& step) {
+inline void spring_limits(Card& card, const Method& method) {
   const auto add = [&](const std::string& name, const std::string& asked, double zeta) {
-    card.rows.push_back({name, "Stable up to", asked, limit(step, scenes::Spring<>{.zeta = zeta})});
+    card.rows.push_back({name, "Stable up to", asked, limit(method, scenes::Spring<>{.zeta = zeta})});
   };
   add("spring-limit", "undamped spring, hω", 0);
   add("spring-limit-0.1", "spring with ζ = 0.1, hω", 0.1);
@@ -117,15 +120,14 @@ struct Energies {
 };
 
 /// The first and the last thousand of a million steps of an undamped spring, h omega = 0.1.
-template <class Step>
-std::array<Energies, 2> first_and_last(const Step& step) {
+inline std::array<Energies, 2> first_and_last(const Method& method) {
   constexpr long steps = 1'000'000, shown = 1000;
   const scenes::Spring<> spring;
   const auto start = spring.start();
   auto s = start;
   std::array<Energies, 2> seen;
   long n = 0;
-  run(step, spring, s, 0.1, steps, [&](double, const auto& now) {
+  run(method, spring, s, 0.1, steps, [&](double, const auto& now) {
     const double energy = spring.energy(now.x, now.v) / spring.energy(start.x, start.v);
     if (n <= shown) seen[0].see(energy);
     if (n >= steps - shown) seen[1].see(energy);
@@ -138,14 +140,13 @@ std::array<Energies, 2> first_and_last(const Step& step) {
 ///
 /// It is kept if the last of a million steps go as high and as low as the first, to a hundredth of
 /// the swing between.
-template <class Step>
-void energy(Card& card, const Step& step) {
+inline void energy(Card& card, const Method& method) {
   const std::string about = "Energy of an undamped spring, hω = 0.1";
   const auto add = [&](const std::string& name, const std::string& asked, Cell measured,
                        int digits = 3, const std::string& unit = "1") {
     card.rows.push_back({name, about, asked, std::move(measured), digits, unit});
   };
-  const auto [first, last] = first_and_last(step);
+  const auto [first, last] = first_and_last(method);
   const double rounding = 1e-9;  // a few in each step
   const double allowed = 0.01 * (first.most - first.least) + rounding;
   if (std::abs(last.most - first.most) < allowed && std::abs(last.least - first.least) < allowed) {
@@ -155,7 +156,7 @@ void energy(Card& card, const Step& step) {
         off < rounding ? "1" : "%");
     return;
   }
-  const double radius = spectral_radius(step, scenes::Spring<>(), 0.1);
+  const double radius = spectral_radius(method, scenes::Spring<>(), 0.1);
   add("energy", "in the long run", radius > 1 ? "grows" : "falls");
   add("energy-step", "change per step", 100 * (radius * radius - 1), 3, "%");
   add("energy-thousand", "change in a thousand steps", 100 * (first.last - 1), 3, "%");
@@ -163,20 +164,19 @@ void energy(Card& card, const Step& step) {
 
 /// Adds how far a thing falls in ten steps from rest, by which the methods of engines are told
 /// apart.
-template <class Step>
-void fall(Card& card, const Step& step) {
+inline void fall(Card& card, const Method& method) {
   const scenes::LinearDrag<> vacuum{.c = 0};
   const double h = 0.1;
-  const double depth = -after(step, vacuum, vacuum.start(), h, 10).x;
+  const double depth = -after(method, vacuum, vacuum.start(), h, 10).x;
   card.rows.push_back({"fall", "Ten steps of free fall", "depth over gh², 50 if exact",
                        depth / (vacuum.g * h * h)});
 }
 
 /// Adds the evaluations of the acceleration in one step.
-template <class Step, class Scene>
-void evaluations(Card& card, const Step& step, const Scene& scene) {
+template <class Scene>
+void evaluations(Card& card, const Method& method, const Scene& scene) {
   card.rows.push_back({"evaluations", "Cost of a step", "evaluations of the acceleration",
-                       double(evaluations_per_step(step, scene, 0.01)), whole});
+                       double(evaluations_per_step(method, scene, 0.01)), whole});
 }
 
 /// A scene that counts how often it is asked for its acceleration, and for its Jacobian.
@@ -195,14 +195,13 @@ struct CountedJacobian : Counted<Scene> {
 
 /// Adds the least and most evaluations and solves of an implicit method, on ten seconds of a
 /// pendulum at sixty steps a second.
-template <class Step>
-void solves(Card& card, const Step& step) {
+inline void solves(Card& card, const Method& method) {
   const CountedJacobian<scenes::Pendulum<>> pendulum{scenes::Pendulum<>{}};
-  scenes::State<double> s = pendulum.start();
+  auto kept = start(method, pendulum.start(), 1 / 60.0, pendulum);
   long least[2] = {1000, 1000}, most[2] = {0, 0};
   for (int n = 0; n < 600; ++n) {
     pendulum.evaluations = pendulum.solves = 0;
-    step(s.x, s.v, n / 60.0, 1 / 60.0, pendulum);
+    advance(method, kept, n / 60.0, 1 / 60.0, pendulum);
     const long counts[2] = {pendulum.evaluations, pendulum.solves};
     for (int i = 0; i < 2; ++i) {
       least[i] = std::min(least[i], counts[i]);
@@ -216,13 +215,6 @@ void solves(Card& card, const Step& step) {
   };
   add("evaluations", "evaluations of the acceleration", 0);
   add("solves", "linear systems solved", 1);
-}
-
-/// Lets the card measure the time of a step, too.
-template <class Step, class Scene>
-void timed(Card& card, const Step& step, const Scene& scene, const std::string& where) {
-  card.seconds_per_step = [step, scene] { return seconds_per_step(step, scene, 1e-5); };
-  card.timed_on = where;
 }
 
 }  // namespace measure::card_lines

@@ -15,7 +15,7 @@ std::string note(const measure::Card& card) {
     return row.name.find("limit") != std::string::npos;
   });
   std::string words = limits ? "Limits are rounded down. " : "";
-  if (card.seconds_per_step) {
+  if (!card.timed_on.empty()) {
     words += "The time is one body's, each step waiting for the one before: in double, on one "
              "thread, compiled like the other programs of the book.";
   }
@@ -29,7 +29,7 @@ void write(measure::Record& record, const measure::Card& card) {
   for (const auto& [name, about, asked, measured, digits, unit] : card.rows) {
     table.add({name, about, asked, measured, double(digits), unit});
   }
-  if (card.seconds_per_step) {
+  if (!card.timed_on.empty()) {
     table.add({"time", "Cost of a step", "time, on " + card.timed_on, "time:card/" + card.method, 2, "ns"});
   }
   if (const std::string words = note(card); !words.empty()) {

@@ -16,6 +16,10 @@
 
 namespace measure {
 
+/// The state of a method that keeps these.
+template <class Kept>
+using StateOf = scenes::State<typename Kept::value_type>;
+
 /// integrate::stormer_verlet: keeps two positions.
 struct StormerVerlet {
   /// What it keeps at the start.
@@ -24,13 +28,13 @@ struct StormerVerlet {
     return {s.x, integrate::stormer_verlet_start(s.x, s.v, Real(0), h, scene)};
   }
   /// One step.
-  template <class Vec, class Real, class Scene>
-  static void step(std::array<Vec, 2>& kept, Real t, Real h, const Scene& scene) {
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
     integrate::stormer_verlet(kept[0], kept[1], t, h, scene);
   }
   /// The state that it stands for, its velocity half a step late.
-  template <class Vec, class Real, class Scene>
-  static scenes::State<Vec> seen(const std::array<Vec, 2>& kept, Real, Real h, const Scene&) {
+  template <class Kept, class Real, class Scene>
+  static StateOf<Kept> seen(const Kept& kept, Real, Real h, const Scene&) {
     return {kept[0], integrate::stormer_verlet_velocity(kept[0], kept[1], h)};
   }
 };
@@ -38,8 +42,8 @@ struct StormerVerlet {
 /// integrate::stormer_verlet_uneven with equal steps: keeps two positions.
 struct StormerVerletUneven : StormerVerlet {
   /// One step, as long as the one before it.
-  template <class Vec, class Real, class Scene>
-  static void step(std::array<Vec, 2>& kept, Real t, Real h, const Scene& scene) {
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
     integrate::stormer_verlet_uneven(kept[0], kept[1], t, h, h, scene);
   }
 };
@@ -53,13 +57,13 @@ struct StormerVerletCarried {
     return {s.x, integrate::stormer_verlet_start(s.x, s.v, Real(0), h, scene), a};
   }
   /// One step.
-  template <class Vec, class Real, class Scene>
-  static void step(std::array<Vec, 3>& kept, Real t, Real h, const Scene& scene) {
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
     integrate::stormer_verlet_carried(kept[0], kept[1], kept[2], t, h, scene);
   }
   /// The state that it stands for, its velocity brought up to date.
-  template <class Vec, class Real, class Scene>
-  static scenes::State<Vec> seen(const std::array<Vec, 3>& kept, Real, Real h, const Scene&) {
+  template <class Kept, class Real, class Scene>
+  static StateOf<Kept> seen(const Kept& kept, Real, Real h, const Scene&) {
     return {kept[0], integrate::stormer_verlet_carried_velocity(kept[0], kept[1], kept[2], h)};
   }
 };
@@ -72,13 +76,13 @@ struct Leapfrog {
     return {s.x, integrate::leapfrog_start(s.x, s.v, Real(0), h, scene)};
   }
   /// One step.
-  template <class Vec, class Real, class Scene>
-  static void step(std::array<Vec, 2>& kept, Real t, Real h, const Scene& scene) {
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
     integrate::leapfrog(kept[0], kept[1], t, h, scene);
   }
   /// The state that it stands for; asks for the acceleration to bring the velocity up to date.
-  template <class Vec, class Real, class Scene>
-  static scenes::State<Vec> seen(const std::array<Vec, 2>& kept, Real t, Real h,
+  template <class Kept, class Real, class Scene>
+  static StateOf<Kept> seen(const Kept& kept, Real t, Real h,
                                  const Scene& scene) {
     return {kept[0], integrate::leapfrog_velocity(kept[0], kept[1], t, h, scene)};
   }
@@ -92,8 +96,8 @@ struct KeepsAcceleration {
     return {s.x, s.v, integrate::velocity_verlet_start(s.x, s.v, Real(0), scene)};
   }
   /// The state that it stands for.
-  template <class Vec, class Real, class Scene>
-  static scenes::State<Vec> seen(const std::array<Vec, 3>& kept, Real, Real, const Scene&) {
+  template <class Kept, class Real, class Scene>
+  static StateOf<Kept> seen(const Kept& kept, Real, Real, const Scene&) {
     return {kept[0], kept[1]};
   }
 };
@@ -101,8 +105,8 @@ struct KeepsAcceleration {
 /// integrate::velocity_verlet: keeps the acceleration.
 struct VelocityVerlet : KeepsAcceleration {
   /// One step.
-  template <class Vec, class Real, class Scene>
-  static void step(std::array<Vec, 3>& kept, Real t, Real h, const Scene& scene) {
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
     integrate::velocity_verlet(kept[0], kept[1], kept[2], t, h, scene);
   }
 };
@@ -110,8 +114,8 @@ struct VelocityVerlet : KeepsAcceleration {
 /// integrate::yoshida4: keeps the acceleration.
 struct Yoshida4 : KeepsAcceleration {
   /// One step.
-  template <class Vec, class Real, class Scene>
-  static void step(std::array<Vec, 3>& kept, Real t, Real h, const Scene& scene) {
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
     integrate::yoshida4(kept[0], kept[1], kept[2], t, h, scene);
   }
 };
@@ -119,8 +123,8 @@ struct Yoshida4 : KeepsAcceleration {
 /// integrate::dopri5 with equal steps: keeps the acceleration.
 struct Dopri5 : KeepsAcceleration {
   /// One step.
-  template <class Vec, class Real, class Scene>
-  static void step(std::array<Vec, 3>& kept, Real t, Real h, const Scene& scene) {
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
     integrate::dopri5(kept[0], kept[1], kept[2], t, h, scene);
   }
 };

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct Cell {
 
   Cell(double number) : value(number) {}
   Cell(std::string text) : words(std::move(text)) {}
+  Cell(std::string_view text) : words(text) {}
   Cell(const char* text) : words(text) {}
 };
 

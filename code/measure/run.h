@@ -3,7 +3,6 @@
 /// Takes a number of equal steps and lets somebody watch.
 #pragma once
 #include <array>
-#include <cstddef>
 
 #include "measure/methods.h"
 #include "scenes/state.h"
@@ -45,9 +44,9 @@ void advance(const Step& step, Kept& kept, Real t, Real h, const Scene& scene) {
 /// @param t  time [s]
 /// @param h  step size [s]
 /// @param scene  the acceleration, called as `scene(x, v, t)`
-template <class Step, class Vec, std::size_t Size, class Real, class Scene>
-scenes::State<Vec> seen(const Step& step, const std::array<Vec, Size>& kept, Real t, Real h,
-                        const Scene& scene) {
+template <class Step, class Kept, class Real, class Scene>
+scenes::State<typename Kept::value_type> seen(const Step& step, const Kept& kept, Real t, Real h,
+                                              const Scene& scene) {
   if constexpr (requires { step.seen(kept, t, h, scene); }) {
     return step.seen(kept, t, h, scene);
   } else {

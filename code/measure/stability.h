@@ -2,6 +2,8 @@
 /// @file
 /// Where a method on a linear scene stops being stable.
 #pragma once
+#include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 
 #include "measure/eigenvalues.h"
@@ -19,15 +21,15 @@ namespace measure {
 /// @param scene  linear in x and v, one-dimensional
 /// @param h  step size [s]
 template <class Step, class Scene>
-auto step_matrix(Step step, const Scene& scene, double h) {
+Eigen::MatrixXd step_matrix(Step step, const Scene& scene, double h) {
   auto kept = start(step, scenes::State<double>{1, 0}, h, scene);
-  constexpr int size = int(std::tuple_size_v<decltype(kept)>);
-  Eigen::Matrix<double, size, size> matrix;
-  for (int column = 0; column < size; ++column) {
-    kept.fill(0);
-    kept[std::size_t(column)] = 1;
+  const std::size_t size = kept.size();
+  Eigen::MatrixXd matrix(size, size);
+  for (std::size_t column = 0; column < size; ++column) {
+    std::fill(kept.begin(), kept.end(), 0.0);
+    kept[column] = 1;
     advance(step, kept, 0.0, h, scene);
-    for (int row = 0; row < size; ++row) matrix(row, column) = kept[std::size_t(row)];
+    for (std::size_t row = 0; row < size; ++row) matrix(row, column) = kept[row];
   }
   return matrix;
 }

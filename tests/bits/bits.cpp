@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <typeinfo>
 
-#include "../methods/list.h"
+#include "measure/list.h"
 #include "measure/run.h"
 #include "scenes/orbit.h"
 #include "scenes/outer_solar_system.h"

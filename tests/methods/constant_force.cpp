@@ -7,7 +7,7 @@
 #include <limits>
 #include <typeinfo>
 
-#include "list.h"
+#include "measure/list.h"
 #include "measure/run.h"
 #include "scenes/linear_drag.h"
 #include "theory.h"

@@ -9,7 +9,7 @@
 #include <limits>
 #include <typeinfo>
 
-#include "list.h"
+#include "measure/list.h"
 #include "measure/stability.h"
 #include "scenes/spring.h"
 #include "theory.h"

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "list.h"
+#include "measure/list.h"
 #include "measure/cost.h"
 #include "measure/run.h"
 #include "scenes/pendulum.h"

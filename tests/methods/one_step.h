@@ -2,7 +2,7 @@
 // One step of any method of the list by a direct call of its header, at any time and for any type
 // of clock; what a method keeps is made from position and velocity, and read off again.
 #pragma once
-#include "list.h"
+#include "measure/list.h"
 #include "scenes/state.h"
 
 template <class Method, class Vec, class Time, class Real, class Scene>

@@ -3,7 +3,7 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-#include "list.h"
+#include "measure/list.h"
 #include "slopes.h"
 
 TEMPLATE_LIST_TEST_CASE("On a pendulum that swings far, every method has its orders", "",

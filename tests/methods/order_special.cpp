@@ -6,7 +6,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 
-#include "list.h"
+#include "measure/list.h"
 #include "scenes/linear_drag.h"
 #include "scenes/spring.h"
 #include "slopes.h"

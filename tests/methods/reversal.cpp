@@ -8,7 +8,7 @@
 #include <typeinfo>
 #include <utility>
 
-#include "list.h"
+#include "measure/list.h"
 #include "measure/run.h"
 #include "theory.h"
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <typeinfo>
 
-#include "list.h"
+#include "measure/list.h"
 #include "scenes/linear_drag.h"
 #include "scenes/spring.h"
 #include "theory_of_damping.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <typeinfo>
 
-#include "list.h"
+#include "measure/list.h"
 #include "measure/stability.h"
 #include "scenes/linear_drag.h"
 #include "scenes/spring.h"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <typeinfo>
 
-#include "list.h"
+#include "measure/list.h"
 #include "measure/run.h"
 
 using Catch::Matchers::WithinAbs;

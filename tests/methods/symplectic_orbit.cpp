@@ -6,7 +6,7 @@
 #include <limits>
 #include <typeinfo>
 
-#include "list.h"
+#include "measure/list.h"
 #include "measure/energy.h"
 #include "scenes/orbit.h"
 

@@ -8,7 +8,7 @@
 #include <complex>
 #include <concepts>
 
-#include "list.h"
+#include "measure/list.h"
 
 namespace theory {
 

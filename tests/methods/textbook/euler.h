@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "../list.h"
+#include "measure/list.h"
 #include "problem.h"
 
 namespace textbook {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "../list.h"
+#include "measure/list.h"
 #include "problem.h"
 
 namespace textbook {

@@ -23,6 +23,7 @@ inline constexpr double always = std::numeric_limits<double>::infinity();
 inline constexpr long as_needed = -1;  // evaluations of a method that iterates
 
 struct Euler {
+  static constexpr std::string_view name = "Euler", function = "euler";
   static constexpr auto step = measure::euler;
   static constexpr std::string_view header = "euler.h";
   static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
@@ -31,6 +32,7 @@ struct Euler {
 };
 
 struct ConstantAcceleration {
+  static constexpr std::string_view name = "constant acceleration", function = "constant_acceleration";
   static constexpr auto step = measure::constant_acceleration;
   static constexpr std::string_view header = "constant_acceleration.h";
   static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
@@ -39,6 +41,7 @@ struct ConstantAcceleration {
 };
 
 struct SymplecticEuler {
+  static constexpr std::string_view name = "symplectic Euler", function = "symplectic_euler";
   static constexpr auto step = measure::symplectic_euler;
   static constexpr std::string_view header = "symplectic_euler.h";
   static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
@@ -47,6 +50,7 @@ struct SymplecticEuler {
 };
 
 struct SymplecticEulerPositionFirst {
+  static constexpr std::string_view name = "symplectic Euler, position first", function = "symplectic_euler_position_first";
   static constexpr auto step = measure::symplectic_euler_position_first;
   static constexpr std::string_view header = "symplectic_euler.h";
   static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
@@ -55,6 +59,7 @@ struct SymplecticEulerPositionFirst {
 };
 
 struct Midpoint {
+  static constexpr std::string_view name = "midpoint", function = "midpoint";
   static constexpr auto step = measure::midpoint;
   static constexpr std::string_view header = "midpoint.h";
   static constexpr int order = 2, velocity_order = 2, drag_order = 2, drag_velocity_order = 2;
@@ -63,6 +68,7 @@ struct Midpoint {
 };
 
 struct Heun {
+  static constexpr std::string_view name = "Heun", function = "heun";
   static constexpr auto step = measure::heun;
   static constexpr std::string_view header = "heun.h";
   static constexpr int order = 2, velocity_order = 2, drag_order = 2, drag_velocity_order = 2;
@@ -71,6 +77,7 @@ struct Heun {
 };
 
 struct Rk4 {
+  static constexpr std::string_view name = "RK4", function = "rk4";
   static constexpr auto step = measure::rk4;
   static constexpr std::string_view header = "rk4.h";
   static constexpr int order = 4, velocity_order = 4, drag_order = 4, drag_velocity_order = 4;
@@ -79,6 +86,7 @@ struct Rk4 {
 };
 
 struct PredictedEuler {
+  static constexpr std::string_view name = "predicted Euler", function = "predicted_euler";
   static constexpr auto step = measure::predicted_euler<1>;
   static constexpr std::string_view header = "predicted_euler.h";
   static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
@@ -87,6 +95,7 @@ struct PredictedEuler {
 };
 
 struct StormerVerlet {
+  static constexpr std::string_view name = "Störmer–Verlet", function = "stormer_verlet";
   static constexpr auto step = measure::stormer_verlet;
   static constexpr std::string_view header = "stormer_verlet.h";
   static constexpr int order = 2, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
@@ -95,6 +104,7 @@ struct StormerVerlet {
 };
 
 struct StormerVerletCarried {
+  static constexpr std::string_view name = "Störmer–Verlet, carried", function = "stormer_verlet_carried";
   static constexpr auto step = measure::stormer_verlet_carried;
   static constexpr std::string_view header = "stormer_verlet.h";
   static constexpr int order = 2, velocity_order = 2, drag_order = 2, drag_velocity_order = 2;
@@ -103,6 +113,7 @@ struct StormerVerletCarried {
 };
 
 struct StormerVerletUneven {
+  static constexpr std::string_view name = "Störmer–Verlet, uneven", function = "stormer_verlet_uneven";
   static constexpr auto step = measure::stormer_verlet_uneven;
   static constexpr std::string_view header = "stormer_verlet.h";
   static constexpr int order = 2, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
@@ -111,6 +122,7 @@ struct StormerVerletUneven {
 };
 
 struct Leapfrog {
+  static constexpr std::string_view name = "leapfrog", function = "leapfrog";
   static constexpr auto step = measure::leapfrog;
   static constexpr std::string_view header = "leapfrog.h";
   static constexpr int order = 2, velocity_order = 2, drag_order = 1, drag_velocity_order = 1;
@@ -119,6 +131,7 @@ struct Leapfrog {
 };
 
 struct VelocityVerlet {
+  static constexpr std::string_view name = "velocity Verlet", function = "velocity_verlet";
   static constexpr auto step = measure::velocity_verlet;
   static constexpr std::string_view header = "velocity_verlet.h";
   static constexpr int order = 2, velocity_order = 2, drag_order = 2, drag_velocity_order = 2;
@@ -127,6 +140,7 @@ struct VelocityVerlet {
 };
 
 struct Yoshida4 {
+  static constexpr std::string_view name = "Yoshida 4", function = "yoshida4";
   static constexpr auto step = measure::yoshida4;
   static constexpr std::string_view header = "yoshida4.h";
   static constexpr int order = 4, velocity_order = 4, drag_order = 2, drag_velocity_order = 2;
@@ -135,6 +149,7 @@ struct Yoshida4 {
 };
 
 struct Dopri5 {
+  static constexpr std::string_view name = "Dormand-Prince", function = "dopri5";
   static constexpr auto step = measure::dopri5;
   static constexpr std::string_view header = "dopri5.h";
   static constexpr int order = 5, velocity_order = 5, drag_order = 5, drag_velocity_order = 5;
@@ -143,6 +158,7 @@ struct Dopri5 {
 };
 
 struct BackwardEuler {
+  static constexpr std::string_view name = "backward Euler", function = "backward_euler";
   static constexpr auto step = measure::backward_euler;
   static constexpr std::string_view header = "backward_euler.h";
   static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
@@ -151,6 +167,7 @@ struct BackwardEuler {
 };
 
 struct BackwardEulerNewton {
+  static constexpr std::string_view name = "backward Euler, to the end", function = "backward_euler_newton";
   static constexpr auto step = measure::backward_euler_newton;
   static constexpr std::string_view header = "backward_euler.h";
   static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
@@ -159,6 +176,7 @@ struct BackwardEulerNewton {
 };
 
 struct Trapezoid {
+  static constexpr std::string_view name = "trapezoid", function = "trapezoid";
   static constexpr auto step = measure::trapezoid;
   static constexpr std::string_view header = "trapezoid.h";
   static constexpr int order = 2, velocity_order = 2, drag_order = 2, drag_velocity_order = 2;
@@ -167,6 +185,7 @@ struct Trapezoid {
 };
 
 struct TrapezoidNewton {
+  static constexpr std::string_view name = "trapezoid, to the end", function = "trapezoid_newton";
   static constexpr auto step = measure::trapezoid_newton;
   static constexpr std::string_view header = "trapezoid.h";
   static constexpr int order = 2, velocity_order = 2, drag_order = 2, drag_velocity_order = 2;
@@ -176,51 +195,61 @@ struct TrapezoidNewton {
 
 // On a spring or a drag alone.
 struct BackwardEulerSpring {
+  static constexpr std::string_view name = "backward Euler on a spring", function = "backward_euler_spring";
   static constexpr auto step = measure::backward_euler_spring;
   static constexpr std::string_view header = "backward_euler_spring.h";
 };
 
 struct Rk4Linear {
+  static constexpr std::string_view name = "RK4, folded", function = "rk4_linear";
   static constexpr auto step = measure::rk4_linear;
   static constexpr std::string_view header = "rk4_linear.h";
 };
 
 struct SpringExact {
+  static constexpr std::string_view name = "exact step of a spring", function = "spring_exact";
   static constexpr auto step = measure::spring_exact;
   static constexpr std::string_view header = "spring_exact.h";
 };
 
 struct LinearDampingExplicitLast {
+  static constexpr std::string_view name = "symplectic Euler, drag by its rate", function = "linear_damping_explicit_last";
   static constexpr auto step = measure::linear_damping_explicit_last;
   static constexpr std::string_view header = "linear_damping.h";
 };
 
 struct LinearDampingExplicitFirst {
+  static constexpr std::string_view name = "symplectic Euler, drag by its rate, first", function = "linear_damping_explicit_first";
   static constexpr auto step = measure::linear_damping_explicit_first;
   static constexpr std::string_view header = "linear_damping.h";
 };
 
 struct LinearDampingImplicitLast {
+  static constexpr std::string_view name = "symplectic Euler, drag divided", function = "linear_damping_implicit_last";
   static constexpr auto step = measure::linear_damping_implicit_last;
   static constexpr std::string_view header = "linear_damping.h";
 };
 
 struct LinearDampingImplicitFirst {
+  static constexpr std::string_view name = "symplectic Euler, drag divided first", function = "linear_damping_implicit_first";
   static constexpr auto step = measure::linear_damping_implicit_first;
   static constexpr std::string_view header = "linear_damping.h";
 };
 
 struct LinearDampingExponentialLast {
+  static constexpr std::string_view name = "symplectic Euler, drag by its exponential", function = "linear_damping_exponential_last";
   static constexpr auto step = measure::linear_damping_exponential_last;
   static constexpr std::string_view header = "linear_damping.h";
 };
 
 struct LinearDampingExponentialFirst {
+  static constexpr std::string_view name = "symplectic Euler, drag by its exponential, first", function = "linear_damping_exponential_first";
   static constexpr auto step = measure::linear_damping_exponential_first;
   static constexpr std::string_view header = "linear_damping.h";
 };
 
 struct LinearDampingExact {
+  static constexpr std::string_view name = "symplectic Euler, drag exact", function = "linear_damping_exact";
   static constexpr auto step = measure::linear_damping_exact;
   static constexpr std::string_view header = "linear_damping.h";
 };

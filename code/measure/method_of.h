@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Makes a Method of a step.
+#pragma once
+#include <type_traits>
+
+#include "measure/method.h"
+#include "measure/run.h"
+
+namespace measure {
+
+/// Whether a step moves one kind of vector.
+template <class Step, class Vec>
+concept Moves = requires(Vec& x, const Force<Vec>& force) {
+  Step()(x, x, 0.0, 0.0, force);
+}
+|| requires(const scenes::State<Vec>& s, const Force<Vec>& force) {
+  Step().start(s, 0.0, force);
+};
+
+/// What a step does with one kind of vector; nothing but nulls if it doesn't move them.
+/// @tparam Step  of an object without members: a lambda without captures, or one with a memory
+template <class Step, class Vec>
+constexpr Stepper<Vec> stepper_of() {
+  using Kept = typename Stepper<Vec>::Kept;
+  if constexpr (Moves<Step, Vec>) {
+    return {[](const scenes::State<Vec>& s, double h, const Force<Vec>& force) {
+              const auto kept = measure::start(Step(), s, h, force);
+              return Kept(kept.begin(), kept.end());
+            },
+            [](Kept& kept, double t, double h, const Force<Vec>& force) {
+              measure::advance(Step(), kept, t, h, force);
+            },
+            [](const Kept& kept, double t, double h, const Force<Vec>& force) {
+              return measure::seen(Step(), kept, t, h, force);
+            }};
+  } else {
+    return {};
+  }
+}
+
+/// A step behind one type.
+/// @param name  as in the book
+/// @param function  in integrate, if it is there
+/// @param header  that has it
+template <class Step>
+constexpr Method method_of(const Step&, std::string_view name = "", std::string_view function = "",
+                           std::string_view header = "") {
+  return {name,
+          function,
+          header,
+          stepper_of<Step, double>(),
+          stepper_of<Step, Eigen::Vector2d>(),
+          stepper_of<Step, Eigen::VectorXd>()};
+}
+
+/// A method of the list behind one type.
+template <class Listed>
+constexpr Method method_of() {
+  return method_of(Listed::step, Listed::name, Listed::function, Listed::header);
+}
+
+}  // namespace measure
