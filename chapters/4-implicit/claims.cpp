@@ -286,6 +286,12 @@ TEST_CASE(
   for (const double most : {most_energy(chain, 400), most_energy(rope, 400)}) CHECK(most < 1.01);
 }
 
+TEST_CASE("With its velocities as they are stored the chain shows 117 times its energy") {
+  CHECK_THAT(most_energy(chain, 50, 0), WithinAbs(117, 0.5));
+  CHECK(most_energy(chain, 177, 0) > 1.2);
+  CHECK(most_energy(chain, 178, 0) < 1.2);
+}
+
 TEST_CASE(
     "On cloth of 18 x 18 conjugate gradients to a thousandth take twice the work of elimination") {
   const auto loose = by_conjugate_gradients(cloth_of(18), 1e-2);
@@ -471,6 +477,7 @@ TEST_CASE("A second after a gentle blow the rope has two thirds of its energy, t
 }
 
 TEST_CASE("In a hundred substeps a frame the rope keeps its energy to four per cent for a second") {
+  REQUIRE(rope.count == 36);
   Struck s = struck(rope, gentle);
   const double first = rope.energy(s.x, s.v), step = frame / 100;
   double least = first, most = first;
@@ -673,6 +680,15 @@ TEST_CASE("Solved to the end the trapezoid rule keeps the rope's energy within a
 
 TEST_CASE("After a hard blow the trapezoid rule takes 23 solves a step to its end") {
   CHECK_THAT(solves_of_trapezoid(rope, hard, 60), WithinAbs(23, 1));
+}
+
+TEST_CASE("Implicit in the velocities alone, a step loses the bar") {
+  const auto velocities_alone = [](double& x, double& v, double t, double h, auto&& a) {
+    const double slope = -2 * bar.zeta * bar.omega;  // of the acceleration by the velocity
+    v = v + h * a(x, v, t) / (1 - h * slope);
+    x = x + h * v;
+  };
+  CHECK(std::abs(measure::after(velocities_alone, bar, bar.start(), frame, 10).x) > 1e12);
 }
 
 TEST_CASE("The soft constraint of Box2D is backward Euler on a spring") {

@@ -280,6 +280,11 @@ TEST_CASE("After a day velocity Verlet's shuttle is a turn behind, and RK4's sev
   CHECK_THAT(ahead_after_a_day(rk4, frame), WithinAbs(7.3, 0.1));
 }
 
+TEST_CASE("Set out a second later Verlet's shuttle is 0.04 turns ahead after a day, RK4's seven") {
+  CHECK_THAT(ahead_after_a_day(velocity_verlet, frame / 4, 1), WithinAbs(0.04, 0.005));
+  CHECK_THAT(ahead_after_a_day(rk4, frame, 1), WithinAbs(7.3, 0.1));
+}
+
 TEST_CASE("On the suspension velocity Verlet and RK4 meet at 120 evaluations a second") {
   const auto error = [](const Method& step, double rate) {
     return off(step, suspension, 1 / rate, 1);
@@ -628,6 +633,14 @@ TEST_CASE("Of 512 shuttles the swapped lines and Verlet take Euler's time, midpo
 TEST_CASE("Of 512 shuttles RK4 takes five times Euler's time, Dormand-Prince thirteen times") {
   CHECK_THAT(time_of_many(rk4) / time_of_many(euler), WithinAbs(5, 0.5));
   CHECK_THAT(time_of_many(method::dopri5) / time_of_many(euler), WithinAbs(13, 1));
+}
+
+TEST_CASE("Of 512 shuttles Yoshida's step takes about as long as RK4's, not three of Verlet's") {
+  CHECK_THAT(time_of_many(method::yoshida4) / time_of_many(rk4), WithinAbs(1, 0.15));
+  CHECK(time_of_many(method::yoshida4) > 4 * time_of_many(velocity_verlet));
+  // Alone, it is three of Verlet's: there, both wait.
+  CHECK_THAT(measure::recorded_times().at("shuttle/Yoshida 4").median,
+             WithinRel(3 * measure::recorded_times().at("shuttle/velocity Verlet").median, 0.1));
 }
 
 TEST_CASE("Of 512 shuttles an implicit step takes nearly twice the time of its evaluations, or more") {

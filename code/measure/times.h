@@ -58,8 +58,7 @@ void write_times(const Times& times, const std::filesystem::path& file);
 /// @throws std::runtime_error  one line that says what is wrong with the file
 Times read_times(const std::filesystem::path& file);
 
-/// Times that the book was written with, in chapters/recorded: the one kind of measured number that
-/// is kept with the sources.
+/// Times that the book was written with, as kept in chapters/recorded.
 /// @param file  `times.csv`, all that the book times itself, or `libraries.csv`, what tests/peers
 ///              does
 const Times& recorded_times(const char* file = "times.csv");
