@@ -3,6 +3,7 @@
 /// A wheel that turns freely, by position Verlet on what a rigid body keeps.
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <cstddef>

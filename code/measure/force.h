@@ -40,6 +40,9 @@ class Force {
   }
 
   /// Hands the derivatives of the acceleration on.
+  /// @param x  position
+  /// @param v  velocity
+  /// @param t  time [s]
   /// @param add  called as `add(i, j, dadx, dadv)`
   /// @throws std::logic_error  the scene has no `jacobian`
   template <class To>

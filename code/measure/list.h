@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT-0
-// Every method of the book, with what its tests hold it to. A test that goes over one of the lists
-// at the end goes over all of its methods.
+/// @file
+/// Every method of the book, with its names and what its tests hold it to.
+//
+// A test that goes over one of the lists at the end goes over all of its methods.
 //
 // order and velocity_order hold where the force does not depend on the velocity, the drag_ ones
 // where it does. Limits: c h on drag and h omega on an undamped spring have to stay below; 0 is
@@ -17,10 +19,11 @@
 #include "measure/methods.h"
 #include "measure/methods_with_memory.h"
 
+/// Every method of the book, each as a type.
 namespace list {
 
-inline constexpr double always = std::numeric_limits<double>::infinity();
-inline constexpr long as_needed = -1;  // evaluations of a method that iterates
+inline constexpr double always = std::numeric_limits<double>::infinity();  ///< no limit
+inline constexpr long as_needed = -1;  ///< evaluations of a method that iterates
 
 struct Euler {
   static constexpr std::string_view name = "Euler", function = "euler";
@@ -254,15 +257,19 @@ struct LinearDampingExact {
   static constexpr std::string_view header = "linear_damping.h";
 };
 
+/// The explicit methods that take any acceleration.
 using EveryExplicit =
     std::tuple<Euler, ConstantAcceleration, SymplecticEuler, SymplecticEulerPositionFirst, Midpoint,
                Heun, Rk4, PredictedEuler, StormerVerlet, StormerVerletCarried, StormerVerletUneven,
                Leapfrog, VelocityVerlet, Yoshida4, Dopri5>;
 
+/// The methods that take any acceleration, and its Jacobian.
 using EveryImplicit = std::tuple<BackwardEuler, BackwardEulerNewton, Trapezoid, TrapezoidNewton>;
 
+/// The methods for one damped spring alone.
 using EveryOnSprings = std::tuple<BackwardEulerSpring, Rk4Linear, SpringExact>;
 
+/// The methods that take linear damping apart from the other forces.
 using EveryDamping =
     std::tuple<LinearDampingExplicitLast, LinearDampingExplicitFirst, LinearDampingImplicitLast,
                LinearDampingImplicitFirst, LinearDampingExponentialLast,
@@ -281,19 +288,21 @@ struct Chosen<std::tuple<Methods...>> {
   using List =
       std::conditional_t<std::is_same_v<Those, std::tuple<>>, std::tuple<Methods...>, Those>;
 };
+/// All methods of a list, or the chosen one.
 template <class List>
 using chosen = typename Chosen<List>::List;
 #else
+/// All methods of a list, or the chosen one.
 template <class List>
 using chosen = List;
 #endif
 
-using Explicit = chosen<EveryExplicit>;
-using Implicit = chosen<EveryImplicit>;
-using OnSprings = chosen<EveryOnSprings>;
-using Damping = chosen<EveryDamping>;
+using Explicit = chosen<EveryExplicit>;    ///< those to go over
+using Implicit = chosen<EveryImplicit>;    ///< those to go over
+using OnSprings = chosen<EveryOnSprings>;  ///< those to go over
+using Damping = chosen<EveryDamping>;      ///< those to go over
 
-// All that take any acceleration; the implicit ones want its Jacobian as well.
+/// All that take any acceleration; the implicit ones want its Jacobian as well.
 using General = chosen<decltype(std::tuple_cat(EveryExplicit(), EveryImplicit()))>;
 
 }  // namespace list
