@@ -23,13 +23,12 @@ namespace measure {
 template <class Step, class Scene>
 Eigen::MatrixXd step_matrix(Step step, const Scene& scene, double h) {
   auto kept = start(step, scenes::State<double>{1, 0}, h, scene);
-  const std::size_t size = kept.size();
-  Eigen::MatrixXd matrix(size, size);
-  for (std::size_t column = 0; column < size; ++column) {
+  Eigen::MatrixXd matrix(kept.size(), kept.size());
+  for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
     std::fill(kept.begin(), kept.end(), 0.0);
-    kept[column] = 1;
+    kept[std::size_t(column)] = 1;
     advance(step, kept, 0.0, h, scene);
-    for (std::size_t row = 0; row < size; ++row) matrix(row, column) = kept[row];
+    std::copy(kept.begin(), kept.end(), matrix.col(column).begin());
   }
   return matrix;
 }
