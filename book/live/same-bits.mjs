@@ -1,20 +1,28 @@
 // Compares the runs of the native program with those of the module in Node:  node same-bits.mjs PROGRAM MODULE TABLE
 // Prints the table of fingerprints, and writes it where all are the same.
-import { execFileSync } from 'node:child_process';
+import { spawn } from 'node:child_process';
+import { text as all } from 'node:stream/consumers';
 import { readFileSync, writeFileSync } from 'node:fs';
 import './page/module.js';
 import { STEPS, cases, question } from './cases.mjs';
 
 const [program, module, table] = process.argv.slice(2);
 const runs = cases();
-const native = execFileSync(program, { input: runs.map(question).join('\n'), encoding: 'utf8' }).trim().split('\n');
+const natively = spawn(program, { stdio: ['pipe', 'pipe', 'inherit'] }); // beside this process
+natively.stdin.end(runs.map(question).join('\n'));
+const answers = all(natively.stdout);
 const compiled = await WebAssembly.compile(readFileSync(module));
+const inNode = [];
+for (const { figure, settings } of runs) {
+  const opened = await globalThis.Live.open(compiled, figure);
+  for (const [name, value] of Object.entries(settings)) opened.set(name, value);
+  inNode.push(opened.fingerprint(STEPS));
+}
+const native = (await answers).trim().split('\n');
 const lines = [];
 let different = 0;
 for (const [i, { figure, settings }] of runs.entries()) {
-  const opened = await globalThis.Live.open(compiled, figure);
-  for (const [name, value] of Object.entries(settings)) opened.set(name, value);
-  const node = opened.fingerprint(STEPS);
+  const node = inNode[i];
   if (node !== native[i]) ++different;
   const words = Object.entries(settings).map(([name, value]) => `${name}=${Number(value) ? Number(Number(value).toPrecision(4)) : value}`);
   lines.push(`${figure.padEnd(14)} ${words.join(' ').padEnd(44)} ${native[i]} ${node} ${node === native[i] ? 'same' : 'DIFFERENT'}`);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT-0
 // The claims of chapter 4. Each name is a sentence that the chapter says.
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
@@ -14,9 +13,6 @@
 
 #include "bar.h"
 #include "bdf2_spring.h"
-#include "blows.h"
-#include "hanging.h"
-#include "iterated.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
 #include "measure/implicit_methods.h"
@@ -28,9 +24,7 @@
 #include "scenes/pendulum.h"
 #include "slide.h"
 #include "soft.h"
-#include "struck.h"
 #include "thrown.h"
-#include "work.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -66,24 +60,6 @@ auto corrected(int corrections) {
 template <class Step>
 double drag_limit(Step step) {
   return measure::stability_limit(step, unit_brake, 1e-3, 10);
-}
-
-/// Multiplications of all substeps over those of one solved step.
-template <class Scene, class Counted>
-double saving(const Scene& scene, const Counted& counted) {
-  return substeps_for(scene) * work_of_substep(counted) / work_of_step(counted);
-}
-
-double cloth_saving(int side) {
-  return saving(cloth_of(side), cloth_of<Tallied>(side));
-}
-
-/// The largest size of any position after a second of a chain in substeps of symplectic Euler.
-double chain_after(int substeps) {
-  Struck s = struck(chain, gentle);
-  const double step = frame / substeps;
-  for (int n = 0; n < 60 * substeps; ++n) symplectic_euler(s.x, s.v, 0.0, step, chain);
-  return s.x.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
 }  // namespace
@@ -208,148 +184,6 @@ TEST_CASE("On a spring the derived step, the solved one and Newton's are one ste
   }
 }
 
-TEST_CASE("The talk's linear system takes the step of half as many unknowns on a chain") {
-  Struck whole = struck(chain_of(12), gentle), half = whole;
-  const auto scene = chain_of(12);
-  slide_system(whole, frame, scene);
-  auto system = system_of(scene);
-  REQUIRE(integrate::backward_euler(half.x, half.v, 0.0, frame, scene, system));
-  // The condition of the matrices is about (h omega)^2.
-  CHECK((whole.v - half.v).norm() < 1e4 * rounding * gentle);
-  CHECK((whole.x - half.x).norm() < 1e4 * rounding * gentle * frame);
-}
-
-TEST_CASE("One solve ends where the slope of the end leads back to the start, on a chain") {
-  const Struck start = struck(chain, gentle);
-  Struck s = start;
-  auto system = system_of(chain);
-  REQUIRE(integrate::backward_euler(s.x, s.v, 0.0, frame, chain, system));
-  const Eigen::VectorXd back = s.v - frame * chain(s.x, s.v, 0.0);
-  CHECK((back - start.v).cwiseAbs().maxCoeff() < 1e4 * rounding * gentle);
-}
-
-TEST_CASE("Of the matrix of a chain three diagonals are not zero, and of its inverse all") {
-  const Sparse matrix = step_matrix_of(chain);
-  CHECK(matrix.nonZeros() == 3 * chain.count - 2);
-  const Eigen::MatrixXd inverse = Eigen::MatrixXd(matrix).inverse();
-  CHECK((inverse.array() > 0).all());
-}
-
-TEST_CASE("The factor has one entry a row of a chain, four of a rope, ever more of cloth") {
-  const auto each = [](const auto& scene) {
-    const Sparse factor = factor_of(step_matrix_of(scene));
-    return double(factor.nonZeros()) / double(factor.cols());
-  };
-  CHECK_THAT(each(chain_of(1000)), WithinAbs(1, 0.002));
-  CHECK_THAT(each(rope_of(1000)), WithinAbs(4, 0.02));
-  CHECK_THAT(each(cloth_of(6)), WithinAbs(16, 1));
-  CHECK_THAT(each(cloth_of(58)), WithinAbs(75, 3));
-}
-
-TEST_CASE("The matrix of cloth has 27 entries in a row at most, at any size") {
-  for (const int side : {6, 18}) {
-    const Sparse matrix = step_matrix_of(cloth_of(side));
-    Eigen::Index most = 0;
-    for (int j = 0; j < matrix.cols(); ++j) most = std::max(most, matrix.col(j).nonZeros());
-    CHECK(most == 27);
-  }
-}
-
-TEST_CASE("Fifty substeps hold the chain, and 49 lose it") {
-  CHECK(substeps_for(chain) == 50);
-  CHECK(chain_after(50) < 0.1);
-  CHECK_FALSE(chain_after(49) < 1e6);  // nor is it a number
-}
-
-TEST_CASE("The fastest motion of the chain has twice the h omega of its springs") {
-  CHECK_THAT(frame * std::sqrt(k / mass), WithinRel(50, 1e-12));
-  // Neighbours against neighbours, at a place far from both ends.
-  Eigen::VectorXd x(chain.count);
-  for (int i = 0; i < chain.count; ++i) x[i] = chain.start().x[i] + (i % 2 == 0 ? 1e-3 : -1e-3);
-  const Eigen::VectorXd a = chain(x, chain.start().v, 0.0);
-  CHECK_THAT(frame * std::sqrt(-a[50] / 1e-3), WithinRel(100, 1e-9));
-  CHECK_THAT(frame * fastest(chain), WithinRel(100, 0.001));
-}
-
-TEST_CASE(
-    "In 50 substeps the chain has up to 59 times its energy, and in 81 at most a fifth more") {
-  CHECK_THAT(most_energy(chain, 50), WithinAbs(59, 0.5));
-  CHECK(most_energy(chain, 80) > 1.2);
-  CHECK(most_energy(chain, 81) < 1.2);
-  CHECK_THAT(most_energy(rope, 50), WithinAbs(2.2, 0.05));
-  CHECK(most_energy(rope, 56) > 1.2);
-  CHECK(most_energy(rope, 57) < 1.2);
-  CHECK_THAT(most_energy(cloth, 68), WithinAbs(1.9, 0.05));
-  CHECK(most_energy(cloth, 90) > 1.2);
-  CHECK(most_energy(cloth, 91) < 1.2);
-  // In many substeps there is nothing to gain: it is the method that puts the energy in.
-  for (const double most : {most_energy(chain, 400), most_energy(rope, 400)}) CHECK(most < 1.01);
-}
-
-TEST_CASE("With its velocities as they are stored the chain shows 117 times its energy") {
-  CHECK_THAT(most_energy(chain, 50, 0), WithinAbs(117, 0.5));
-  CHECK(most_energy(chain, 177, 0) > 1.2);
-  CHECK(most_energy(chain, 178, 0) < 1.2);
-}
-
-TEST_CASE(
-    "On cloth of 18 x 18 conjugate gradients to a thousandth take twice the work of elimination") {
-  const auto loose = by_conjugate_gradients(cloth_of(18), 1e-2);
-  const auto tight = by_conjugate_gradients(cloth_of(18), 1e-3);
-  CHECK_THAT(loose.iterations, WithinAbs(48, 1));
-  CHECK(loose.first > 2.5);
-  CHECK_THAT(tight.iterations, WithinAbs(101, 1));
-  CHECK_THAT(tight.multiplications * 3 * 18 * 18 / work_of_step(cloth_of<Tallied>(18)),
-             WithinAbs(2.25, 0.25));
-  const auto direct = shares(cloth_of(18), gentle, 60, solved_once);
-  CHECK(direct[1] < 0.5);
-  CHECK_THAT(tight.last, WithinRel(direct.back(), 0.01));
-}
-
-TEST_CASE("Four times the stiffness takes twice the substeps and the same work to solve") {
-  auto stiffer = chain;
-  stiffer.k *= 4;
-  CHECK(substeps_for(stiffer) == 2 * substeps_for(chain));
-  auto counted = chain_of<Tallied>(chain.count), four_times = counted;
-  four_times.k *= 4;
-  CHECK(work_of_step(four_times) == work_of_step(counted));
-}
-
-TEST_CASE(
-    "A rope on a nail takes 17 substeps at 10 kN/m, and one less loses it, at any stiffness") {
-  CHECK(substeps_for(rope_on_a_nail(1e4)) == 17);
-  for (const double stiffness : {1e3, 1e4, 1e5}) {
-    const auto scene = rope_on_a_nail(stiffness);
-    const auto size = [&](int substeps) {
-      Struck s = scene.start();
-      for (int n = 0; n < 180 * substeps; ++n) {
-        symplectic_euler(s.x, s.v, 0.0, frame / substeps, scene);
-      }
-      return s.x.norm();
-    };
-    CHECK(size(substeps_for(scene)) < std::sqrt(scene.count) * 1.1 * scene.length);
-    CHECK_FALSE(size(substeps_for(scene) - 1) < 1e6);  // nor is it a number
-  }
-}
-
-TEST_CASE("Cloth of any size needs about seventy substeps") {
-  for (const int side : {6, 10, 18, 32}) CHECK_THAT(substeps_for(cloth_of(side)), WithinAbs(70, 2));
-}
-
-TEST_CASE(
-    "A solved chain saves twelve times the multiplications, a rope three times, at any size") {
-  for (const int count : {50, 500}) {
-    CHECK_THAT(saving(chain_of(count), chain_of<Tallied>(count)), WithinAbs(12.5, 0.5));
-    CHECK_THAT(saving(rope_of(count), rope_of<Tallied>(count)), WithinAbs(3.2, 0.1));
-  }
-}
-
-TEST_CASE("Cloth of 10 x 10 is cheaper solved, of 18 x 18 as cheap, of 32 x 32 dearer") {
-  CHECK(cloth_saving(10) > 1.5);
-  CHECK_THAT(cloth_saving(18), WithinAbs(1, 0.1));
-  CHECK(cloth_saving(32) < 0.6);
-}
-
 TEST_CASE("One correction has half of Euler's limit on drag") {
   CHECK_THAT(drag_limit(euler), WithinRel(2, 1e-9));
   CHECK_THAT(drag_limit(corrected(1)), WithinRel(1, 1e-9));
@@ -432,16 +266,6 @@ TEST_CASE("In a second BDF2 leaves 98 per cent of a spring of one swing, and 89 
              WithinRel(spring(s.x, s.v, 0.0), 1e-12));
 }
 
-TEST_CASE(
-    "A second of BDF2 leaves a struck cloth twice what backward Euler does, and a chain nothing") {
-  const auto of_cloth = shares(cloth, gentle, 60, bdf2_once());
-  const auto by_backward_euler = shares(cloth, gentle, 60, solved_once);
-  REQUIRE(of_cloth.size() == 61);
-  CHECK_THAT(of_cloth.back() / by_backward_euler.back(), WithinAbs(2, 0.3));
-  CHECK_THAT(shares(rope, gentle, 60, bdf2_once()).back(), WithinAbs(0.71, 0.01));
-  CHECK(shares(chain, gentle, 60, bdf2_once()).back() < 1e-3);
-}
-
 TEST_CASE("BDF2 has order two on a spring") {
   const auto error = [](int rate) {
     const auto end = after_bdf2(suspension, 1.0 / rate, rate / 5);
@@ -467,29 +291,6 @@ TEST_CASE("BDF2 holds every spring at every step and brings the bar to rest") {
     }
   }
   CHECK(std::abs(after_bdf2(bar, frame, 10).x) < 1e-7);
-}
-
-TEST_CASE("A second after a gentle blow the rope has two thirds of its energy, the chain none") {
-  const auto left = [](const auto& scene) { return shares(scene, gentle, 60, solved_once).back(); };
-  CHECK(left(chain) < 1e-12);
-  CHECK_THAT(left(rope), WithinAbs(0.68, 0.01));
-  CHECK_THAT(left(cloth), WithinAbs(0.085, 0.005));
-}
-
-TEST_CASE("In a hundred substeps a frame the rope keeps its energy to four per cent for a second") {
-  REQUIRE(rope.count == 36);
-  Struck s = struck(rope, gentle);
-  const double first = rope.energy(s.x, s.v), step = frame / 100;
-  double least = first, most = first;
-  for (int n = 0; n < 60 * 100; ++n) {
-    symplectic_euler(s.x, s.v, 0.0, step, rope);
-    // Half a kick later the velocity belongs to the time of the position.
-    const Eigen::VectorXd now = s.v + step / 2 * rope(s.x, s.v, 0.0);
-    least = std::min(least, rope.energy(s.x, now));
-    most = std::max(most, rope.energy(s.x, now));
-  }
-  CHECK(least > 0.96 * first);
-  CHECK(most < 1.04 * first);
 }
 
 TEST_CASE("Backward Euler has order one on the drone, in position and in velocity") {
@@ -560,74 +361,6 @@ TEST_CASE("On a parachute each of Newton's iterations squares the error, and six
   }
 }
 
-TEST_CASE("A rope takes five or six of Newton's iterations, cloth after a hard blow eighteen") {
-  CHECK(changes(rope, gentle).size() == 5);
-  CHECK(changes(rope, hard).size() == 6);
-  CHECK(changes(cloth, hard).size() == 18);
-}
-
-TEST_CASE(
-    "Rope and cloth leave out of their matrix how a compressed spring pushes its ends aside") {
-  // A push across a spring, and what the matrix says that it does.
-  const auto check = [](const auto& scene, double longer, bool same) {
-    auto s = scene.start();
-    s.x *= longer;
-    const int middle = 3 * (scene.nodes() / 2) + 1;  // upwards, where nothing lies
-    double in_matrix = 0;
-    scene.jacobian(s.x, s.v, 0.0, [&](int i, int j, double dadx, double) {
-      if (i == middle && j == middle) in_matrix += dadx;
-    });
-    auto aside = s.x;
-    aside[middle] += 1e-6;
-    const double true_slope = scene(aside, s.v, 0.0)[middle] / 1e-6;
-    if (same) {
-      CHECK(true_slope < 0);
-      CHECK_THAT(in_matrix, WithinRel(true_slope, 1e-3));
-    } else {
-      CHECK(true_slope > 0);
-      CHECK_THAT(in_matrix, WithinAbs(0, 1e-9 * true_slope));
-    }
-  };
-  check(rope_of(9), 1.1, true);
-  check(rope_of(9), 0.9, false);
-  check(cloth_of(5), 1.1, true);
-  check(cloth_of(5), 0.9, false);
-}
-
-TEST_CASE(
-    "After a gentle blow most springs of the rope end their step compressed, after a hard one "
-    "none") {
-  const auto compressed = [](double speed) {
-    Struck s = struck(rope, speed);
-    auto system = system_of(rope);
-    REQUIRE(to_the_end(s, rope, system));
-    int count = 0;
-    for (int i = 1; i < rope.count; ++i) {
-      count += (s.x.segment<3>(3 * i) - s.x.segment<3>(3 * i - 3)).norm() < rope.length / (rope.count - 1);
-    }
-    return count;
-  };
-  CHECK(compressed(gentle) > rope.count / 2);
-  CHECK(compressed(hard) == 0);
-}
-
-TEST_CASE("On cloth the matrix is not quite the derivative, and each iteration gains a factor") {
-  const auto found = changes(cloth, hard);
-  for (std::size_t n = 10; n < 17; ++n) {
-    CHECK_THAT(found[n] / found[n - 1], WithinAbs(0.28, 0.02));
-  }
-}
-
-TEST_CASE("After a hard blow one solve a step lifts the rope's energy by half, Newton by nothing") {
-  const auto once = shares(rope, hard, 60, solved_once);
-  REQUIRE(once.size() == 61);
-  CHECK_THAT(*std::max_element(once.begin(), once.end()), WithinAbs(1.57, 0.02));
-  const auto end = shares(rope, hard, 60, to_the_end);
-  REQUIRE(end.size() == 61);
-  for (std::size_t n = 1; n < end.size(); ++n) CHECK(end[n] < end[n - 1]);
-  CHECK_THAT(end.back(), WithinAbs(0.47, 0.01));
-}
-
 TEST_CASE("The trapezoid rule has order two") {
   const auto rows = measure::halvings(trapezoid, drone, 1.0 / 15, 8.0, 4);
   CHECK_THAT(rows.back().position_order, WithinAbs(2, 0.1));
@@ -661,25 +394,6 @@ TEST_CASE("On the bar the trapezoid rule leaves 96 per cent of the swing in each
     before = now.v;
   });
   CHECK(turned > 50);
-}
-
-TEST_CASE(
-    "With one solve a step the trapezoid rule lifts the rope's energy 19 times, cloth's a "
-    "million times") {
-  const auto of_rope = shares(rope, hard, 60, trapezoid_once);
-  REQUIRE(of_rope.size() == 61);
-  CHECK_THAT(of_rope.back(), WithinAbs(19, 1));
-  CHECK(shares(cloth, hard, 60, trapezoid_once).back() > 1e6);
-}
-
-TEST_CASE("Solved to the end the trapezoid rule keeps the rope's energy within a fifth") {
-  const auto left = shares(rope, hard, 60, trapezoid_to_the_end);
-  REQUIRE(left.size() == 61);
-  for (const double share : left) CHECK_THAT(share, WithinAbs(0.9, 0.11));
-}
-
-TEST_CASE("After a hard blow the trapezoid rule takes 23 solves a step to its end") {
-  CHECK_THAT(solves_of_trapezoid(rope, hard, 60), WithinAbs(23, 1));
 }
 
 TEST_CASE("Implicit in the velocities alone, a step loses the bar") {
@@ -829,12 +543,6 @@ TEST_CASE("To keep nine tenths of a spring of two swings for a second takes 1500
     return std::pow(left_in_a_step(swinging(2).omega / rate), rate);
   };
   CHECK_THAT(left(1500), WithinAbs(0.9, 0.001));
-}
-
-TEST_CASE("Closed to a ring a chain of 108 has twice the entries in its factor") {
-  Sparse matrix = step_matrix_of(chain);
-  matrix.coeffRef(0, 107) = matrix.coeffRef(107, 0) = matrix.coeff(0, 1);
-  CHECK(factor_of(matrix).nonZeros() == 2 * 108 - 3);
 }
 
 namespace {

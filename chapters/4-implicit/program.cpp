@@ -11,6 +11,7 @@
 #include "measure/path.h"
 #include "measure/record.h"
 #include "measure/stability.h"
+#include "parachute.h"
 #include "scenes/linear_drag.h"
 #include "slide.h"
 #include "soft.h"

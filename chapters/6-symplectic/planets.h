@@ -82,13 +82,14 @@ Fate fate(const measure::Method& method, double h, const Planets::Vec& truth, Ob
   auto s = planets.start();
   const double energy = planets.energy(s.x, s.v);
   try {
-    measure::run(method, planets, s, h, std::lround(all_days / h), [&](double day, const auto& now) {
-      const double error = std::abs(planets.energy(now.x, now.v) / energy - 1);
-      if (!(error <= found.largest)) found.largest = error;
-      const double apart = (planets.body(now.x, jupiter) - planets.body(now.x, 0)).norm();
-      if (apart < 1 && !(found.fall <= day)) found.fall = day;
-      observe(day, found.largest);
-    });
+    measure::run(
+        method, planets, s, h, std::lround(all_days / h), [&](double day, const auto& now) {
+          const double error = std::abs(planets.energy(now.x, now.v) / energy - 1);
+          if (!(error <= found.largest)) found.largest = error;
+          const double apart = (planets.body(now.x, jupiter) - planets.body(now.x, 0)).norm();
+          if (apart < 1 && !(found.fall <= day)) found.fall = day;
+          observe(day, found.largest);
+        });
     found.jupiter_off = (planets.body(s.x, jupiter) - planets.body(truth, jupiter)).norm();
   } catch (const std::runtime_error&) {
     found.largest = NAN;  // it fell into the sun
@@ -113,7 +114,8 @@ inline void planets(measure::Record& record) {
   std::vector<std::vector<measure::Cell>> rows;
   for (const double day : days) rows.push_back({day / 365.25});
 
-  const auto tell = [&](const std::string& name, const measure::Method& method, int evaluations_per_step) {
+  const auto tell = [&](const std::string& name, const measure::Method& method,
+                        int evaluations_per_step) {
     const double h = all_days / evaluations * evaluations_per_step;
     std::vector<double> course;
     const Fate found = fate(method, h, truth, [&](double day, double largest) {

@@ -41,6 +41,7 @@ struct Entry {
   Attempt last{};          ///< the first that is good enough; if none is, the nearest miss
   Attempt before{};        ///< with one step less; none if its `substeps` are zero
   bool good = false;       ///< whether `last` meets the bounds
+  long tried = 0;          ///< steps in a frame at which the doubling ended
   double evaluations = 0;  ///< in a second of play, for `last`
 };
 
@@ -103,7 +104,8 @@ Attempt attempt(const measure::Method& method, const Scene& scene, const Bounds&
   long n = 0;  // steps taken
   for (std::size_t seen = 1; seen < truth.x.size(); ++seen) {
     try {
-      for (; n < long(seen) * substeps; ++n) measure::advance(method, kept, double(n) * h, h, scene);
+      for (; n < long(seen) * substeps; ++n)
+        measure::advance(method, kept, double(n) * h, h, scene);
     } catch (const std::runtime_error&) {
       worst.error = INFINITY;  // an implicit step that could not be solved
       break;
@@ -122,39 +124,51 @@ Attempt attempt(const measure::Method& method, const Scene& scene, const Bounds&
 }
 // [attempt]
 
+/// Evaluations a second with so many steps in a frame.
+template <class Scene>
+double cost_of(const measure::Method& method, const Scene& scene, const Bounds& bounds,
+               long substeps) {
+  const double steps = bounds.hz * double(substeps);
+  return steps * double(price(method, scene, 1 / steps));
+}
+
 // [enter]
-/// Doubles the steps until the bounds are met, then tries every smaller number of steps. Where
-/// doubling does not get there, tries every number of steps that costs less than `cheapest`.
+/// Doubles the steps until the bounds are met, or there would be too many.
 template <class Scene, class Vec>
 Entry enter(const measure::Method& method, const Scene& scene, const Bounds& bounds,
-            const Truth<Vec>& truth, double cheapest) {
+            const Truth<Vec>& truth) {
   Entry entry{.name = std::string(method.name), .method = &method};
   const long most = std::clamp(most_steps / bounds.frames(), 1L, most_substeps);
-  const auto with = [&](long substeps, double patience = INFINITY) {
-    return attempt(method, scene, bounds, truth, substeps, patience);
-  };
-  const auto cost = [&](long substeps) {
-    const double steps = bounds.hz * double(substeps);
-    return steps * double(price(method, scene, 1 / steps));
-  };
   for (long substeps = 1; !entry.good; substeps = std::min(2 * substeps, most)) {
-    const Attempt now = with(substeps);
+    const Attempt now = attempt(method, scene, bounds, truth, substeps, INFINITY);
     entry.good = now.good(bounds);
     if (substeps == 1 || entry.good || nearer(now, entry.last, bounds)) entry.last = now;
     if (substeps == most) break;
   }
-  const long end = entry.good ? entry.last.substeps : most;
-  const double dearest = entry.good ? INFINITY : cheapest;
-  for (long substeps = 1; substeps < end && cost(substeps) < dearest; ++substeps) {
-    const Attempt now = with(substeps, 1);
+  entry.tried = entry.good ? entry.last.substeps : most;
+  entry.evaluations = cost_of(method, scene, bounds, entry.last.substeps);
+  return entry;
+}
+
+/// Tries every smaller number of steps that costs less than `cheapest`, and ends with the first
+/// that is good enough.
+template <class Scene, class Vec>
+void fill_in(Entry& entry, const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth,
+             double cheapest) {
+  const measure::Method& method = *entry.method;
+  const auto cost = [&](long substeps) { return cost_of(method, scene, bounds, substeps); };
+  for (long substeps = 1; substeps < entry.tried && cost(substeps) < cheapest; ++substeps) {
+    const Attempt now = attempt(method, scene, bounds, truth, substeps, 1);
     if (!now.good(bounds)) continue;
     entry.last = now;
     entry.good = true;
     break;
   }
-  if (entry.good && entry.last.substeps > 1) entry.before = with(entry.last.substeps - 1);
+  const long before = entry.last.substeps - 1;
+  if (entry.good && before > 0) {
+    entry.before = attempt(method, scene, bounds, truth, before, INFINITY);
+  }
   entry.evaluations = cost(entry.last.substeps);
-  return entry;
 }
 // [enter]
 
@@ -215,15 +229,18 @@ Contest contest(const Scene& scene, const Bounds& bounds) {
   found.keeps_energy = keeps_energy(scene);
   const auto truth = truth_of(scene, bounds);
   if (const measure::Method* exact = exact_step_of(scene)) {
-    found.exact.push_back(enter(*exact, scene, bounds, truth, 0));
+    found.exact.push_back(enter(*exact, scene, bounds, truth));
     found.exact.back().name = "exact step";
+    fill_in(found.exact.back(), scene, bounds, truth, INFINITY);
   }
   for (const measure::Method* method : entrants_on(scene)) {
-    found.methods.push_back(enter(*method, scene, bounds, truth, 0));
+    found.methods.push_back(enter(*method, scene, bounds, truth));
+    Entry& entry = found.methods.back();
+    if (entry.good) fill_in(entry, scene, bounds, truth, INFINITY);
   }
   const double cheapest = cheapest_of(found.methods);
   for (Entry& entry : found.methods) {
-    if (!entry.good) entry = enter(*entry.method, scene, bounds, truth, cheapest);
+    if (!entry.good) fill_in(entry, scene, bounds, truth, cheapest);
   }
   std::sort(found.methods.begin(), found.methods.end(),
             [&](const Entry& a, const Entry& b) { return better(a, b, bounds); });

@@ -9,12 +9,19 @@
 #include "measure/registry.h"
 
 /// The methods that take any acceleration.
-inline constexpr const measure::Method* entrants[] = {
-    &method::euler,          &method::symplectic_euler, &method::leapfrog,
-    &method::stormer_verlet, &method::velocity_verlet,  &method::yoshida4,
-    &method::midpoint,       &method::heun,             &method::rk4,
-    &method::dopri5,         &method::predicted_euler,  &method::backward_euler,
-    &method::trapezoid};
+inline constexpr const measure::Method* entrants[] = {&method::euler,
+                                                      &method::symplectic_euler,
+                                                      &method::leapfrog,
+                                                      &method::stormer_verlet,
+                                                      &method::velocity_verlet,
+                                                      &method::yoshida4,
+                                                      &method::midpoint,
+                                                      &method::heun,
+                                                      &method::rk4,
+                                                      &method::dopri5,
+                                                      &method::predicted_euler,
+                                                      &method::backward_euler,
+                                                      &method::trapezoid};
 
 /// The methods that a scene can be stepped with, those that take its linear damping apart among
 /// them.

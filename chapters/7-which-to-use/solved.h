@@ -49,8 +49,7 @@ inline void level_again(measure::Record& record) {
     const Contest found = to_within(centimetre, scene, seconds);
     const Entry& best = taken(found);
     total += best.evaluations;
-    table.add({name, best.name, best.method->header, double(best.last.substeps),
-               best.evaluations,
+    table.add({name, best.name, best.method->header, double(best.last.substeps), best.evaluations,
                100 * best.last.error * size_of(scene, Bounds{.seconds = seconds})});
     for (const Entry& entry : found.methods) {
       alone[entry.name] += entry.good ? entry.evaluations : INFINITY;
@@ -97,13 +96,14 @@ inline void example_choice(measure::Record& record) {
                                         {"error", "", 2},
                                         {"with fewer steps"}});
   const Contest found = contest(example, example_bounds);
-  record.number("example-times", bill_of(found, method::symplectic_euler) / bill_of(found, method::rk4), 2);
+  record.number("example-times",
+                bill_of(found, method::symplectic_euler) / bill_of(found, method::rk4), 2);
   const Contest swing = contest(twice_a_second, example_bounds);
   record.number("by-hand-rk4", bill_of(swing, method::rk4), measure::whole);
   record.number("by-hand-verlet", bill_of(swing, method::velocity_verlet), measure::whole);
   const auto add = [&](const Entry& entry) {
-    table.add({entry.method->function, double(entry.last.substeps), entry.evaluations, entry.last.error,
-               reason(entry, example_bounds)});
+    table.add({entry.method->function, double(entry.last.substeps), entry.evaluations,
+               entry.last.error, reason(entry, example_bounds)});
   };
   for (const Entry& entry : found.exact) add(entry);
   for (const Entry& entry : found.methods) add(entry);

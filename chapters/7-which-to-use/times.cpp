@@ -52,8 +52,8 @@ void add_if_entrant(std::vector<measure::Timed>& all) {
   };
   if (std::none_of(std::begin(entrants), std::end(entrants), same)) return;
   const std::string name(Listed::name);
-  all.push_back({"shuttle/" + name,
-                 [] { return measure::seconds_per_step(Listed::step, shuttle, brief); }});
+  all.push_back(
+      {"shuttle/" + name, [] { return measure::seconds_per_step(Listed::step, shuttle, brief); }});
   all.push_back({"512 shuttles/" + name, [] {
                    return measure::seconds_per_step_of_many(Listed::step, shuttle, brief, 512);
                  }});

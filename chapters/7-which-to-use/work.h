@@ -61,10 +61,9 @@ inline double time_of_many(const measure::Method& method) {
 
 /// What a step is charged, and the time that it takes: of one shuttle alone, and of one of many.
 inline void step_times(measure::Record& record) {
-  auto& table = record.table("step-times", {{"method"},
-                                            {"evaluations", "", measure::whole},
-                                            {"alone", "ns"},
-                                            {"one of 512", "ns"}});
+  auto& table = record.table(
+      "step-times",
+      {{"method"}, {"evaluations", "", measure::whole}, {"alone", "ns"}, {"one of 512", "ns"}});
   for (const measure::Method* method : entrants) {
     const std::string name(method->name);
     table.add({name, double(price(*method, shuttle, frame)), "time:shuttle/" + name,

@@ -96,7 +96,8 @@ void drag_limit(Card& card, const Method& method, const Scene& drag) {
 /// Adds the limits on springs, omega h.
 inline void spring_limits(Card& card, const Method& method) {
   const auto add = [&](const std::string& name, const std::string& asked, double zeta) {
-    card.rows.push_back({name, "Stable up to", asked, limit(method, scenes::Spring<>{.zeta = zeta})});
+    card.rows.push_back(
+        {name, "Stable up to", asked, limit(method, scenes::Spring<>{.zeta = zeta})});
   };
   add("spring-limit", "undamped spring, hω", 0);
   add("spring-limit-0.1", "spring with ζ = 0.1, hω", 0.1);

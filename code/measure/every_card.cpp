@@ -25,8 +25,8 @@ void limits_and_energy(Card& card, const Method& method) {
 }
 
 template <class Scene = Passing>
-Card any(const Method& method, const Scene& scene = {},
-         const std::string& where = "on an orbit", double h = 1.0 / 32) {
+Card any(const Method& method, const Scene& scene = {}, const std::string& where = "on an orbit",
+         double h = 1.0 / 32) {
   Card card{std::string(method.function), "any acceleration", {}, {}};
   orders(card, method, scene, "order", where, h);
   orders(card, method, damped, "drag-order", "on a damped spring");
@@ -81,7 +81,8 @@ Card on_springs(const Method& method) {
 }
 
 Card damping(const Method& method) {
-  Card card{std::string(method.function), "any acceleration, with the engines’ linear damping", {}, {}};
+  Card card{
+      std::string(method.function), "any acceleration, with the engines’ linear damping", {}, {}};
   orders(card, method, undamped, "order", "without damping");
   orders(card, method, damped, "drag-order", "on a damped spring");
   evaluations(card, method, damped);

@@ -35,7 +35,8 @@ struct Euler {
 };
 
 struct ConstantAcceleration {
-  static constexpr std::string_view name = "constant acceleration", function = "constant_acceleration";
+  static constexpr std::string_view name = "constant acceleration",
+                                    function = "constant_acceleration";
   static constexpr auto step = measure::constant_acceleration;
   static constexpr std::string_view header = "constant_acceleration.h";
   static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
@@ -53,7 +54,8 @@ struct SymplecticEuler {
 };
 
 struct SymplecticEulerPositionFirst {
-  static constexpr std::string_view name = "symplectic Euler, position first", function = "symplectic_euler_position_first";
+  static constexpr std::string_view name = "symplectic Euler, position first",
+                                    function = "symplectic_euler_position_first";
   static constexpr auto step = measure::symplectic_euler_position_first;
   static constexpr std::string_view header = "symplectic_euler.h";
   static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
@@ -107,7 +109,8 @@ struct StormerVerlet {
 };
 
 struct StormerVerletCarried {
-  static constexpr std::string_view name = "Störmer–Verlet, carried", function = "stormer_verlet_carried";
+  static constexpr std::string_view name = "Störmer–Verlet, carried",
+                                    function = "stormer_verlet_carried";
   static constexpr auto step = measure::stormer_verlet_carried;
   static constexpr std::string_view header = "stormer_verlet.h";
   static constexpr int order = 2, velocity_order = 2, drag_order = 2, drag_velocity_order = 2;
@@ -116,7 +119,8 @@ struct StormerVerletCarried {
 };
 
 struct StormerVerletUneven {
-  static constexpr std::string_view name = "Störmer–Verlet, uneven", function = "stormer_verlet_uneven";
+  static constexpr std::string_view name = "Störmer–Verlet, uneven",
+                                    function = "stormer_verlet_uneven";
   static constexpr auto step = measure::stormer_verlet_uneven;
   static constexpr std::string_view header = "stormer_verlet.h";
   static constexpr int order = 2, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
@@ -170,7 +174,8 @@ struct BackwardEuler {
 };
 
 struct BackwardEulerNewton {
-  static constexpr std::string_view name = "backward Euler, to the end", function = "backward_euler_newton";
+  static constexpr std::string_view name = "backward Euler, to the end",
+                                    function = "backward_euler_newton";
   static constexpr auto step = measure::backward_euler_newton;
   static constexpr std::string_view header = "backward_euler.h";
   static constexpr int order = 1, velocity_order = 1, drag_order = 1, drag_velocity_order = 1;
@@ -198,7 +203,8 @@ struct TrapezoidNewton {
 
 // On a spring or a drag alone.
 struct BackwardEulerSpring {
-  static constexpr std::string_view name = "backward Euler on a spring", function = "backward_euler_spring";
+  static constexpr std::string_view name = "backward Euler on a spring",
+                                    function = "backward_euler_spring";
   static constexpr auto step = measure::backward_euler_spring;
   static constexpr std::string_view header = "backward_euler_spring.h";
 };
@@ -216,43 +222,50 @@ struct SpringExact {
 };
 
 struct LinearDampingExplicitLast {
-  static constexpr std::string_view name = "symplectic Euler, drag by its rate", function = "linear_damping_explicit_last";
+  static constexpr std::string_view name = "symplectic Euler, drag by its rate",
+                                    function = "linear_damping_explicit_last";
   static constexpr auto step = measure::linear_damping_explicit_last;
   static constexpr std::string_view header = "linear_damping.h";
 };
 
 struct LinearDampingExplicitFirst {
-  static constexpr std::string_view name = "symplectic Euler, drag by its rate, first", function = "linear_damping_explicit_first";
+  static constexpr std::string_view name = "symplectic Euler, drag by its rate, first",
+                                    function = "linear_damping_explicit_first";
   static constexpr auto step = measure::linear_damping_explicit_first;
   static constexpr std::string_view header = "linear_damping.h";
 };
 
 struct LinearDampingImplicitLast {
-  static constexpr std::string_view name = "symplectic Euler, drag divided", function = "linear_damping_implicit_last";
+  static constexpr std::string_view name = "symplectic Euler, drag divided",
+                                    function = "linear_damping_implicit_last";
   static constexpr auto step = measure::linear_damping_implicit_last;
   static constexpr std::string_view header = "linear_damping.h";
 };
 
 struct LinearDampingImplicitFirst {
-  static constexpr std::string_view name = "symplectic Euler, drag divided first", function = "linear_damping_implicit_first";
+  static constexpr std::string_view name = "symplectic Euler, drag divided first",
+                                    function = "linear_damping_implicit_first";
   static constexpr auto step = measure::linear_damping_implicit_first;
   static constexpr std::string_view header = "linear_damping.h";
 };
 
 struct LinearDampingExponentialLast {
-  static constexpr std::string_view name = "symplectic Euler, drag by its exponential", function = "linear_damping_exponential_last";
+  static constexpr std::string_view name = "symplectic Euler, drag by its exponential",
+                                    function = "linear_damping_exponential_last";
   static constexpr auto step = measure::linear_damping_exponential_last;
   static constexpr std::string_view header = "linear_damping.h";
 };
 
 struct LinearDampingExponentialFirst {
-  static constexpr std::string_view name = "symplectic Euler, drag by its exponential, first", function = "linear_damping_exponential_first";
+  static constexpr std::string_view name = "symplectic Euler, drag by its exponential, first",
+                                    function = "linear_damping_exponential_first";
   static constexpr auto step = measure::linear_damping_exponential_first;
   static constexpr std::string_view header = "linear_damping.h";
 };
 
 struct LinearDampingExact {
-  static constexpr std::string_view name = "symplectic Euler, drag exact", function = "linear_damping_exact";
+  static constexpr std::string_view name = "symplectic Euler, drag exact",
+                                    function = "linear_damping_exact";
   static constexpr auto step = measure::linear_damping_exact;
   static constexpr std::string_view header = "linear_damping.h";
 };

@@ -82,8 +82,7 @@ struct Leapfrog {
   }
   /// The state that it stands for; asks for the acceleration to bring the velocity up to date.
   template <class Kept, class Real, class Scene>
-  static StateOf<Kept> seen(const Kept& kept, Real t, Real h,
-                                 const Scene& scene) {
+  static StateOf<Kept> seen(const Kept& kept, Real t, Real h, const Scene& scene) {
     return {kept[0], integrate::leapfrog_velocity(kept[0], kept[1], t, h, scene)};
   }
 };

@@ -49,7 +49,7 @@ struct Times {
 /// @param all  what is timed
 /// @param compiler  goes into the result
 /// @param turns  how often
-Times take_times(const std::vector<Timed>& all, const std::string& compiler, int turns = 31);
+Times take_times(const std::vector<Timed>& all, const std::string& compiler, int turns);
 
 /// Writes a file that `read_times` reads; it is whole or not there.
 /// @throws std::runtime_error  one line that says which file could not be written

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT-0
+#include "blows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bdf2_spring.h"
+#include "parachute.h"
+
+void a_second(measure::Record& record) {
+  auto& table = record.table("second", {{"t", "s"}, {"chain"}, {"rope"}, {"cloth"}, {"1 Hz"}});
+  const auto c = shares(chain, gentle, 60, solved_once), r = shares(rope, gentle, 60, solved_once);
+  const auto cl = shares(cloth, gentle, 60, solved_once);
+  for (std::size_t n = 0; n <= 60; ++n) {
+    const double left = std::pow(left_in_a_step(frame * swinging(1).omega), double(n));
+    table.add({frame * double(n), c[n], r[n], cl[n], left});
+  }
+  record.number("first-chain", 100 * c[1], 2, "%");
+  record.number("second-rope", 100 * r[60], 2, "%");
+  record.number("second-cloth", 100 * cl[60], 2, "%");
+  for (const int times : {1, 2}) {
+    record.number("bdf2-" + std::to_string(times) + "hz", 100 * left_by_bdf2(swinging(times).omega),
+                  2, "%");
+  }
+  record.number("bdf2-cloth", 100 * shares(cloth, gentle, 60, bdf2_once()).back(), 2, "%");
+  record.number("bdf2-rope", 100 * shares(rope, gentle, 60, bdf2_once()).back(), 2, "%");
+  record.number("bdf2-suspension", 100 * left_by_bdf2(suspension.omega), 2, "%");
+  const auto left = [](const scenes::Spring<>& spring) {
+    return 100 * std::pow(left_in_a_step(frame * spring.omega), 60);
+  };
+  record.number("second-1hz", left(swinging(1)), 2, "%");
+  record.number("second-2hz", left(swinging(2)), 2, "%");
+  record.number("second-suspension", left(suspension), 2, "%");
+}
+
+void hard_blow(measure::Record& record) {
+  auto& blow = record.table(
+      "blow", {{"t", "s"}, {"one solve"}, {"to the end"}, {"trapezoid"}, {"trapezoid end"}});
+  const auto once = shares(rope, hard, 60, solved_once), end = shares(rope, hard, 60, to_the_end);
+  const auto trap = shares(rope, hard, 60, trapezoid_once);
+  const auto trap_end = shares(rope, hard, 60, trapezoid_to_the_end);
+  for (std::size_t n = 0; n <= 60; ++n) {
+    blow.add({frame * double(n), once[n], end[n], trap[n], trap_end[n]});
+  }
+  record.number("blow-once", *std::max_element(once.begin(), once.end()), 3);
+  record.number("blow-end", end[60], 2);
+  record.number("blow-trapezoid", trap[60], 2);
+  record.number("trapezoid-solves", solves_of_trapezoid(rope, hard, 60), 2);
+  const auto cloth_trap = shares(cloth, hard, 60, trapezoid_once);
+  record.number("blow-trapezoid-cloth", cloth_trap.back(), 2);
+}
+
+void newton(measure::Record& record) {
+  auto& table = record.table("newton", {{"iteration", "", measure::whole},
+                                        {"parachute", "m/s", 2},
+                                        {"rope, gentle", "m/s", 2},
+                                        {"rope, hard", "m/s", 2},
+                                        {"cloth, hard", "m/s", 2}});
+  const std::vector<double> all[] = {changes_of_parachute(), changes(rope, gentle),
+                                     changes(rope, hard), changes(cloth, hard)};
+  for (std::size_t n = 0; n < all[3].size(); ++n) {
+    std::vector<measure::Cell> row{double(n + 1)};
+    for (const auto& one : all) row.push_back(n < one.size() ? one[n] : NAN);
+    table.add(row);
+  }
+  record.number("iterations-parachute", double(all[0].size()), measure::whole);
+  record.number("iterations-cloth-hard", double(all[3].size()), measure::whole);
+}
