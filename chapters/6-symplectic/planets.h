@@ -4,6 +4,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 namespace measure {
 
