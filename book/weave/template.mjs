@@ -28,7 +28,8 @@ ${sideNav(book, page, name)}
 <main id="content">
 <h1>${page.kicker ? `<span class="kicker">${escapeHtml(page.kicker)}</span> ` : ''}${page.titleHtml ?? title}</h1>
 ${page.body}
-${pager(page)}</main>
+${pager(page)}<footer>${name} ${escapeHtml(book.config.version)}. Prose and figures: CC BY 4.0. Code: MIT-0.</footer>
+</main>
 ${onThisPage(page)}</div>
 </div>
 </body>

@@ -18,6 +18,11 @@ const front = (text = '\\figure{race, A race}\nAfter \\number{turns}.\n\\endfigu
     <OverallResult success="true" skips="0"/></TestCase></Catch2TestRun>\n`],
 ];
 
+test('every page says which edition of the book it is from', () => {
+  const read = weaves();
+  for (const page of ['index', 'preface', '2-euler', 'claims', 'reference']) assert.match(read(`${page}.html`), /<footer>[^<]* 1\.2\.3\. /, page);
+});
+
 test('the pages follow each other, and stand in the menu', () => {
   const read = weaves();
   const order = ['index', 'preface', '2-euler', 'talks', 'teaching', 'glossary', 'references'];

@@ -54,7 +54,7 @@ function edit(book, name, change) {
 function weave(folder, chapters, doxygen) {
   const config = join(folder, 'weave.json');
   writeFileSync(config, JSON.stringify({
-    source: folder, output: join(folder, 'built/book'), work: join(folder, 'work'), live: existsSync(join(folder, MODULE)) ? join(folder, MODULE) : '', cards: join(folder, 'built/cards'), doxygen,
+    version: '1.2.3', source: folder, output: join(folder, 'built/book'), work: join(folder, 'work'), live: existsSync(join(folder, MODULE)) ? join(folder, MODULE) : '', cards: join(folder, 'built/cards'), doxygen,
     times: existsSync(join(folder, 'built/recorded.csv')) || existsSync(join(folder, 'built/here.csv')) ? [{ recorded: join(folder, 'built/recorded.csv'), here: join(folder, 'built/here.csv') }] : [],
     chapters: chapters.map(name => ({ name, folder: `chapters/${name}`, build: join(folder, 'built', name) })),
   }));
