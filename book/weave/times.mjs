@@ -1,5 +1,6 @@
 // Summarises build/.ninja_log:  node times.mjs NINJA_LOG OUT   (OUT is left alone when nothing changed)
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, resolve } from 'node:path';
 
 const GROUPS = [
   ['weave', /(^|\/)book\/|book\.stamp$/],
@@ -10,10 +11,11 @@ const GROUPS = [
   ['link', /\.(a|so|wasm)$|(^|\/)[\w.-]+$/],
 ];
 
-// One row per line of the log: when an edge started and ended in its build [ms], what it made, the hash of its command.
-export function readLog(text) {
+// One row per line of the log: when an edge started and ended in its build [ms], what it made, the hash of its command. What it
+// made is told from the build folder on: what folders that one lies in says nothing.
+export function readLog(text, folder = '/build') {
   return text.split('\n').map(line => line.split('\t')).filter(fields => fields.length === 5)
-    .map(([start, end, , output, command]) => ({ start: Number(start), end: Number(end), output, command }));
+    .map(([start, end, , output, command]) => ({ start: Number(start), end: Number(end), output: output.replace(`${folder}/`, ''), command }));
 }
 
 // The log has a line for each output of an edge, and still has those of older builds: the last one of an output counts,
@@ -53,7 +55,7 @@ export function table(entries) {
 
 if (process.argv[1]?.endsWith('times.mjs')) {
   const [log, out] = process.argv.slice(2);
-  const text = existsSync(log) ? table(readLog(readFileSync(log, 'utf8'))) : 'no log of the build\n';
+  const text = existsSync(log) ? table(readLog(readFileSync(log, 'utf8'), dirname(resolve(log)))) : 'no log of the build\n';
   writeFileSync(out, text);
   process.stdout.write(text);
 }
