@@ -1,6 +1,6 @@
 // Where a link leads: to its target, for readers who like motion too, and nowhere else while a page comes to life.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
+import { before, describe, test } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
 import { chapters, parse } from './book.mjs';
 import { addressOf, openTab, pageOf, visit } from './browser.mjs';
@@ -70,81 +70,84 @@ const readers = [
   ['a desktop without scroll anchoring', { width: 1440, height: 900, touch: false, anchored: false }],
   ['a phone without scroll anchoring', { width: 390, height: 844, touch: true, anchored: false }],
 ];
-for (const [i, [name, look]] of readers.entries()) {
-  const tab = await reader(look);
-  const about = (sentence, body) => test(`${name}: ${sentence}`, body);
-  const page = liveChapters.at(-1);
+// Four readers at once: most of the time each waits for a page to come to rest.
+describe('where links land', { concurrency: readers.length }, () => {
+  for (const [i, [name, look]] of readers.entries()) describe(name, { concurrency: 1 }, () => {
+    const page = liveChapters.at(-1);
+    let tab;
+    before(async () => { tab = await reader(look); });
 
-  about('a link from elsewhere to a figure, a heading or a claim lands there', async () => {
-    for (const [n, chapter] of liveChapters.entries()) {
-      const link = deep(chapter)[(i + n) % 3];
-      await visit(tab, link);
-      await assertAt(tab, idOf(link), 'opened');
-    }
-  });
+    test('a link from elsewhere to a figure, a heading or a claim lands there', async () => {
+      for (const [n, chapter] of liveChapters.entries()) {
+        const link = deep(chapter)[(i + n) % 3];
+        await visit(tab, link);
+        await assertAt(tab, idOf(link), 'opened');
+      }
+    });
 
-  about('a citation on the page of claims, a word of the glossary and a search hit land where they point', async () => {
-    const far = selector => tab.locator(selector).last();
-    for (const [from, link] of [['claims.html', far(`a[href^="${page}#cited-"]`)], ['glossary.html', far('main a[href*=".html#"]')]]) {
-      await visit(tab, from);
-      const id = idOf(await link.getAttribute('href'));
-      await link.click();
+    test('a citation on the page of claims, a word of the glossary and a search hit land where they point', async () => {
+      const far = selector => tab.locator(selector).last();
+      for (const [from, link] of [['claims.html', far(`a[href^="${page}#cited-"]`)], ['glossary.html', far('main a[href*=".html#"]')]]) {
+        await visit(tab, from);
+        const id = idOf(await link.getAttribute('href'));
+        await link.click();
+        await tab.waitForURL(url => url.hash === `#${id}`);
+        await assertAt(tab, id, `from ${from}`);
+      }
+      await visit(tab, 'index.html');
+      await tab.keyboard.press('/');
+      const heading = parse(page)('main h2').eq(-2);
+      await tab.keyboard.type(heading.contents().eq(1).text().trim());
+      const hit = tab.locator(`.search a[href="${page}#${heading.attr('id')}"]`);
+      await hit.waitFor();
+      const id = idOf(await hit.getAttribute('href'));
+      await hit.click();
       await tab.waitForURL(url => url.hash === `#${id}`);
-      await assertAt(tab, id, `from ${from}`);
-    }
-    await visit(tab, 'index.html');
-    await tab.keyboard.press('/');
-    const heading = parse(page)('main h2').eq(-2);
-    await tab.keyboard.type(heading.contents().eq(1).text().trim());
-    const hit = tab.locator(`.search a[href="${page}#${heading.attr('id')}"]`);
-    await hit.waitFor();
-    const id = idOf(await hit.getAttribute('href'));
-    await hit.click();
-    await tab.waitForURL(url => url.hash === `#${id}`);
-    await assertAt(tab, id, 'a search hit');
-  });
+      await assertAt(tab, id, 'a search hit');
+    });
 
-  about('a link within the page lands, back goes to where it was clicked, and forward to its target', async () => {
-    await visit(tab, liveChapters.findLast(chapter => parse(chapter)('main > p a[href^="#eq-"]').length));
-    const link = tab.locator('main > p a[href^="#eq-"]').last();
-    const id = idOf(await link.getAttribute('href'));
-    await link.scrollIntoViewIfNeeded();
-    await settled(tab);
-    const read = await placeRead(tab);
-    await link.click();
-    await assertAt(tab, id, 'clicked');
-    await tab.goBack();
-    await assertRead(tab, read, 'back');
-    await tab.goForward();
-    await assertAt(tab, id, 'forward');
-  });
+    test('a link within the page lands, back goes to where it was clicked, and forward to its target', async () => {
+      await visit(tab, liveChapters.findLast(chapter => parse(chapter)('main > p a[href^="#eq-"]').length));
+      const link = tab.locator('main > p a[href^="#eq-"]').last();
+      const id = idOf(await link.getAttribute('href'));
+      await link.scrollIntoViewIfNeeded();
+      await settled(tab);
+      const read = await placeRead(tab);
+      await link.click();
+      await assertAt(tab, id, 'clicked');
+      await tab.goBack();
+      await assertRead(tab, read, 'back');
+      await tab.goForward();
+      await assertAt(tab, id, 'forward');
+    });
 
-  about('after a reload, and after another page and back, the reader is where they were', async () => {
-    const [, heading] = deep(page);
-    await visit(tab, heading);
-    await settled(tab);
-    await tab.evaluate(() => scrollBy({ top: -1500, behavior: 'instant' }));
-    await settled(tab);
-    const read = await placeRead(tab);
-    await tab.reload();
-    await assertRead(tab, read, 'reloaded');
-    await visit(tab, 'glossary.html');
-    await tab.goBack();
-    await assertRead(tab, read, 'back from another page');
-  });
+    test('after a reload, and after another page and back, the reader is where they were', async () => {
+      const [, heading] = deep(page);
+      await visit(tab, heading);
+      await settled(tab);
+      await tab.evaluate(() => scrollBy({ top: -1500, behavior: 'instant' }));
+      await settled(tab);
+      const read = await placeRead(tab);
+      await tab.reload();
+      await assertRead(tab, read, 'reloaded');
+      await visit(tab, 'glossary.html');
+      await tab.goBack();
+      await assertRead(tab, read, 'back from another page');
+    });
 
-  about('who scrolls before the live figures run is left where they are', async () => {
-    const late = await reader(look);
-    await late.addInitScript(held);
-    const [figure] = deep(page);
-    await late.goto(addressOf(figure));
-    await settled(late);
-    if (look.touch) await late.touchscreen.tap(200, 300);
-    await late.mouse.wheel(0, -700);
-    await settled(late);
-    const read = await placeRead(late);
-    await late.evaluate(() => globalThis.release());
-    await late.waitForFunction(() => document.querySelector('[data-live].live'));
-    await assertRead(late, read, 'once the figures run');
+    test('who scrolls before the live figures run is left where they are', async () => {
+      const late = await reader(look);
+      await late.addInitScript(held);
+      const [figure] = deep(page);
+      await late.goto(addressOf(figure));
+      await settled(late);
+      if (look.touch) await late.touchscreen.tap(200, 300);
+      await late.mouse.wheel(0, -700);
+      await settled(late);
+      const read = await placeRead(late);
+      await late.evaluate(() => globalThis.release());
+      await late.waitForFunction(() => document.querySelector('[data-live].live'));
+      await assertRead(late, read, 'once the figures run');
+    });
   });
-}
+});
