@@ -46,6 +46,8 @@ constexpr Stepper<Vec> stepper_of() {
 template <class Step>
 constexpr Method method_of(const Step&, std::string_view name = "", std::string_view function = "",
                            std::string_view header = "") {
+  static_assert(std::is_empty_v<Step>,
+                "a Method is made of a lambda without captures, or of an object without members");
   return {name,
           function,
           header,
