@@ -1,16 +1,15 @@
 // Compares the runs of the native program with those of the module in Node:  node same-bits.mjs PROGRAM MODULE TABLE
 // Prints the table of fingerprints, and writes it where all are the same.
-import { spawn } from 'node:child_process';
-import { text as all } from 'node:stream/consumers';
+import { execFile } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
+import { promisify } from 'node:util';
 import './page/module.js';
 import { STEPS, cases, question } from './cases.mjs';
 
 const [program, module, table] = process.argv.slice(2);
 const runs = cases();
-const natively = spawn(program, { stdio: ['pipe', 'pipe', 'inherit'] }); // beside this process
-natively.stdin.end(runs.map(question).join('\n'));
-const answers = all(natively.stdout);
+const natively = promisify(execFile)(program); // beside this process
+natively.child.stdin.end(runs.map(question).join('\n'));
 const compiled = await WebAssembly.compile(readFileSync(module));
 const inNode = [];
 for (const { figure, settings } of runs) {
@@ -18,7 +17,7 @@ for (const { figure, settings } of runs) {
   for (const [name, value] of Object.entries(settings)) opened.set(name, value);
   inNode.push(opened.fingerprint(STEPS));
 }
-const native = (await answers).trim().split('\n');
+const native = (await natively).stdout.trim().split('\n');
 const lines = [];
 let different = 0;
 for (const [i, { figure, settings }] of runs.entries()) {

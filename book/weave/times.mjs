@@ -13,7 +13,7 @@ const GROUPS = [
 
 // One row per line of the log: when an edge started and ended in its build [ms], what it made, the hash of its command. What it
 // made is told from the build folder on: what folders that one lies in says nothing.
-export function readLog(text, folder = '/build') {
+export function readLog(text, folder) {
   return text.split('\n').map(line => line.split('\t')).filter(fields => fields.length === 5)
     .map(([start, end, , output, command]) => ({ start: Number(start), end: Number(end), output: output.replace(`${folder}/`, ''), command }));
 }

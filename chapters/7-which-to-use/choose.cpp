@@ -131,17 +131,19 @@ void require_fits(const CLI::App& app, const Choice& choice, const Parameters& p
 }
 
 void print(const Entry& entry, const Bounds& bounds, bool keeps_energy) {
-  std::printf("%-30s %11ld %10.0f  %-8s %-8s %s\n", std::string(entry.method->function).c_str(), entry.last.substeps,
+  const std::string function(entry.method->function);
+  std::printf("%-30s %11ld %10.0f  %-8s %-8s %s\n", function.c_str(), entry.last.substeps,
               entry.evaluations, brief(entry.last.error).c_str(),
               keeps_energy ? brief(entry.last.energy).c_str() : "-", reason(entry, bounds).c_str());
 }
 
 void print_choice(const Entry& entry) {
+  const std::string function(entry.method->function), header(entry.method->header);
   std::printf(
       "  %s, %ld step%s a frame: %.0f evaluations a second, error %s\n"
       "  #include \"integrate/%s\"\n\n",
-      std::string(entry.method->function).c_str(), entry.last.substeps, entry.last.substeps > 1 ? "s" : "",
-      entry.evaluations, brief(entry.last.error).c_str(), std::string(entry.method->header).c_str());
+      function.c_str(), entry.last.substeps, entry.last.substeps > 1 ? "s" : "", entry.evaluations,
+      brief(entry.last.error).c_str(), header.c_str());
 }
 
 /// @returns the exit code

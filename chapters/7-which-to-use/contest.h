@@ -146,7 +146,6 @@ Entry enter(const measure::Method& method, const Scene& scene, const Bounds& bou
     if (substeps == most) break;
   }
   entry.tried = entry.good ? entry.last.substeps : most;
-  entry.evaluations = cost_of(method, scene, bounds, entry.last.substeps);
   return entry;
 }
 

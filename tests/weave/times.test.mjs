@@ -16,7 +16,7 @@ const LOG = [
   '7110\t7160\t2\ttimes.txt\tffff',
   '',
 ].join('\n');
-const entries = readLog(LOG);
+const entries = readLog(LOG, '/build');
 const groups = Object.fromEntries(summarise(edgesOf(entries)).map(({ name, edges, seconds }) => [name, [edges, seconds]]));
 
 test('an edge with two outputs counts once', () => assert.deepEqual(groups.figures, [1, 0.1]));
