@@ -12,6 +12,7 @@
 #include "frames/recorded.h"
 #include "integrate/rk4.h"
 #include "jump.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "scenes/constant_velocity.h"
 #include "scenes/friction.h"

@@ -8,7 +8,7 @@
 #include "drone.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
-#include "measure/linear_methods.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/stability.h"
 #include "planets.h"

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
 #include "scenes/outer_solar_system.h"

@@ -11,7 +11,7 @@
 #include "equal_cost.h"
 #include "limits.h"
 #include "measure/fewest_steps.h"
-#include "measure/linear_methods.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/path.h"
 #include "measure/times.h"

@@ -13,6 +13,7 @@
 #include "jitter_runs.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
+#include "measure/methods.h"
 #include "measure/stability.h"
 #include "rope_runs.h"
 #include "scenes/orbit.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "measure/record.h"
-#include "measure/registry.h"
+#include "measure/compiled.h"
 #include "measure/stability.h"
 #include "scenes/linear_drag.h"
 #include "scenes/spring.h"

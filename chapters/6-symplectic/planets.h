@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "measure/record.h"
-#include "measure/registry.h"
+#include "measure/compiled.h"
 #include "measure/run.h"
 #include "scenes/outer_solar_system.h"
 

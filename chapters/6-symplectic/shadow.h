@@ -6,6 +6,7 @@
 #include <numbers>
 #include <type_traits>
 
+#include "measure/methods.h"
 #include "measure/run.h"
 #include "scenes/circle.h"
 #include "scenes/spring.h"

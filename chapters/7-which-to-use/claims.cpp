@@ -5,14 +5,17 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "floor.h"
 #include "map.h"
 #include "measure/method_of.h"
+#include "measure/methods.h"
 #include "particles.h"
 #include "peers.h"
 #include "solved.h"
@@ -308,6 +311,21 @@ TEST_CASE("Just inside the limits of the map a spring stays, just outside it exp
     }
   }
   CHECK(checked == 34);
+}
+
+TEST_CASE("What has no map of its own has the limits of something that has") {
+  const auto limits = [](const Method& step) {
+    std::vector<long> rounded;
+    for (const double zeta : {0.0, 0.1, 0.5, 1.0, 2.0}) {
+      rounded.push_back(std::lround(1e6 * stable_until(step, zeta)));
+    }
+    return rounded;
+  };
+  for (const Method* entrant : entrants) {
+    INFO(entrant->name << ": give it a map, in chapters/7-which-to-use/map.h");
+    const auto same = [&](const Mapped& one) { return limits(one.method) == limits(*entrant); };
+    CHECK(std::any_of(std::begin(mapped), std::end(mapped), same));
+  }
 }
 
 TEST_CASE("The eigenvalues know the limits that the formulas give") {

@@ -6,8 +6,7 @@
 #include <numbers>
 
 #include "measure/cost.h"
-#include "measure/implicit_methods.h"
-#include "measure/methods_with_memory.h"
+#include "measure/methods.h"
 #include "scenes/orbit.h"
 
 inline constexpr double turn = 8;      ///< time of a turn [s]

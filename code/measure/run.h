@@ -4,7 +4,6 @@
 #pragma once
 #include <array>
 
-#include "measure/methods.h"
 #include "scenes/state.h"
 
 namespace measure {

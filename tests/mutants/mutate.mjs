@@ -4,7 +4,7 @@
 // A mutant names the function that it spoils and gives lines to find there (each exactly once) and
 // lines to put in their place:
 //   Killed by: <name of the test that must fail>
-//   Method: <type of tests/methods/list.h, if the test goes over a list: spares the others>
+//   Method: <type of code/measure/methods, if the test goes over a list: spares the others>
 //   In: <function, class or table>
 //   (empty line)
 //   - <found>

@@ -4,7 +4,9 @@
 #include "../implicit.h"
 #include "../run.h"
 #include "6-symplectic/cat.h"
-#include "measure/methods_with_memory.h"
+#include "measure/methods/euler.h"
+#include "measure/methods/runge_kutta.h"
+#include "measure/methods/verlet.h"
 
 namespace live {
 namespace {

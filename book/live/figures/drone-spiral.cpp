@@ -3,6 +3,7 @@
 #include "../figure.h"
 #include "../run.h"
 #include "2-euler/drone.h"
+#include "measure/methods/euler.h"
 
 namespace live {
 namespace {

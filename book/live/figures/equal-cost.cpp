@@ -6,6 +6,8 @@
 #include "../run.h"
 #include "3-runge-kutta/toys.h"
 #include "measure/evaluations.h"
+#include "measure/methods/euler.h"
+#include "measure/methods/runge_kutta.h"
 
 namespace live {
 namespace {

@@ -3,6 +3,7 @@
 #include "../figure.h"
 #include "../run.h"
 #include "../step_limit.h"
+#include "measure/methods/euler.h"
 #include "scenes/spring.h"
 
 namespace live {

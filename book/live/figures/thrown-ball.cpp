@@ -3,6 +3,7 @@
 #include "../figure.h"
 #include "../run.h"
 #include "1-test-case/ball.h"
+#include "measure/methods/euler.h"
 
 namespace live {
 namespace {

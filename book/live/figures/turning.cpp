@@ -7,7 +7,9 @@
 #include "../figure.h"
 #include "../run.h"
 #include "6-symplectic/shuttle.h"
-#include "measure/methods_with_memory.h"
+#include "measure/methods/euler.h"
+#include "measure/methods/runge_kutta.h"
+#include "measure/methods/verlet.h"
 
 namespace live {
 namespace {
