@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "grade.h"
+#include "grade_submission.h"
 #include "judge/session.h"
 
 namespace {
@@ -24,7 +24,7 @@ Report grade_file(const grade::Exercise& exercise, const std::filesystem::path& 
   request.exercise = exercise;
   request.submission = file;
   request.seed = seed;
-  return grade::grade_one(request);
+  return grade::grade_submission(request);
 }
 
 bool say(const Report& report, const std::filesystem::path& file, bool as_it_should,

@@ -12,7 +12,7 @@ const room = realClass(exercises);
 mkdirSync(join(room.submissions, "$(touch forged) 'n\newline"));
 
 test('GNU parallel grades each submission, and the grader then only makes the tables', () => {
-  const script = join(exercises, 'grade/class/parallel.sh');
+  const script = join(exercises, 'grader/class/parallel.sh');
   const seed = ['--seed-file', join(room.folder, 'seed')];
   writeFileSync(seed[1], '20');
   const run = spawnSync(script, [grade, room.name, room.submissions, room.results, ...seed],

@@ -64,7 +64,7 @@ async function startSlurm(daemons) {
 
 function gradeBySlurm() {
   const command = [grade, '--class', room.submissions, '--out', room.results];
-  const script = join(exercises, 'grade/class/slurm.sbatch');
+  const script = join(exercises, 'grader/class/slurm.sbatch');
   const job = slurm('sbatch', '--wait', '--array=1-3', '--mem-per-cpu=0', '--output', at('task-%a.txt'), script, ...command);
   const printed = readdirSync(room.folder).filter(name => name.startsWith('task-')).map(name => readFileSync(at(name), 'utf8'));
   assert.equal(job.status, 0, [job.stderr, ...printed].join('\n'));
