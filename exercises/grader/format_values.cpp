@@ -17,6 +17,10 @@ std::string megabytes(std::size_t bytes) {
   return number(static_cast<double>(bytes) / 1e6, 4) + " MB";
 }
 
+std::string counted(std::size_t number, const std::string& thing) {
+  return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
+}
+
 std::string seconds(const cage::Limits& limits) {
   return number(limits.processor, 3) + " s of processor time or " + number(limits.wall, 3) +
          " s on the clock";

@@ -14,6 +14,9 @@ std::string number(double value, int digits = 6);
 
 std::string megabytes(std::size_t bytes);
 
+/// `1 student`, `2 students`
+std::string counted(std::size_t number, const std::string& thing);
+
 /// The processor time that a program may use.
 std::string seconds(const cage::Limits& limits);
 

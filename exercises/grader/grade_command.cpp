@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "exit_codes.h"
 #include "judge/session.h"
 #include "report/escape.h"
 #include "report/terminal.h"
@@ -47,17 +48,9 @@ Report grade_fairly(const Command& command) {
   return slow && met_a_time_limit(report) ? grade_submission(calibrated) : report;
 }
 
-int exit_code(const Report& report, bool by_verdict) {
-  if (report.unreadable) return Exit::unreadable;
-  if (report.verdict == Verdict::grader_error) {
-    return report.try_again ? Exit::try_again : Exit::failed;
-  }
-  return by_verdict && report.score < report.points ? Exit::below_full_score : Exit::graded;
-}
-
 void print(const Report& report) {
   if (report.unreadable) {
-    std::fprintf(stderr, "grade: %s\n", printable(report.why).c_str());
+    refuse(Exit::unreadable, printable(report.why));
     return;
   }
   const bool colour = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;

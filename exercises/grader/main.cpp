@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT-0
 // Grades a submission, or those of a class.
-#include <cerrno>
 #include <cstdio>
 #include <system_error>
 
 #include "command_line.h"
+#include "exit_codes.h"
 #include "grade_command.h"
 
 namespace {
@@ -41,43 +41,16 @@ int run(const Command& command) {
   return grade::Exit::graded;
 }
 
-/// What the caller can mend, what may mend itself, and the rest.
-int exit_code(const std::error_code& error) {
-  switch (error.value()) {
-    case EACCES:
-    case EPERM:
-    case ENOENT:
-    case ENOTDIR:
-    case EEXIST:
-    case EISDIR:
-    case EROFS:
-    case ENAMETOOLONG:
-      return grade::Exit::bad_input;
-    case EAGAIN:
-    case EMFILE:
-    case ENFILE:
-    case ENOMEM:
-    case ENOSPC:
-    case EDQUOT:
-      return grade::Exit::try_again;
-    default:
-      return grade::Exit::failed;
-  }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
     return run(grade::read_command_line(argc, argv));
   } catch (const grade::Usage& problem) {
-    std::fprintf(stderr, "grade: %s\n", problem.what());
-    return grade::Exit::bad_input;
+    return grade::refuse(grade::Exit::bad_input, problem.what());
   } catch (const std::system_error& problem) {
-    std::fprintf(stderr, "grade: %s\n", problem.what());
-    return exit_code(problem.code());
+    return grade::refuse(grade::exit_code(problem.code()), problem.what());
   } catch (const std::exception& problem) {
-    std::fprintf(stderr, "grade: %s\n", problem.what());
-    return grade::Exit::failed;
+    return grade::refuse(grade::Exit::failed, problem.what());
   }
 }

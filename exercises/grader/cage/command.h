@@ -18,7 +18,7 @@ using Words = std::vector<std::string>;
 /// processes does not hold for root. Nothing for all others.
 std::optional<uid_t> unprivileged();
 
-/// What comes before any command: another user for root, and the limits.
+/// What comes before any command: setpriv, to another user for root, and prlimit, for the limits.
 Words leash(Sandbox sandbox, const Limits& limits, int open_files);
 
 /// Starts the driver on descriptor 8 under the filter on descriptor 9.

@@ -51,7 +51,7 @@ class Process::Pipes {
   void write_input(std::span<const std::byte>& unsent);
   void read_pipes(std::size_t wanted);
   void read_chatter(File& pipe, std::string& kept);
-  void bury();
+  void bury();  ///< kills and reaps it, and takes in what it left in the pipes
 
   Limits limits_;
   Clock::time_point start_, deadline_;

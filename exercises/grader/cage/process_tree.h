@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// The end of a program and of everything that it left behind.
+/// A program and its descendants: they are found, killed and reaped, whatever they fork.
 #pragma once
 #include <sys/types.h>
 
@@ -8,10 +8,11 @@
 
 namespace cage {
 
-/// From now on the orphans among our descendants become our children, so that none can hide.
+/// From now on the orphans among our descendants become our children, so that none can hide: this
+/// process is a child subreaper.
 void adopt_orphans();
 
-/// The children of this process, also those that are dead and not yet waited for.
+/// The children of this process, also the zombies: dead, and not yet reaped.
 std::vector<pid_t> children();
 
 /// What a program and its descendants came to.
@@ -21,8 +22,8 @@ struct Remains {
   long peak_kilobytes = 0;  ///< of the largest
 };
 
-/// Kills the program and every child of ours that is not among `others`, and waits until none is
-/// left; so nothing else may start children in between.
+/// Kills (SIGKILL) the program and every child of ours that is not among `others`, and reaps them
+/// until none is left; so nothing else may start children in between.
 Remains take_down(pid_t program, const std::vector<pid_t>& others);
 
 }  // namespace cage

@@ -22,7 +22,8 @@ Pipe open_pipe();
 /// Reads and writes on it come back at once.
 void never_block(const File& file);
 
-/// Starts a program in a session of its own, with default signals and a fixed environment.
+/// Starts a program (posix_spawn) in a session of its own, with default signals and a fixed
+/// environment.
 ///
 /// @param files  our descriptors, and their numbers (0 to 19) in the program; all others are closed
 /// @returns its number, or 0 with errno set

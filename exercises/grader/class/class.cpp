@@ -7,7 +7,8 @@
 #include "class/grade_all.h"
 #include "class/pool.h"
 #include "class/write_tables.h"
-#include "grade_command.h"
+#include "exit_codes.h"
+#include "format_values.h"
 #include "report/escape.h"
 #include "report/folder.h"
 
@@ -45,7 +46,7 @@ int grade_roll(const Roll& roll, const Class& work) {
   });
   if (jobs.size() < before) {
     std::printf("%s graded before and skipped\n",
-                count(before - jobs.size(), "submission").c_str());
+                counted(before - jobs.size(), "submission").c_str());
   }
   if (!jobs.empty()) {
     if (work.seed == Request().seed) {
@@ -57,7 +58,7 @@ int grade_roll(const Roll& roll, const Class& work) {
                     "nobody is graded, since " + obstacle->why);
     }
   }
-  if (work.shard.of == 1) return conclude(roll, exercises, all, work);
+  if (work.shard.of == 1) return write_tables(roll, exercises, all, work);
   std::printf("Part %zu of %zu is done; without --shard, the tables are made\n", work.shard.part,
               work.shard.of);
   return exit_code(collect(roll.students, exercises, part_of(all, work.shard)).reports);

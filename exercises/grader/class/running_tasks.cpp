@@ -78,7 +78,8 @@ std::vector<pid_t> RunningTasks::strangers() const {
   return found;
 }
 
-// Orphans of a task that was killed come to us, and when these are gone, theirs.
+// Kills and reaps them. Orphans of a task that was killed come to us, the subreaper, and when these
+// are gone, theirs.
 void RunningTasks::bury_strangers() const {
   for (std::vector<pid_t> others = strangers(); !others.empty(); others = strangers()) {
     for (const pid_t other : others) kill(other, SIGKILL);

@@ -13,7 +13,7 @@
 
 namespace grade {
 
-/// Turns SIGINT, SIGTERM and SIGHUP into something to wait for.
+/// Turns SIGINT, SIGTERM and SIGHUP into something to wait for (a signalfd).
 class Interruption {
  public:
   Interruption();
@@ -32,7 +32,7 @@ class Interruption {
 struct Running {
   std::size_t task;
   pid_t process;
-  cage::File handle;  ///< becomes readable when the process ends
+  cage::File handle;  ///< a pidfd: becomes readable when the process ends
   std::chrono::steady_clock::time_point deadline;
 };
 
@@ -47,7 +47,7 @@ class RunningTasks {
   /// @throws Interrupted
   void wait(const Interruption& interruption) const;
 
-  /// Takes out those that have ended, and what they left behind.
+  /// Takes out those that have ended, and kills and reaps what they left behind.
   std::vector<std::size_t> ended();
 
  private:

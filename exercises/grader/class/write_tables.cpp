@@ -5,7 +5,8 @@
 #include <cstdio>
 #include <functional>
 
-#include "grade_command.h"
+#include "exit_codes.h"
+#include "format_values.h"
 #include "report/escape.h"
 #include "report/files.h"
 
@@ -24,27 +25,8 @@ int refuse_stale(const std::vector<Job>& jobs) {
 
 }  // namespace
 
-std::string count(std::size_t number, const std::string& thing) {
-  return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
-}
-
-int refuse(int code, const std::string& why) {
-  std::fprintf(stderr, "grade: %s\n", why.c_str());
-  return code;
-}
-
-int exit_code(const std::vector<Report>& reports) {
-  int code = Exit::graded;
-  for (const Report& report : reports) {
-    if (is_graded(report)) continue;
-    if (!report.try_again) return Exit::failed;
-    code = Exit::try_again;
-  }
-  return code;
-}
-
-int conclude(const Roll& roll, const std::vector<Exercise>& exercises, const std::vector<Job>& jobs,
-             const Class& work) {
+int write_tables(const Roll& roll, const std::vector<Exercise>& exercises,
+                 const std::vector<Job>& jobs, const Class& work) {
   const Results results = collect(roll.students, exercises, jobs);
   const std::vector<Job> old = stale(jobs, results, work.seed);
   if (!old.empty()) return refuse_stale(old);
@@ -52,14 +34,14 @@ int conclude(const Roll& roll, const std::vector<Exercise>& exercises, const std
   write_whole(work.results / "report.csv", report_csv(results));
   write_whole(work.results / "summary.html", summary_html(results));
   const auto failed = std::ranges::count_if(results.reports, std::not_fn(is_graded));
-  std::printf("%s, %s: see %s\n", count(roll.students.size(), "student").c_str(),
-              count(exercises.size(), "exercise").c_str(),
+  std::printf("%s, %s: see %s\n", counted(roll.students.size(), "student").c_str(),
+              counted(exercises.size(), "exercise").c_str(),
               printable_name((work.results / "summary.html").string()).c_str());
   if (failed > 0) {
     std::fprintf(stderr,
                  "grade: %s without a grade, since the grader failed; the same command again "
                  "tries them again\n",
-                 count(static_cast<std::size_t>(failed), "submission").c_str());
+                 counted(static_cast<std::size_t>(failed), "submission").c_str());
   }
   return exit_code(results.reports);
 }

@@ -19,8 +19,8 @@ constexpr int steps = case_steps;
 // One number of a state.
 struct Component {
   const char* label;
-  Vec State::*of;
-  double Vec::*along;
+  Vec State::* of;
+  double Vec::* along;
 
   double in(const State& state) const { return state.*of.*along; }
 };
