@@ -1,4 +1,4 @@
-// fails: a machine that keeps up makes good a hitch
+// Fails: a machine that keeps up makes good a hitch
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: a machine too slow for its steps slows the game and not the screen
+// Fails: a machine too slow for its steps slows the game and not the screen
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

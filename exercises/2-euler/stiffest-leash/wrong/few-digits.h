@@ -1,4 +1,4 @@
-// fails: a leash like a wall keeps its digits
+// Fails: a leash like a wall keeps its digits
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: critical damping belongs to both sides, and no damper has no step
+// Fails: critical damping belongs to both sides, and no damper has no step
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

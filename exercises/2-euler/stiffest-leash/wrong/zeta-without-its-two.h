@@ -1,4 +1,4 @@
-// fails: a leash that swings holds up to the longest step
+// Fails: a leash that swings holds up to the longest step
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

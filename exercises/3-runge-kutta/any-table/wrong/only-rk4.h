@@ -1,4 +1,4 @@
-// fails: a table that nobody has published is followed to rounding
+// Fails: a table that nobody has published is followed to rounding
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

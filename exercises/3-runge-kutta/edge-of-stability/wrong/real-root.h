@@ -1,4 +1,4 @@
-// fails: from critical damping on the faster of two motions sets the limit
+// Fails: from critical damping on the faster of two motions sets the limit
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include <complex>

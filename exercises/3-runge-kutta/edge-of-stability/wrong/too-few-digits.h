@@ -1,4 +1,4 @@
-// fails: below critical damping the limit is where the swing neither grows nor shrinks
+// Fails: below critical damping the limit is where the swing neither grows nor shrinks
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include <complex>

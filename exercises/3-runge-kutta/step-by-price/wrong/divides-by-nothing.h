@@ -1,4 +1,4 @@
-// fails: a coasting probe costs next to nothing
+// Fails: a coasting probe costs next to nothing
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: ten thousand times the accuracy costs at most ten times the questions
+// Fails: ten thousand times the accuracy costs at most ten times the questions
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: at every frame rate the curtain holds at the least price
+// Fails: at every frame rate the curtain holds at the least price
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

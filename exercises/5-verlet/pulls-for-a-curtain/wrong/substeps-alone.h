@@ -1,4 +1,4 @@
-// fails: where a move costs many pulls the curtain holds at the least price
+// Fails: where a move costs many pulls the curtain holds at the least price
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

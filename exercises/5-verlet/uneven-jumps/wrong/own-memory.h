@@ -1,4 +1,4 @@
-// fails: a throw passes through its true places, whatever the frames
+// Fails: a throw passes through its true places, whatever the frames
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

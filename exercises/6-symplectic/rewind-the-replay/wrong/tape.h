@@ -1,4 +1,4 @@
-// fails: undone steps lead back to the start of the replay
+// Fails: undone steps lead back to the start of the replay
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: one frame of any length ends where the formula says
+// Fails: one frame of any length ends where the formula says
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
