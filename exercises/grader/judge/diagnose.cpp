@@ -77,19 +77,20 @@ constexpr std::array<Part, 7> parts{{{0, ""},
                                      {0.75, "3h/4"}}};
 
 // "x + h v", if the place is one along the tangent at the start of the first step; else its
-// numbers.
+// numbers. Who takes steps back has an h above zero, and the time at the start of the step.
 std::string place(const Vec& x, const Path& path, double tolerance) {
   const State& start = path.states.front();
   for (const Part& part : parts) {
     if (length(x - (start.x + part.of_step * path.h * start.v)) > tolerance) continue;
-    return part.of_step == 0 ? "x" : std::string("x + ") + part.name + " v";
+    return part.of_step == 0 ? "x" : (path.h < 0 ? "x - " : "x + ") + std::string(part.name) + " v";
   }
   return describe(x);
 }
 
 std::string clock(double t, const Path& path, double tolerance) {
+  const double start = path.t + std::min(path.h, 0.0);
   for (const Part& part : parts) {
-    if (std::abs(t - (path.t + part.of_step * path.h)) > tolerance) continue;
+    if (std::abs(t - (start + part.of_step * std::abs(path.h))) > tolerance) continue;
     return part.of_step == 0 ? "t" : std::string("t + ") + part.name;
   }
   return number(t);
