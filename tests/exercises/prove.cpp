@@ -117,23 +117,23 @@ bool is_caught(const grade::Exercise& exercise, const std::filesystem::path& fil
              : "passed: " + name);
 }
 
-// The files of a folder; in place of each edit of the solution the header that the build made of
-// it.
+// The header that the build made of an edit of the solution.
+std::filesystem::path applied(const grade::Exercise& exercise, const std::filesystem::path& edit) {
+  const auto made =
+      std::filesystem::path(EDITED) / exercise.name / "wrong" / edit.stem().concat(".h");
+  const auto newest =
+      std::max(last_write_time(edit), last_write_time(exercise.folder / "solution.h"));
+  if (exists(made) && last_write_time(made) >= newest) return made;
+  throw std::runtime_error(edit.string() + " was not applied; cmake --build build --target prove");
+}
+
+// By their names, with headers in place of edits.
 std::vector<std::filesystem::path> headers(const grade::Exercise& exercise,
                                            const std::string& folder) {
   std::vector<std::filesystem::path> found;
   for (const auto& entry : std::filesystem::directory_iterator(exercise.folder / folder)) {
-    if (entry.path().extension() != ".txt") {
-      found.push_back(entry.path());
-      continue;
-    }
-    const std::filesystem::path made =
-        std::filesystem::path(EDITED) / exercise.name / folder / entry.path().stem().concat(".h");
-    if (!std::filesystem::exists(made) || last_write_time(made) < last_write_time(entry.path())) {
-      throw std::runtime_error(entry.path().string() +
-                               " was not applied; cmake --build build --target prove");
-    }
-    found.push_back(made);
+    const bool is_edit = entry.path().extension() == ".txt";
+    found.push_back(is_edit ? applied(exercise, entry.path()) : entry.path());
   }
   std::sort(found.begin(), found.end(),
             [](const auto& one, const auto& other) { return one.filename() < other.filename(); });
