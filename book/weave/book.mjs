@@ -25,7 +25,7 @@ export function readBook(config) {
   const book = {
     config, problems,
     chapters: new Map(), programs: new Map(), pages: [], labels: new Map(), references: new Map(), claims: new Map(),
-    sources, cards: readCards(config.cards, problems), times: readAllTimes(config.times, problems), live: readLive(config.source, problems),
+    sources, cards: readCards(config.cards, problems), times: readAllTimes(config.times, problems), live: readLive(config, problems),
     snippet: createSnippets(config.source, sources),
     short: path => relative(config.source, path),
   };

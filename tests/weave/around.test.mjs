@@ -52,6 +52,12 @@ test('what is wrong with the program of the start page is told there', () => ref
   ['chapters/front/race.gp', '', 'no \\figure{race, ...} in book/index.md shows this figure; show it, or delete the script'],
 ));
 
+test('a live figure whose parts lie with another chapter', () => refuses(
+  [...front(), [CHAPTER, '\\figure{spiral', '\\live{spiral'], [CHAPTER, '\\endfigure', '\\endlive'],
+    ...['cpp', 'js', 'json'].map(kind => [`chapters/front/live/spiral.${kind}`, '{}'])],
+  [CHAPTER, '\\live{spiral', 'chapters/front/live/spiral.json lies with another chapter; move what is named spiral to chapters/2-euler/live'],
+));
+
 test('a word of the glossary leads to where it is introduced', () => {
   const read = weaves(words('- \\term{After a dash} Behind it.\n- \\term{step size} How far.\n'),
     [CHAPTER, 'The energy grows', 'Its *step\nsize* matters. The energy grows']);

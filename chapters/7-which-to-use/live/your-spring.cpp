@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "../figure.h"
-#include "../implicit.h"
-#include "../run.h"
+#include "live/figure.h"
+#include "live/implicit.h"
+#include "live/run.h"
 #include "measure/linear_methods.h"
 #include "measure/methods_with_memory.h"
 #include "scenes/spring.h"
@@ -87,7 +87,7 @@ class YourSpring final : public Figure {
 
 }  // namespace
 
-std::unique_ptr<Figure> your_spring() {
+std::unique_ptr<Figure> make_your_spring() {
   return std::make_unique<YourSpring>();
 }
 

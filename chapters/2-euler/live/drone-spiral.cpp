@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 // The drone of chapter 2, which should stay on its circle.
-#include "../figure.h"
-#include "../run.h"
 #include "2-euler/drone.h"
+#include "live/figure.h"
+#include "live/run.h"
 
 namespace live {
 namespace {
@@ -42,7 +42,7 @@ class DroneSpiral final : public Figure {
 
 }  // namespace
 
-std::unique_ptr<Figure> drone_spiral() {
+std::unique_ptr<Figure> make_drone_spiral() {
   return std::make_unique<DroneSpiral>();
 }
 

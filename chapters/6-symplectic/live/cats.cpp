@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 // The cat of chapter 6, carried through phase space, and how large it is.
-#include "../figure.h"
-#include "../implicit.h"
-#include "../run.h"
 #include "6-symplectic/cat.h"
+#include "live/figure.h"
+#include "live/implicit.h"
+#include "live/run.h"
 #include "measure/methods_with_memory.h"
 
 namespace live {
@@ -80,7 +80,7 @@ class Cats final : public Figure {
 
 }  // namespace
 
-std::unique_ptr<Figure> cats() {
+std::unique_ptr<Figure> make_cats() {
   return std::make_unique<Cats>();
 }
 

@@ -2,9 +2,9 @@
 // A rope on a nail, in chapter 4: in substeps of symplectic Euler, and solved by backward Euler.
 #include <optional>
 
-#include "../figure.h"
 #include "4-implicit/hanging.h"
 #include "4-implicit/substeps.h"
+#include "live/figure.h"
 
 namespace live {
 namespace {
@@ -82,7 +82,7 @@ class HangingRope final : public Figure {
 
 }  // namespace
 
-std::unique_ptr<Figure> hanging_rope() {
+std::unique_ptr<Figure> make_hanging_rope() {
   return std::make_unique<HangingRope>();
 }
 

@@ -2,9 +2,9 @@
 // Four methods on the drone of chapter 3, each of which asks for the acceleration equally often.
 #include <algorithm>
 
-#include "../figure.h"
-#include "../run.h"
 #include "3-runge-kutta/toys.h"
+#include "live/figure.h"
+#include "live/run.h"
 #include "measure/evaluations.h"
 
 namespace live {
@@ -94,7 +94,7 @@ class EqualCost final : public Figure {
 
 }  // namespace
 
-std::unique_ptr<Figure> equal_cost() {
+std::unique_ptr<Figure> make_equal_cost() {
   return std::make_unique<EqualCost>();
 }
 

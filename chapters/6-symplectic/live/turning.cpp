@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <limits>
 
-#include "../figure.h"
-#include "../run.h"
 #include "6-symplectic/shuttle.h"
+#include "live/figure.h"
+#include "live/run.h"
 #include "measure/methods_with_memory.h"
 
 namespace live {
@@ -121,7 +121,7 @@ class Turning final : public Figure {
 
 }  // namespace
 
-std::unique_ptr<Figure> turning() {
+std::unique_ptr<Figure> make_turning() {
   return std::make_unique<Turning>();
 }
 

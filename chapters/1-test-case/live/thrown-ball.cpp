@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 // A thrown ball, with and without air: where it is, and where its steps put it.
-#include "../figure.h"
-#include "../run.h"
 #include "1-test-case/ball.h"
+#include "live/figure.h"
+#include "live/run.h"
 
 namespace live {
 namespace {
@@ -53,7 +53,7 @@ class ThrownBall final : public Figure {
 
 }  // namespace
 
-std::unique_ptr<Figure> thrown_ball() {
+std::unique_ptr<Figure> make_thrown_ball() {
   return std::make_unique<ThrownBall>();
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 // The suspension of a toy car from chapter 2, inside and outside the limit of its step.
-#include "../figure.h"
-#include "../run.h"
-#include "../step_limit.h"
+#include "live/figure.h"
+#include "live/run.h"
+#include "live/step_limit.h"
 #include "scenes/spring.h"
 
 namespace live {
@@ -64,7 +64,7 @@ class Suspension final : public Figure {
 
 }  // namespace
 
-std::unique_ptr<Figure> suspension() {
+std::unique_ptr<Figure> make_suspension() {
   return std::make_unique<Suspension>();
 }
 

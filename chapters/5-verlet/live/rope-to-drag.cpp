@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 // A rope in the reader's hand, in chapter 5: steps of position Verlet, and after each its links are
 // put right, in even frames or in recorded ones.
-#include "../figure.h"
 #include "5-verlet/rope_in_frames.h"
+#include "live/figure.h"
 
 namespace live {
 namespace {
@@ -78,7 +78,7 @@ class RopeToDrag final : public Figure {
 
 }  // namespace
 
-std::unique_ptr<Figure> rope_to_drag() {
+std::unique_ptr<Figure> make_rope_to_drag() {
   return std::make_unique<RopeToDrag>();
 }
 
