@@ -12,12 +12,12 @@ import { createSnippets } from './snippets.mjs';
 import { readTables } from './tables.mjs';
 import { slug } from './text.mjs';
 
-// The pages before and after the chapters, book/NAME.md each.
-const BEFORE = ['index', 'preface'];
-const AFTER = ['talks', 'teaching', 'glossary', 'references'];
-
-// The folder of the program and the figures of the start page. The others have a number in front.
+// The folder of the start page, its program and its figures among the chapters', which have a number in front.
 const OPENING = 'front';
+
+// The pages before and after the chapters, book/NAME.md each.
+const BEFORE = ['preface'];
+const AFTER = ['talks', 'teaching', 'glossary', 'references'];
 
 export function readBook(config) {
   const problems = createProblems();
@@ -83,7 +83,8 @@ function readPages(book) {
     return page;
   };
   const addAround = name => add(`book/${name}.md`, { name, href: `${name}.html` });
-  const [start] = BEFORE.map(addAround);
+  const start = add(`chapters/${OPENING}/chapter.md`, { name: 'index', href: 'index.html', owner: OPENING });
+  BEFORE.forEach(addAround);
   for (const chapter of book.chapters.values()) {
     chapter.page = add(`${chapter.folder}/chapter.md`, { ...chapter, owner: chapter.name });
     chapter.title = chapter.page.title;
@@ -91,7 +92,6 @@ function readPages(book) {
   AFTER.forEach(addAround);
   const opening = book.programs.get(OPENING);
   if (opening) Object.assign(opening, { page: start, title: 'The start page', href: start.href });
-  start.owner = OPENING;
 }
 
 function registerClaims(book, chapter) {
