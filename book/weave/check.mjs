@@ -2,7 +2,7 @@
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { checkWhole } from './check-whole.mjs';
-import { findChapter, findNumber } from './find.mjs';
+import { findChapter, findNumber } from './look_up.mjs';
 import { liveFolder, methodsOf } from './live.mjs';
 import { MARKS, NUMBERED, REFERS } from './marks.mjs';
 import { renderTex, substituteNumbers } from './math.mjs';

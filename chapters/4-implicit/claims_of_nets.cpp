@@ -13,11 +13,10 @@
 
 #include "bdf2_spring.h"
 #include "blows.h"
-#include "hanging.h"
 #include "iterated.h"
+#include "matrix_costs.h"
 #include "slide.h"
-#include "struck.h"
-#include "work.h"
+#include "struck_nets.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;

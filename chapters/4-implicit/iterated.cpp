@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "work.h"
+#include "matrix_costs.h"
 
 Iterated by_conjugate_gradients(const scenes::Cloth<>& scene, double residual) {
   Struck s = struck(scene, gentle);

@@ -5,6 +5,7 @@
 #include "bar.h"
 #include "blows.h"
 #include "iterated.h"
+#include "matrix_costs.h"
 #include "measure/error.h"
 #include "measure/implicit_methods.h"
 #include "measure/linear_methods.h"
@@ -16,7 +17,6 @@
 #include "slide.h"
 #include "soft.h"
 #include "thrown.h"
-#include "work.h"
 
 using measure::backward_euler;
 using measure::backward_euler_spring;

@@ -17,9 +17,9 @@
 #include "rope_runs.h"
 #include "scenes/orbit.h"
 #include "scenes/pendulum.h"
-#include "starts.h"
 #include "toys.h"
-#include "turning_runs.h"
+#include "verlet_starts.h"
+#include "wheel_runs.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;

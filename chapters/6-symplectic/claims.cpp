@@ -20,9 +20,9 @@
 #include "measure/order.h"
 #include "pair.h"
 #include "planets.h"
+#include "precession.h"
 #include "scenes/projectile.h"
 #include "shadow.h"
-#include "turning.h"
 #include "uneven.h"
 
 using Catch::Matchers::WithinAbs;

@@ -18,8 +18,8 @@
 #include "measure/stability.h"
 #include "pair.h"
 #include "planets.h"
+#include "precession.h"
 #include "shadow.h"
-#include "turning.h"
 #include "uneven.h"
 
 using measure::euler;

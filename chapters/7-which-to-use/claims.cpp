@@ -10,15 +10,15 @@
 #include <string>
 #include <string_view>
 
-#include "floor.h"
+#include "float_floor.h"
+#include "level_by_choice.h"
 #include "map.h"
 #include "measure/method_of.h"
 #include "particles.h"
 #include "peers.h"
-#include "solved.h"
+#include "poster.h"
 #include "verdicts.h"
-#include "wall.h"
-#include "work.h"
+#include "work_precision.h"
 #include "your_spring.h"
 
 using Catch::Matchers::ContainsSubstring;

@@ -2,7 +2,7 @@
 // A rope on a nail, in chapter 4: in substeps of symplectic Euler, and solved by backward Euler.
 #include <optional>
 
-#include "4-implicit/hanging.h"
+#include "4-implicit/struck_nets.h"
 #include "4-implicit/substeps.h"
 #include "live/figure.h"
 

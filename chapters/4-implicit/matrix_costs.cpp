@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT-0
-#include "work.h"
+#include "matrix_costs.h"
 
 #include <Eigen/SparseCholesky>
 #include <cmath>
 #include <string>
 #include <vector>
-
-#include "hanging.h"
 
 Sparse factor_of(const Sparse& matrix) {
   return Eigen::SimplicialLDLT<Sparse>(matrix).matrixL().nestedExpression();

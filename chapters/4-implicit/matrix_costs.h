@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "hanging.h"
 #include "measure/record.h"
-#include "struck.h"
+#include "struck_nets.h"
 #include "substeps.h"
 
 using Sparse = Eigen::SparseMatrix<double>;

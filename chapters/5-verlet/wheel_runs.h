@@ -4,7 +4,7 @@
 #pragma once
 #include "measure/record.h"
 #include "toys.h"
-#include "turning.h"
+#include "wheel.h"
 
 inline void wheels(measure::Record& record) {
   auto& wheel =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Chain, rope and cloth of steel in chapter 4, struck, and the systems that move them.
+/// Chain, rope and cloth of steel in chapter 4, struck, a rope on a nail, and the systems that move
+/// them.
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
@@ -38,6 +39,13 @@ inline const auto chain = chain_of(108);
 inline const auto rope = rope_of(36);
 inline const auto cloth = cloth_of(6);
 // [nets]
+
+/// Two metres of rope, held level by its ends; one hand lets go, the other end hangs on its nail.
+/// @param stiffness  of each of its springs [N/m]
+template <class Real = double>
+scenes::Rope<Real> rope_on_a_nail(double stiffness) {
+  return {.count = 16, .length = 2, .mass = mass, .k = stiffness};
+}
 
 inline constexpr double gentle = 0.1;  ///< speed of a gentle blow [m/s]
 inline constexpr double hard = 1;      ///< speed of a hard blow [m/s]
