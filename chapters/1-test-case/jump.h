@@ -4,10 +4,8 @@
 #pragma once
 #include <algorithm>
 
+#include "../cast.h"
 #include "measure/run.h"
-#include "scenes/projectile.h"
-
-inline const scenes::Projectile<> jump{.start_velocity = {0, 5}};
 
 /// How high the jump goes without any computer [m].
 inline double top_of_jump() {

@@ -37,7 +37,8 @@ inline void energy(measure::Record& record) {
     for (const int swings : {2, 3, 4, 6, 8}) {
       const auto spring = swinging(swings);
       const auto spring_energy = [&](double x, double v) { return spring.energy(x, v); };
-      row.push_back(1 + measure::drift(measure::rk4, spring, h, 30 * halves, spring_energy).last);
+      row.push_back(1 +
+                    measure::drift(measure::rk4, spring, frame, 30 * halves, spring_energy).last);
     }
     minute.add(row);
   }
@@ -47,14 +48,15 @@ inline void energy(measure::Record& record) {
   }
 
   const auto drone_energy = [](auto& x, auto& v) { return drone.energy(x, v); };
-  const double day = -measure::drift(measure::rk4, drone, h, 24L * 3600 * 60, drone_energy).last;
+  const double day =
+      -measure::drift(measure::rk4, drone, frame, 24L * 3600 * 60, drone_energy).last;
   record.number("drone-day", 100 * day, 2, "%");
   record.number("drone-years", 0.01 / day / 365.25, 2, "years");
 
   double line = 1, over = 10;  // swings per second
   for (int halving = 0; halving < 50; ++halving) {
     const double middle = (line + over) / 2;
-    (left_after(3600, h * swinging(middle).omega) > 0.99 ? line : over) = middle;
+    (left_after(3600, frame * swinging(middle).omega) > 0.99 ? line : over) = middle;
   }
   record.number("line", line, 2, "Hz");
   record.number("line-steps", 60 / line, 2);

@@ -4,7 +4,7 @@
 #pragma once
 #include <optional>
 
-#include "bar.h"
+#include "../cast.h"
 #include "bdf2_spring.h"
 #include "integrate/trapezoid.h"
 #include "measure/record.h"

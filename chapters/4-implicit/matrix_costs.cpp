@@ -19,15 +19,15 @@ void matrices(measure::Record& record) {
       }
     }
   };
-  pattern("chain", step_matrix_of(chain));
-  pattern("rope", step_matrix_of(rope));
-  pattern("cloth", step_matrix_of(cloth));
-  pattern("factor", factor_of(step_matrix_of(cloth)));
-  record.number("chain-entries", double(step_matrix_of(chain).nonZeros()), measure::whole);
-  record.number("factor-entries", double(factor_of(step_matrix_of(cloth)).nonZeros()),
+  pattern("chain", step_matrix_of(steel_chain));
+  pattern("rope", step_matrix_of(steel_rope));
+  pattern("cloth", step_matrix_of(steel_cloth));
+  pattern("factor", factor_of(step_matrix_of(steel_cloth)));
+  record.number("chain-entries", double(step_matrix_of(steel_chain).nonZeros()), measure::whole);
+  record.number("factor-entries", double(factor_of(step_matrix_of(steel_cloth)).nonZeros()),
                 measure::whole);
-  record.number("chain-places", double(chain.count) * chain.count, measure::whole);
-  record.number("unknowns", double(chain.count), measure::whole);
+  record.number("chain-places", double(steel_chain.count) * steel_chain.count, measure::whole);
+  record.number("unknowns", double(steel_chain.count), measure::whole);
 }
 
 void costs(measure::Record& record) {

@@ -2,7 +2,7 @@
 // Chapter 4: implicit methods, from a bar that cannot be held to a body thrown into the air.
 #include <cmath>
 
-#include "bar.h"
+#include "../cast.h"
 #include "blows.h"
 #include "iterated.h"
 #include "matrix_costs.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Chain, rope and cloth of steel in chapter 4, struck, a rope on a nail, and the systems that move
-/// them.
+/// Chain, rope and cloth of steel in chapter 4, struck, and the systems that move them.
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
@@ -10,42 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "bar.h"
+#include "../cast_of_many.h"
 #include "integrate/backward_euler.h"
 #include "integrate/band_system.h"
 #include "integrate/sparse_system.h"
-#include "scenes/chain.h"
-#include "scenes/cloth.h"
-#include "scenes/rope.h"
-
-// [nets]
-inline constexpr double mass = 0.01;                        ///< of each [kg]
-inline constexpr double k = 2500 * mass / (frame * frame);  ///< h omega of one spring is 50 [N/m]
-
-template <class Real = double>
-scenes::Chain<Real> chain_of(int count) {
-  return {.count = count, .mass = mass, .k = k, .stretch = 0};
-}
-template <class Real = double>
-scenes::Rope<Real> rope_of(int count) {
-  return {.count = count, .length = count - 1.0, .mass = mass, .k = k, .g = 0};
-}
-template <class Real = double>
-scenes::Cloth<Real> cloth_of(int side) {
-  return {.side = side, .width = side - 1.0, .mass = mass, .k = k, .g = 0};
-}
-
-inline const auto chain = chain_of(108);
-inline const auto rope = rope_of(36);
-inline const auto cloth = cloth_of(6);
-// [nets]
-
-/// Two metres of rope, held level by its ends; one hand lets go, the other end hangs on its nail.
-/// @param stiffness  of each of its springs [N/m]
-template <class Real = double>
-scenes::Rope<Real> rope_on_a_nail(double stiffness) {
-  return {.count = 16, .length = 2, .mass = mass, .k = stiffness};
-}
 
 inline constexpr double gentle = 0.1;  ///< speed of a gentle blow [m/s]
 inline constexpr double hard = 1;      ///< speed of a hard blow [m/s]

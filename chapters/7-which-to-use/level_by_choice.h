@@ -80,7 +80,7 @@ inline constexpr scenes::Spring<> example{.omega = 40, .zeta = 0.1};
 inline constexpr Bounds example_bounds{.hz = 60, .error = 0.01};
 
 /// The swing of the exercise, twice a second.
-inline constexpr scenes::Spring<> twice_a_second{.omega = 4 * std::numbers::pi};
+inline constexpr scenes::Spring<> twice_a_second = swinging(2);
 
 /// What a function costs in a contest.
 inline double bill_of(const Contest& found, const measure::Method& method) {

@@ -10,7 +10,7 @@
 #include "verdicts.h"
 
 /// One swing a second.
-inline constexpr scenes::Spring<> clock_spring{.omega = 2 * std::numbers::pi};
+inline constexpr scenes::Spring<> clock_spring = swinging(1);
 
 /// The most that the energy of a swing a second is off in a minute at 60 Hz [%].
 inline double energy_off(const measure::Method& method) {
@@ -37,7 +37,7 @@ inline void wall(measure::Record& record) {
                swings(method, 1), energy_off(method), method.header});
   };
   table.add({"a constant force: jumps, shells, sparks", "the exact step",
-             double(price(method::constant_acceleration, jump, frame)), NAN, NAN, NAN,
+             double(price(method::constant_acceleration, height_of_jump, frame)), NAN, NAN, NAN,
              method::constant_acceleration.header});
   add("one spring: cameras, doors, recoil, suspensions", "the exact step", method::spring_exact);
   add("bodies with contacts, joints and springs", "symplectic Euler", method::symplectic_euler);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // The drone of chapter 2, which should stay on its circle.
-#include "2-euler/drone.h"
+#include "cast.h"
 #include "live/figure.h"
 #include "live/run.h"
 
@@ -13,7 +13,7 @@ constexpr std::tuple methods{Method{"euler", measure::euler},
                              Method{"symplectic_euler", measure::symplectic_euler}};
 
 class DroneSpiral final : public Figure {
-  double method_ = 0, rate_ = 1 / h;
+  double method_ = 0, rate_ = 1 / frame;
   std::unique_ptr<Run<Vec>> run_;
 
   std::vector<Setting> settings() override {

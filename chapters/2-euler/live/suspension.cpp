@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 // The suspension of a toy car from chapter 2, inside and outside the limit of its step.
+#include "cast.h"
 #include "live/figure.h"
 #include "live/run.h"
 #include "live/step_limit.h"
-#include "scenes/spring.h"
 
 namespace live {
 namespace {
@@ -15,8 +15,8 @@ class Suspension final : public Figure {
   static constexpr double shown_time = 1.5;                   // [s]
   static constexpr double shortest = 0.0001, longest = 0.25;  // steps to look for the limit [s]
 
-  double method_ = 0, h_ = 0.011, zeta_ = 0.1;
-  scenes::Spring<> spring_{.omega = 20, .x0 = 0.1};
+  double method_ = 0, h_ = 0.011, zeta_ = suspension.zeta;
+  scenes::Spring<> spring_ = suspension;
   std::unique_ptr<Run<double>> run_;
 
   std::vector<Setting> settings() override {

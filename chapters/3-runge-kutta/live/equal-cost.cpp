@@ -51,7 +51,7 @@ class EqualCost final : public Figure {
     worst_ = {};
     cost_ = std::apply(
         [](const auto&... method) {
-          return std::array{measure::evaluations_per_step(method.step, drone, h)...};
+          return std::array{measure::evaluations_per_step(method.step, drone, frame)...};
         },
         methods);
     for (std::size_t i = 0; i < count; ++i) {

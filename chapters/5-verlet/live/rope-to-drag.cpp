@@ -2,17 +2,17 @@
 // A rope in the reader's hand, in chapter 5: steps of position Verlet, and after each its links are
 // put right, in even frames or in recorded ones.
 #include "5-verlet/rope_in_frames.h"
+#include "cast.h"
 #include "live/figure.h"
 
 namespace live {
 namespace {
 
 constexpr int links = 20;
-constexpr double even = 1.0 / 60;  // the length of a frame [s]
 
 class RopeToDrag final : public Figure {
   double method_ = 0, iterations_ = 8, substeps_ = 1, hand_x_ = 0, hand_y_ = 0;
-  double t_ = 0, h_ = even, h_previous_ = even;  // [s]
+  double t_ = 0, h_ = frame, h_previous_ = frame;  // [s]
   frames::Playback recording_;
   Rope rope_;
 
@@ -36,7 +36,7 @@ class RopeToDrag final : public Figure {
   }
 
   Vec hand() const { return {hand_x_, hand_y_}; }
-  double next_frame() { return method_ == 0 ? even : recording_.next(); }
+  double next_frame() { return method_ == 0 ? frame : recording_.next(); }
 
   void step() override {
     rope_.x[0] = hand();
@@ -71,7 +71,7 @@ class RopeToDrag final : public Figure {
 
   // How far a rope that hangs in even frames is stretched [m].
   double rule_of_thumb() const {
-    const double h = even / substeps_;
+    const double h = frame / substeps_;
     return links * links * -gravity({}, {}, t_).y() * h * h / (2 * iterations_);
   }
 };
