@@ -52,6 +52,9 @@ function findSources({ source, chapters }) {
     }
   };
   for (const folder of ['code', ...chapters.map(chapter => chapter.folder), 'book/theme', 'book/live']) walk(folder);
+  for (const entry of readdirSync(join(source, 'chapters'), { withFileTypes: true })) {
+    if (/\.(h|cpp)$/.test(entry.name)) found.add(`chapters/${entry.name}`);  // what the chapters share
+  }
   walk('exercises', ['starter.h', 'given.h']);  // the tests work out what a student is asked for
   return found;
 }
