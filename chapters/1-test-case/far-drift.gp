@@ -9,6 +9,6 @@ set label 3 "16 km" at 9.9,0.1 right tc rgb "#00000c"
 set label 4 "at the origin" at NARROW ? 5.6 : 6.3,NARROW ? 0.33 : 0.46 left tc rgb "#000007"
 distance(i) = word("4000 1500 16000", i)
 plot 0.1*x with lines ls EXACT, \
-     for [i=1:3] file("far") using ($1 == distance(i) + 0 ? $2 : NaN):3 with linespoints ls FIRST + i - 1 pi 6 lw 1.8, \
-     for [i=1:3] file("far") using ($1 == distance(i) + 0 && int($2*6 + 0.5) % 6 == 0 ? $2 : NaN):3:(sprintf("%g km out, %.0f s: %.2f m", $1/1000, $2, $3)) \
+     for [i=1:3] file("far") using (val("distance") == distance(i) + 0 ? val("t") : NaN):col("drifted") with linespoints ls FIRST + i - 1 pi 6 lw 1.8, \
+     for [i=1:3] file("far") using (val("distance") == distance(i) + 0 && int(val("t")*6 + 0.5) % 6 == 0 ? val("t") : NaN):col("drifted"):(sprintf("%g km out, %.0f s: %.2f m", val("distance")/1000, val("t"), val("drifted"))) \
        with labels hypertext point ls FIRST + i - 1

@@ -13,6 +13,6 @@ set arrow 4 from 0.795,1.27 to 0.66,1.27 nohead ls CONTEXT
 set arrow 5 from 0.795,1.18 to 0.684,1.18 nohead ls CONTEXT
 plot 1.33 with lines ls LIMIT, \
      5*x - 9.81*x**2/2 with lines ls EXACT, \
-     for [i=1:4] file("jump") using ($1 == rate(i) + 0 ? $2 : NaN):3 with linespoints ls EULER lw 1.4 ps (i == 4 ? 0.3 : 0.6), \
-     for [i=1:4] file("jump") using ($1 == rate(i) + 0 ? $2 : NaN):3:(sprintf("%s Hz: %.3f m at %.3f s", rate(i), $3, $2)) \
+     for [i=1:4] file("jump") using (val("rate") == rate(i) + 0 ? val("t") : NaN):col("height") with linespoints ls EULER lw 1.4 ps (i == 4 ? 0.3 : 0.6), \
+     for [i=1:4] file("jump") using (val("rate") == rate(i) + 0 ? val("t") : NaN):col("height"):(sprintf("%s Hz: %.3f m at %.3f s", rate(i), val("height"), val("t"))) \
        with labels hypertext point ls EULER

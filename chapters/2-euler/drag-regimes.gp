@@ -11,8 +11,8 @@ names(i) = word("drag-5 drag-15 drag-21", i)
 ch(i) = word("0.5 1.5 2.1", i)
 style(i) = i == 3 ? THIRD : i == 2 ? FIRST : EULER
 plot 4.905*(1 - exp(-2*x)) with lines ls EXACT, \
-     file("drag-21") using 1:(-$3) with linespoints ls THIRD pt 7 lw 1.6, \
-     file("drag-15") using 1:(-$3) with linespoints ls FIRST pt 5 lw 1.6, \
-     file("drag-5") using 1:(-$3) with linespoints ls EULER lw 1.6, \
-     for [i=1:3] file(names(i)) using 1:(-$3):(sprintf("ch = %s, at %.2f s: %.2f m/s", ch(i), $1, -$3)) \
+     file("drag-21") using col("t"):(-val("v")) with linespoints ls THIRD pt 7 lw 1.6, \
+     file("drag-15") using col("t"):(-val("v")) with linespoints ls FIRST pt 5 lw 1.6, \
+     file("drag-5") using col("t"):(-val("v")) with linespoints ls EULER lw 1.6, \
+     for [i=1:3] file(names(i)) using col("t"):(-val("v")):(sprintf("ch = %s, at %.2f s: %.2f m/s", ch(i), val("t"), -val("v"))) \
        with labels hypertext point ls style(i)

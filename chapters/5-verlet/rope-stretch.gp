@@ -11,9 +11,9 @@ set label 1 "40 links" at 74,1.6 left tc rgb "#00000a"
 set label 2 "20 links" at 74,0.34 left tc rgb "#00000b"
 set label 3 "10 links" at 74,0.04 left tc rgb "#00000c"
 set label 4 "20 links,\nsubsteps" at 7,0.12 right tc rgb "#00000b"
-tip = "%d: %.3g per cent"
-plot file("stretch") using 1:4 with linespoints ls FIRST, \
-     file("stretch") using 1:3 with linespoints ls SECOND, \
-     file("stretch") using 1:2 with linespoints ls THIRD, \
-     file("stretch") using 1:5 with linespoints ls SECOND dt (6,4) pt 4, \
-     for [i=2:5] file("stretch") using 1:i:(sprintf(tip, $1, column(i))) with labels hypertext point ls CONTEXT ps 0.3
+tip(name) = sprintf("%d: %.3g per cent", val("iterations"), val(name))
+plot file("stretch") using col("iterations"):col("40 links") with linespoints ls FIRST, \
+     file("stretch") using col("iterations"):col("20 links") with linespoints ls SECOND, \
+     file("stretch") using col("iterations"):col("10 links") with linespoints ls THIRD, \
+     file("stretch") using col("iterations"):col("20 links in substeps") with linespoints ls SECOND dt (6,4) pt 4, \
+     for [name in "'10 links' '20 links' '40 links' '20 links in substeps'"] file("stretch") using col("iterations"):col(name):(tip(name)) with labels hypertext point ls CONTEXT ps 0.3

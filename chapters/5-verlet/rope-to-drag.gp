@@ -10,7 +10,7 @@ set label 2 "4" at 0.48,-2.35 left tc rgb "#00000b"
 set label 3 "64" at -0.1,-1.3 right tc rgb "#00000a"
 set parametric
 set trange [0:2*pi]
-plot file("shapes") using ($1 == 1 ? $2 : NaN):3 with linespoints ls THIRD lw 1.4, \
-     file("shapes") using ($1 == 4 ? $2 : NaN):3 with linespoints ls SECOND lw 1.4, \
-     file("shapes") using ($1 == 64 ? $2 : NaN):3 with linespoints ls FIRST lw 1.4, \
+plot file("shapes") using (val("iterations") == 1 ? val("x") : NaN):col("y") with linespoints ls THIRD lw 1.4, \
+     file("shapes") using (val("iterations") == 4 ? val("x") : NaN):col("y") with linespoints ls SECOND lw 1.4, \
+     file("shapes") using (val("iterations") == 64 ? val("x") : NaN):col("y") with linespoints ls FIRST lw 1.4, \
      2*cos(t), 2*sin(t) with lines ls EXACT

@@ -19,5 +19,5 @@ along(t) = (t/pi - 1)/2
 bend(p) = near(2.1)*sqrt(1 + 10*p*p)
 plot for [k in "0.67 1.5 1.9"] far(k)*cos(t) - near(k)*sin(t), far(k)*cos(t) + near(k)*sin(t) with lines ls CONTEXT, \
      for [side in "1 -1"] along(t) + side*bend(along(t)), along(t) - side*bend(along(t)) with lines ls LIMIT, \
-     for [name in "opening-67 opening-150 opening-190"] file(name) using 2:($3/20) with points ls SYMPLECTIC_EULER ps 0.35, \
-     file("opening-210") using (abs($2) < 0.6 ? $2 : NaN):($3/20) with points ls LIMIT pt 7 ps 0.7
+     for [name in "opening-67 opening-150 opening-190"] file(name) using col("x"):(val("v")/20) with points ls SYMPLECTIC_EULER ps 0.35, \
+     file("opening-210") using (abs(val("x")) < 0.6 ? val("x") : NaN):(val("v")/20) with points ls LIMIT pt 7 ps 0.7

@@ -11,7 +11,7 @@ set label 1 "should be here" at -6,-6.2 center tc rgb "#000007"
 set label 2 "after 60 turns" at -6,16.4 center tc rgb "#000002"
 # A turn of 129 steps, from a farthest point to the next, where both ends meet without a kink.
 farthest = 7666
-plot file("turning") every ::::(farthest + 130) using 2:3 with lines ls CONTEXT lw 0.35, \
+plot file("turning") every ::::(farthest + 130) using col("x"):col("y") with lines ls CONTEXT lw 0.35, \
      10*cos(t) - 6, 8*sin(t) with lines ls EXACT, \
-     file("turning") every ::farthest::(farthest + 130) using 2:3 with lines ls SYMPLECTIC_EULER, \
+     file("turning") every ::farthest::(farthest + 130) using col("x"):col("y") with lines ls SYMPLECTIC_EULER, \
      "+" every 1000 using (0):(0) with points ls CONTEXT pt 7 ps 0.9
