@@ -11,3 +11,4 @@ inline constexpr scenes::Circle<> drone{.omega = 2 * std::numbers::pi / 8, .radi
 inline constexpr double h = 1.0 / 60;
 inline constexpr long turn = 480;
 // [drone]
+inline constexpr double fence = 12;  ///< how far from the tower it stands [m]

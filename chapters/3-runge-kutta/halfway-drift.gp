@@ -3,11 +3,11 @@ set xrange [0:80]
 set yrange [9.3:15.6]
 set xtics 0,16
 set ytics 10,1
-set label 1 "Euler, 60 Hz" at 66,14.45 right tc rgb "#000001"
-set label 2 NARROW ? "looks halfway" : "looks halfway, 60 Hz" at 80,NARROW ? 11 : 11.4 right tc rgb "#00000b"
+set label 1 "Euler, ".number("rate") at 66,14.45 right tc rgb "#000001"
+set label 2 NARROW ? "looks halfway" : "looks halfway, ".number("rate") at 80,NARROW ? 11 : 11.4 right tc rgb "#00000b"
 set label 3 "should stay here" at 40,9.7 center tc rgb "#000007"
-set label 4 "circles: Euler, 120 Hz" at 80,NARROW ? 10.4 : 10.8 right tc rgb "#000001"
-plot 10 with lines ls EXACT, \
+set label 4 "circles: Euler, ".number("rate-twice") at 80,NARROW ? 10.4 : 10.8 right tc rgb "#000001"
+plot exact("circle") with lines ls EXACT, \
      file("distance") using col("t"):col("Euler") with lines ls EULER, \
      file("distance") using col("t"):col("old velocity") with lines ls SECOND, \
      file("distance") every (NARROW ? 8 : 4) using col("t"):col("Euler at 120 Hz") with points ls EULER pt 6 ps 0.7, \

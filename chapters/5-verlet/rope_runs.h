@@ -40,6 +40,8 @@ inline void burst(measure::Record& record) {
   };
   measure::run(measure::stormer_verlet, springs, s, frame, 8, keep);
   // [burst]
+  record.number("burst-rate", 1 / frame, measure::whole, "Hz");
+  record.number("calm-rate", 6 / frame, measure::whole, "Hz");
   record.number("burst-pair", std::sqrt(2 * springs.k / springs.mass) / (2 * std::numbers::pi), 2);
   record.number("burst-fastest", fastest_swing(), 3);
   record.number("burst-5", table.rows[5][1].value, 2, "m");

@@ -2,7 +2,7 @@ eval axis_names("time  [years]", "largest energy error so far, relative")
 set logscale xy
 set xrange [0.5:NARROW ? 12000 : 6000]
 set yrange [1e-8:3]
-set xtics (1, 10, 100, "548" 547.57)
+set xtics (1, 10, 100, number("years") exact("years"))
 set ytics ("1" 1, "10^{-2}" 1e-2, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8)
 unset mxtics
 unset mytics

@@ -8,8 +8,7 @@ unset mytics
 set label 1 "to the moon" at 4,2.5e9 left tc rgb "#000008"
 set label 2 "Euler" at NARROW ? 29 : 31,1.2e6 right tc rgb "#000001"
 set label 3 "two lines swapped" at 45,35 center tc rgb "#000002"
-moon = 384400e3
-plot moon with lines ls LIMIT, \
+plot exact("moon") with lines ls LIMIT, \
      file("hour") every 4::1 using col("minute"):col("Euler") with linespoints ls EULER ps 0.45, \
      file("hour") every 4::1 using col("minute"):col("symplectic Euler") with linespoints ls SYMPLECTIC_EULER ps 0.4, \
      file("hour") every 4::1 using col("minute"):col("Euler"):(sprintf("Euler after %.0f min: %.3g m", val("minute"), val("Euler"))) with labels hypertext point ls EULER ps 0.45, \

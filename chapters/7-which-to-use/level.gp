@@ -1,5 +1,5 @@
 eval NARROW ? canvas(400, 460) : canvas(720, 430)
-set xlabel "largest error at 60 steps a second  [cm]" offset 0,0.3
+set xlabel sprintf("largest error at %g steps a second  [cm]", exact("rate")) offset 0,0.3
 set logscale x
 set xrange [6e-4:2e5]
 set yrange [0.4:6.6]

@@ -1,5 +1,5 @@
 eval NARROW ? canvas(400, 430) : canvas(720, 470)
-eval axis_names("time per second of play, one of 512 shuttles  [µs]", "largest error in one turn  [m]")
+eval axis_names(sprintf("time per second of play, one of %s shuttles  [µs]", number("shuttles-at-once")), "largest error in one turn  [m]")
 set logscale xy
 set xrange [NARROW ? 0.01 : 0.02:NARROW ? 200 : 30]
 set xtics (0.1, 1, 10)

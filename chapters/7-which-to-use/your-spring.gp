@@ -20,10 +20,10 @@ do for [k=0:11] {
 }
 do for [k=12-across:11] {
   set label 20+k "0" at left(k),low(k)-0.24 left tc rgb "#000007"
-  set label 40+k "1 s" at left(k)+4,low(k)-0.24 right tc rgb "#000007"
+  set label 40+k number("camera-watched") at left(k)+4,low(k)-0.24 right tc rgb "#000007"
 }
 most = 1.5  # of the stretch, one at the start; what leaves the panel ends at its edge
-along(k) = left(k) + 4*val("t")
+along(k) = left(k) + 4*val("t")/exact("camera-watched")
 height(k, x) = low(k) + 1 + x/most
 inside(x) = ($0 == 0 ? gone = 0 : 0, gone ? NaN : abs(x) > most ? (gone = 1, x > 0 ? most : -most) : x)
 plot for [k=0:11] file("your-spring") using (along(k)):(height(k, 0)) with lines ls GRID, \
