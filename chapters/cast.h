@@ -25,6 +25,9 @@ inline constexpr scenes::Circle<> drone{.omega = 2 * std::numbers::pi / 8, .radi
 inline constexpr long turn = 480;
 // [drone]
 
+/// How far from the tower the fence stands [m].
+inline constexpr double fence = 12;
+
 // [level]
 /// A jump straight up at five metres a second, which is enough for a ledge of 1.27 m.
 inline const scenes::Projectile<> jump{.start_velocity = {0, 5}};

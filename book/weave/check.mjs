@@ -46,7 +46,8 @@ function collectLabels(book) {
 function checkPlace(piece, report) {
   const box = piece.box;
   if (piece.type === 'heading' && box?.closed) report(`a heading inside \\${box.name} of line ${box.line}; is \\end${box.name} missing?`);
-  if (MARKS[piece.name]?.kind === 'box' && ['figure', 'table', 'eq'].includes(box?.name)) report(`\\${piece.name} stands inside \\${box.name} of line ${box.line}, which can hold no box`);
+  const { kind, within } = MARKS[piece.name] ?? {};
+  if (kind === 'box' && within !== 'live' && ['figure', 'table', 'eq'].includes(box?.name)) report(`\\${piece.name} stands inside \\${box.name} of line ${box.line}, which can hold no box`);
 }
 
 const CHECKS = {

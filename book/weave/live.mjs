@@ -86,7 +86,7 @@ function codeHtml(book, { name, label, path, tag }) {
 
 // The colours of figure.gp under the names that the figures use: EULER's becomes --euler.
 export function colourRules(script) {
-  const rules = [...script.matchAll(/^set style line (\w+)\s+lc rgb "#0000([0-9a-f]{2})"/gm)]
+  const rules = [...script.matchAll(/^eval (?:method\("[^"]*", |line_style\()"(\w+)", "lc rgb '#0000([0-9a-f]{2})'/gm)]
     .map(([, name, colour]) => `--${name.toLowerCase().replace(/_/g, '-')}:var(--plot-${parseInt(colour, 16)})`);
   return `:root{${rules.join(';')}}\n`;
 }

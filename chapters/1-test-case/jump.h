@@ -7,6 +7,8 @@
 #include "../cast.h"
 #include "measure/run.h"
 
+inline constexpr double ledge = 1.33;  ///< how high it is [m]
+
 /// How high the jump goes without any computer [m].
 inline double top_of_jump() {
   const double v = jump.start_velocity.y();

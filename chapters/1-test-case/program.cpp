@@ -26,6 +26,7 @@ void jumps(Record& record) {
     record.number("apex-" + std::to_string(rate), apex(euler, rate), 4, "m");
   }
   record.number("apex-exact", top_of_jump(), 4, "m");
+  record.number("ledge", ledge, 3, "m");
   double missed = 0;
   for (const int rate : {20, 30, 60, 144}) {
     missed = std::max(missed, top_of_jump() - apex(measure::constant_acceleration, rate));

@@ -30,6 +30,8 @@ void spiral(Record& record) {
   record.number("distance-1", once.x.norm(), 4, "m");
   record.number("distance-10", s.x.norm(), 4, "m");
   // [spiral]
+  record.number("circle", drone.radius, 2, "m");
+  record.number("fence", fence, 2, "m");
 
   double nearest = INFINITY, farthest = 0;
   s = drone.start();
@@ -96,9 +98,12 @@ void springs(Record& record) {
   // [limit]
   const double limit = measure::stability_limit(euler, suspension, 0.001, 0.1);
   record.number("suspension-limit", 1000 * limit, 4, "ms");
-  measure::path(record, "suspension-inside", euler, suspension, 0.9 * limit, 1.5);
-  measure::path(record, "suspension-outside", euler, suspension, 1.1 * limit, 1.5);
+  const double inside = 0.9 * limit, outside = 1.1 * limit;
+  measure::path(record, "suspension-inside", euler, suspension, inside, 1.5);
+  measure::path(record, "suspension-outside", euler, suspension, outside, 1.5);
   // [limit]
+  record.number("suspension-inside", 1000 * inside, 1, "ms");
+  record.number("suspension-outside", 1000 * outside, 2, "ms");
   record.number("suspension-rate", 1 / limit, 4, "Hz");
   const double at_60 = measure::spectral_radius(euler, suspension, frame);
   record.number("suspension-at-60", std::pow(at_60, 60), 3);
@@ -113,8 +118,11 @@ void springs(Record& record) {
 void stiffness(Record& record) {
   const double limit = measure::stability_limit(euler, door, 0.001, 0.1);
   record.number("door-limit", 1000 * limit, 3, "ms");
-  measure::path(record, "door-inside", euler, door, 0.95 * limit, 2);
-  measure::path(record, "door-outside", euler, door, 1.05 * limit, 2);
+  const double inside = 0.95 * limit, outside = 1.05 * limit;
+  measure::path(record, "door-inside", euler, door, inside, 2);
+  measure::path(record, "door-outside", euler, door, outside, 2);
+  record.number("door-inside", 1000 * inside, 3, "ms");
+  record.number("door-outside", 1000 * outside, 3, "ms");
   measure::exact_path(record, "door-exact", door, 2);
 
   auto& table = record.table("stiffness", {{"ω", "rad/s", whole},

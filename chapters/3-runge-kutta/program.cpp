@@ -47,6 +47,9 @@ void first_try(Record& record) {
   record.number("old-10", end[2].value, 4, "m");
   record.number("euler-120-10", end[3].value, 4, "m");
   record.number("midpoint-10", 1000 * (end[4].value - 10), 2, "mm");
+  record.number("rate", 1 / frame, whole, "Hz");
+  record.number("rate-twice", 2 / frame, whole, "Hz");
+  record.number("circle", drone.radius, 2, "m");
 
   const scenes::Circle<> demo{.omega = 2 * std::numbers::pi / 4};
   const auto turn_of_demo = [&](auto step) {

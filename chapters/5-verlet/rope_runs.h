@@ -41,6 +41,8 @@ inline void burst(measure::Record& record) {
   };
   measure::run(measure::stormer_verlet, rope_of_springs, s, frame, 8, keep);
   // [burst]
+  record.number("burst-rate", 1 / frame, measure::whole, "Hz");
+  record.number("calm-rate", 6 / frame, measure::whole, "Hz");
   record.number("burst-pair",
                 std::sqrt(2 * rope_of_springs.k / rope_of_springs.mass) / (2 * std::numbers::pi),
                 2);

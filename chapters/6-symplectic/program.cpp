@@ -44,6 +44,7 @@ void an_hour(Record& record) {
   }
   // [hour]
   constexpr double moon = 384'400'000;  // m
+  record.number("moon", moon, 4, "m");
   record.number("hour-euler", table.rows.back()[1].value / 1e9, 3, "million km");
   record.number("hour-moons", table.rows.back()[1].value / moon, 2);
   record.number("hour-nearest", nearest, 4, "m");

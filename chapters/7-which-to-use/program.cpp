@@ -39,6 +39,7 @@ void one_for_all(Record& record) {
 // [one-for-all]
 
 void one_for_all_numbers(Record& record) {
+  record.number("rate", 1 / frame, measure::whole, "Hz");
   const auto number = [&](const char* name, const measure::Method& method, const auto& scene,
                           double seconds, double unit, const char* of) {
     record.number(name, unit * off(method, scene, frame, seconds), 2, of);

@@ -54,9 +54,13 @@ inline void work_energy(measure::Record& record) {
   }
 }
 
-/// The recorded time of a step of one of 512 shuttles [ns].
+inline constexpr int shuttles_at_once = 512;  ///< for which a step of one was timed
+
+/// The recorded time of a step of one of them [ns].
 inline double time_of_many(const measure::Method& method) {
-  return measure::recorded_times().at("512 shuttles/" + std::string(method.name)).median;
+  return measure::recorded_times()
+      .at(std::to_string(shuttles_at_once) + " shuttles/" + std::string(method.name))
+      .median;
 }
 
 /// What a step is charged, and the time that it takes: of one shuttle alone, and of one of many.
@@ -73,6 +77,7 @@ inline void step_times(measure::Record& record) {
 
 /// The errors of the shuttle beside the recorded times of a step of one of 512.
 inline void work_time(measure::Record& record) {
+  record.number("shuttles-at-once", shuttles_at_once, measure::whole);
   auto& table = record.table("work-time", {{"method"},
                                            {"steps per second", "", measure::whole},
                                            {"time per second of play", "µs"},

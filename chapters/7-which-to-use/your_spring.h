@@ -29,6 +29,7 @@ inline void your_spring(measure::Record& record) {
   const auto ways = cameras();
   std::vector<measure::Column> columns{{"t", "s"}};
   for (const auto& [method, way] : ways) columns.push_back({method, "m"});
+  record.number("camera-watched", camera_steps * camera_step, 1, "s");
   auto& table = record.table("your-spring", columns);
   for (std::size_t n = 0; n <= std::size_t(camera_steps); ++n) {
     std::vector<measure::Cell> row{double(n) * camera_step};

@@ -46,7 +46,7 @@ test('a start page with a program of its own is no chapter', () => {
 });
 
 test('what is wrong with the program of the start page is told there', () => refuses(
-  front('\\number{turn}\nand \\figure{rice, A race}\nSo.\n\\endfigure'),
+  front('\\number{turn}\nand \\figure{rice, A race}\nSo. \\look\n\\endfigure'),
   [INDEX, '{turn}', 'unknown number "turn"; chapters/front/program.cpp writes none of that name. Did you mean "turns"?'],
   [INDEX, 'rice', 'there is no chapters/front/rice.gp that draws the figure "rice". Did you mean "race"?'],
   ['chapters/front/race.gp', '', 'no \\figure{race, ...} in chapters/front/chapter.md shows this figure; show it, or delete the script'],

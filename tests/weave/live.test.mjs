@@ -51,6 +51,29 @@ test('without a compiler for the browser the figure is a still one', () => {
   assert.ok(!book.has('built/book/live'));
 });
 
+const parts = [CHAPTER, 'Each dot is one step, with', 'Each dot is one step.\n\n\\paper\nThe line is \\number{step} wide.\n\\endpaper\n\n\\screen\nMove the *step*.\n\\endscreen\n\nWith'];
+
+test('a caption may say one thing on paper and another on the screen', () => {
+  const page = weaves(...live, method, methodEnd, module, parts).read('built/book/2-euler.html');
+  const caption = page.match(/<figcaption><p><b>Figure 2\.1[^]*?<\/figcaption>/)[0];
+  assert.match(caption, /<div class="on-paper"><p>The line is <data[^>]*>0\.10\u202fs<\/data> wide\.<\/p><\/div>\s*<div class="on-screen"><p>Move the <em>step<\/em>\.<\/p><\/div>/);
+  assert.doesNotMatch(page.match(/<desc id="figure-spiral-wide-desc">[^<]*/)[0], /Move/);
+  const style = weaves(...live, method, methodEnd, module).read('built/book/live/live.css');
+  assert.match(style, /^figcaption \.on-screen \{ display: none; \}/m);
+  assert.match(style, /^@media screen \{ \.stage ~ figcaption \.on-paper \{ display: none; \} \.stage ~ figcaption \.on-screen \{ display: block; \} \}/m);
+});
+
+test('a figure that is a still one has the words for paper alone', () => {
+  const page = weaves(...live, method, methodEnd, parts).read('built/book/2-euler.html');
+  assert.match(page, /<div class="on-paper"><p>The line is/);
+  assert.doesNotMatch(page, /on-screen|Move the/);
+});
+
+test('words for the screen, outside of a live figure', () => refuses(
+  [[CHAPTER, 'Each dot is one step, with', 'Each dot is one step, with\n\n\\screen\nMove it.\n\\endscreen\n\n']],
+  [CHAPTER, '\\screen', '\\screen stands outside of \\live; put it between \\live and \\endlive'],
+));
+
 test('a live figure that nothing describes', () => refuses(
   [...live, [CHAPTER, '\\live{spiral', '\\live{spirall'], ['chapters/2-euler/spirall.gp', 'plot x\n'], ['chapters/2-euler/spiral.gp'],
     ...['', '-narrow'].map(size => [`built/2-euler/figures/spirall${size}.svg`, '<svg xmlns="http://www.w3.org/2000/svg"/>'])],

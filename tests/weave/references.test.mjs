@@ -27,8 +27,8 @@ test('links to nothing', () => refuses(
 ));
 
 test('names that two things bear', () => refuses(
-  [paragraph(['## Growth', '\\figure{spiral, Again}\nOnce more.\n\\endfigure', '\\eq{growth} \\f[ a \\f] \\endeq',
-    '\\table{methods}\nAgain.\n\\rows{growth}\n\\endtable', '\\exercise{back, Again}\nOnce more.\n\\endexercise'].join('\n\n')),
+  [paragraph(['## Growth', '\\figure{spiral, Again}\nOnce more. \\look\n\\endfigure', '\\eq{growth} \\f[ a \\f] \\endeq',
+    '\\table{methods}\nAgain.\n\\rows{growth}\n\\endtable', '\\exercise{back, Again}\nOnce more. \\look\n\\endexercise'].join('\n\n')),
   [BIB, '- \\bibitem{hairer', '- \\bibitem{verlet1967, Another}\n- \\bibitem{hairer']],
   [BIB, 'Another', 'the reference "verlet1967" is taken by book/references.md:3; give this one another key'],
   [CHAPTER, '## Growth\n\n\\figure', 'this section has the same name as the one in line 25; links could not tell them apart'],
