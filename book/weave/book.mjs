@@ -12,7 +12,8 @@ import { createSnippets } from './snippets.mjs';
 import { readTables } from './tables.mjs';
 import { slug } from './text.mjs';
 
-// The folder of the start page, its program and its figures among the chapters', which have a number in front.
+// The folder of the start page, its program and its figures, among the chapters'. A chapter's has a number in front; any other is a
+// page behind the chapters.
 const OPENING = 'front';
 
 // The pages before and after the chapters, book/NAME.md each.
@@ -92,9 +93,15 @@ function readPages(book) {
     chapter.page = add(`${chapter.folder}/chapter.md`, { ...chapter, owner: chapter.name });
     chapter.title = chapter.page.title;
   }
+  for (const program of book.programs.values()) {
+    if (program.number) continue;
+    if (program.name === OPENING) Object.assign(program, { page: start, title: 'The start page', href: start.href });
+    else {
+      program.page = add(`${program.folder}/chapter.md`, { name: program.name, href: program.href, owner: program.name });
+      program.title = program.page.title;
+    }
+  }
   AFTER.forEach(addAround);
-  const opening = book.programs.get(OPENING);
-  if (opening) Object.assign(opening, { page: start, title: 'The start page', href: start.href });
 }
 
 function registerClaims(book, chapter) {
