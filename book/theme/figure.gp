@@ -12,58 +12,44 @@ set minussign
 canvas(w, h) = sprintf("WIDTH = %d; HEIGHT = %d; set terminal svg size %d,%d dynamic enhanced rounded font 'Book Sans,15'; set output '%s%s.svg'", w, h, w, h, OUT, NAME)
 eval canvas(WIDTH, HEIGHT)
 
-# One number for each method, the same in all figures: use as a line style, `ls EULER`.
-EULER = 1
-SYMPLECTIC_EULER = 2
-VELOCITY_VERLET = 3
-RK4 = 4
-BACKWARD_EULER = 5
-MIDPOINT = 6
-EXACT = 7       # what the motion really is
-LIMIT = 8       # where something ends
-CONTEXT = 9     # what only helps the eye
-FIRST = 10      # three colours for what is not a method
-SECOND = 11
-THIRD = 12
-AREA = 13       # a faint fill
-GRID = 14
-# Kin of the methods above: the colour of the family, another dash and symbol. Yoshida's method, the trapezoid rule and
-# the step of constant acceleration have colours of their own.
-HEUN = 15
-STORMER_VERLET = 16
-LEAPFROG = 17
-YOSHIDA4 = 18
-TRAPEZOID = 19
-DOPRI5 = 20
-PREDICTED_EULER = 21
-CONSTANT_ACCELERATION = 22
-LINEAR_DAMPING_IMPLICIT_LAST = 23
-SPRING_EXACT = 24
+# A name's place in a list of names, "\t1:t\t2:x\t"; 0 where it isn't there.
+place_in(list, name, n) = strstrt(list, sprintf("\t%d:%s\t", n, name)) ? n : strstrt(list, sprintf("\t%d:", n)) ? place_in(list, name, n + 1) : 0
+# Says what is wrong, and calls what there is not: no other mistake is sure to stop gnuplot inside `using`.
+refuse(message) = (system("echo '".NAME.": ".message."' >&2"), no_such_name(0))
 
-set style line EULER            lc rgb "#000001" lw 2.2 pt 7 ps 0.6
-set style line SYMPLECTIC_EULER lc rgb "#000002" lw 2.2 pt 5 ps 0.55
-set style line VELOCITY_VERLET  lc rgb "#000003" lw 2.2 pt 9 ps 0.7
-set style line RK4              lc rgb "#000004" lw 2.2 pt 13 ps 0.75
-set style line BACKWARD_EULER   lc rgb "#000005" lw 2.2 pt 15 ps 0.6
-set style line MIDPOINT         lc rgb "#000006" lw 2.2 pt 11 ps 0.7
-set style line EXACT            lc rgb "#000007" lw 1.4 dt (7,5) pt 6 ps 0.6
-set style line LIMIT            lc rgb "#000008" lw 1.6 dt (3,4) pt 7 ps 0.6
-set style line CONTEXT          lc rgb "#000009" lw 1.1 pt 7 ps 0.4
-set style line FIRST            lc rgb "#00000a" lw 2.2 pt 7 ps 0.6
-set style line SECOND           lc rgb "#00000b" lw 2.2 pt 5 ps 0.55
-set style line THIRD            lc rgb "#00000c" lw 2.2 pt 9 ps 0.7
-set style line AREA             lc rgb "#00000d" lw 1
-set style line GRID             lc rgb "#00000e" lw 1
-set style line HEUN             lc rgb "#000006" lw 2.2 dt (6,4) pt 10 ps 0.8
-set style line STORMER_VERLET   lc rgb "#000003" lw 2.2 dt (6,4) pt 8 ps 0.8
-set style line LEAPFROG         lc rgb "#000003" lw 2.2 dt (2,3) pt 1 ps 0.8
-set style line YOSHIDA4         lc rgb "#00000a" lw 2.2 pt 2 ps 0.8
-set style line TRAPEZOID        lc rgb "#00000b" lw 2.2 dt (6,4) pt 14 ps 0.7
-set style line DOPRI5           lc rgb "#000004" lw 2.2 dt (6,4) pt 12 ps 0.8
-set style line PREDICTED_EULER  lc rgb "#000005" lw 2.2 dt (2,3) pt 3 ps 0.8
-set style line CONSTANT_ACCELERATION lc rgb "#00000b" lw 2.2 pt 5 ps 0.55
-set style line LINEAR_DAMPING_IMPLICIT_LAST lc rgb "#000002" lw 2.2 dt (6,4) pt 4 ps 0.55
-set style line SPRING_EXACT     lc rgb "#000007" lw 1.4 pt 6 ps 0.6
+# The styles of lines. A method's goes by the name that it has in code/measure: `ls style("Heun")`, or `ls HEUN`; one
+# method has one colour in all figures. Its kin have the family's colour, another dash and symbol.
+STYLES = "\t"
+LINES = 0
+line_style(id, look) = sprintf("LINES = LINES + 1; %s = LINES; set style line LINES %s", id, look)
+method(name, id, look) = sprintf("%s; STYLES = STYLES.LINES.\":%s\\t\"", line_style(id, look), name)
+style(name) = place_in(STYLES, name, 1) ? place_in(STYLES, name, 1) : refuse("figure.gp has no style for \"".name."\"")
+
+eval method("Euler", "EULER", "lc rgb '#000001' lw 2.2 pt 7 ps 0.6")
+eval method("symplectic Euler", "SYMPLECTIC_EULER", "lc rgb '#000002' lw 2.2 pt 5 ps 0.55")
+eval method("velocity Verlet", "VELOCITY_VERLET", "lc rgb '#000003' lw 2.2 pt 9 ps 0.7")
+eval method("RK4", "RK4", "lc rgb '#000004' lw 2.2 pt 13 ps 0.75")
+eval method("backward Euler", "BACKWARD_EULER", "lc rgb '#000005' lw 2.2 pt 15 ps 0.6")
+eval method("midpoint", "MIDPOINT", "lc rgb '#000006' lw 2.2 pt 11 ps 0.7")
+eval method("Heun", "HEUN", "lc rgb '#000006' lw 2.2 dt (6,4) pt 10 ps 0.8")
+eval method("Störmer–Verlet", "STORMER_VERLET", "lc rgb '#000003' lw 2.2 dt (6,4) pt 8 ps 0.8")
+eval method("leapfrog", "LEAPFROG", "lc rgb '#000003' lw 2.2 dt (2,3) pt 1 ps 0.8")
+eval method("Yoshida 4", "YOSHIDA4", "lc rgb '#00000a' lw 2.2 pt 2 ps 0.8")
+eval method("trapezoid", "TRAPEZOID", "lc rgb '#00000b' lw 2.2 dt (6,4) pt 14 ps 0.7")
+eval method("Dormand-Prince", "DOPRI5", "lc rgb '#000004' lw 2.2 dt (6,4) pt 12 ps 0.8")
+eval method("predicted Euler", "PREDICTED_EULER", "lc rgb '#000005' lw 2.2 dt (2,3) pt 3 ps 0.8")
+eval method("constant acceleration", "CONSTANT_ACCELERATION", "lc rgb '#00000b' lw 2.2 pt 5 ps 0.55")
+eval method("symplectic Euler, drag divided", "LINEAR_DAMPING_IMPLICIT_LAST", "lc rgb '#000002' lw 2.2 dt (6,4) pt 4 ps 0.55")
+eval method("exact step of a spring", "SPRING_EXACT", "lc rgb '#000007' lw 1.4 pt 6 ps 0.6")
+# What is no method.
+eval line_style("EXACT", "lc rgb '#000007' lw 1.4 dt (7,5) pt 6 ps 0.6")  # what the motion really is
+eval line_style("LIMIT", "lc rgb '#000008' lw 1.6 dt (3,4) pt 7 ps 0.6")  # where something ends
+eval line_style("CONTEXT", "lc rgb '#000009' lw 1.1 pt 7 ps 0.4")         # what only helps the eye
+eval line_style("FIRST", "lc rgb '#00000a' lw 2.2 pt 7 ps 0.6")
+eval line_style("SECOND", "lc rgb '#00000b' lw 2.2 pt 5 ps 0.55")
+eval line_style("THIRD", "lc rgb '#00000c' lw 2.2 pt 9 ps 0.7")
+eval line_style("AREA", "lc rgb '#00000d' lw 1")                          # a faint fill
+eval line_style("GRID", "lc rgb '#00000e' lw 1")
 
 set border 3 lw 1
 set tics out nomirror scale 0.6,0.3
@@ -77,4 +63,21 @@ set bmargin 3.4
 
 # The name of the vertical axis, written level above it; the horizontal one below.
 axis_names(x, y) = sprintf("set xlabel '%s' offset 0,0.3; set label 99 '%s' at graph 0,1.0 left offset -4,0.9", x, y)
-file(name) = DATA.name.".csv"
+# A script reaches its tables by name. file("orbit") is the table orbit.csv; behind it, while gnuplot reads that table,
+# col("t") is the column of that name, as a place of `using` wants it, val("t") is what a row has there, and
+# txt("method") the same as text. A name that the table doesn't have stops gnuplot. (Its own column("t") goes on where that
+# only costs points: in a hover text, for a colour, in one branch of ?:.)
+TABLE = ""
+# The names in the first line, in place_in's form; one in quotes may hold commas.
+header(path) = system("awk -F '\"' -v OFS= 'NR == 1 { for (i = 1; i <= NF; i += 2) gsub(/,/, \"\\t\", $i); n = split($0, names, \"\\t\"); printf \"\\t\"; for (i = 1; i <= n; ++i) printf \"%d:%s\\t\", i, names[i]; exit }' '".path."'")
+file(name) = (name eq TABLE ? 0 : (TABLE = name, HEADER = header(DATA.name.".csv")), DATA.name.".csv")
+col(name) = place_in(HEADER, name, 1) ? place_in(HEADER, name, 1) : refuse(TABLE.".csv has no column \"".name."\"")
+val(name) = column(col(name))
+txt(name) = strcol(col(name))
+
+# What the chapter's program recorded: number("apex") is the text that \number{apex} is on the page, "1.27 m"; exact("apex")
+# is the value. The build writes NUMBERS: name, value, text.
+entry(name, field) = system(sprintf("awk -F '\t' '$1 == \"%s\" { print $%d }' '%s'", name, field, NUMBERS))
+recorded(text, name) = strlen(text) ? text : refuse("the program records no number \"".name."\"")
+number(name) = recorded(entry(name, 3), name)
+exact(name) = real(recorded(entry(name, 2), name))

@@ -3,7 +3,7 @@ import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFi
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { LIVE_FOLDER, LIVE_SCRIPTS, colourRules } from './live.mjs';
+import { LIVE_SCRIPTS, colourRules } from './live.mjs';
 import { isMark } from './snippets.mjs';
 
 const require = createRequire(import.meta.url);
@@ -40,7 +40,7 @@ function copyLive({ config, live }, folder) {
   writeFileSync(join(folder, 'compiled.js'), `(globalThis.Live ??= {}).compiled = "${readFileSync(config.live).toString('base64')}";\n`
     + `globalThis.Live.descriptions = ${JSON.stringify(Object.fromEntries(live))};\n`);
   for (const script of LIVE_SCRIPTS) copyFileSync(join(livePage, `${script}.js`), join(folder, `${script}.js`));
-  for (const name of live.keys()) copyFileSync(join(config.source, LIVE_FOLDER, `${name}.js`), join(folder, `${name}.js`));
+  for (const { name, folder: from } of live.values()) copyFileSync(join(config.source, from, `${name}.js`), join(folder, `${name}.js`));
 }
 
 function copyFonts(folder) {

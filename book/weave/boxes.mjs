@@ -2,7 +2,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { inlineText } from './inline.mjs';
-import { liveHtml, liveSource } from './live.mjs';
+import { liveHtml } from './live.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { adoptSvg } from './svg.mjs';
 import { taskFoot, taskHead } from './task-box.mjs';
@@ -22,6 +22,8 @@ const BOXES = {
   aside: note('aside'),
   remark: note('remark'),
   hint: html => `<details class="hint"><summary>Hint</summary><div>${html}</div></details>`,
+  paper: html => `<div class="on-paper">${html}</div>`,
+  screen: html => `<div class="on-screen">${html}</div>`,
   answer: html => `<details class="answer"><summary>Answer</summary><div>${html}</div></details>`,
   eq: (html, piece) => `<div class="equation" id="${piece.id}">${html}<span class="eqno">(${piece.number})</span></div>`,
   exercise: (html, { id, number, args: [name, title] }, { book, page, hold }) => `<section class="exercise" id="${id}" aria-labelledby="${id}-title">`
@@ -34,13 +36,15 @@ const BOXES = {
   figure: (html, piece, { book, page, hold }) => {
     const { id, number, figure, args: [, title] } = piece;
     const words = smarten(title);
-    const description = textOfHtml(html).replace(TOKEN, (_, n) => inlineText(page.pieces[n])).replace(/\s+/g, ' ').trim();
+    const onPaper = html.replace(/<div class="on-screen">[^]*?<\/div>\s*/g, '');
+    const description = textOfHtml(onPaper).replace(TOKEN, (_, n) => inlineText(page.pieces[n])).replace(/\s+/g, ' ').trim();
     const draw = (file, size) => adoptSvg(readFileSync(file, 'utf8'), { id: `${id}-${size}`, title: words, description: description || words });
     const svgs = `<div class="wide">${draw(figure.wide, 'wide')}</div>\n<div class="narrow">${draw(figure.narrow, 'narrow')}</div>`;
     const live = book.config.live && piece.live;
     const stage = live ? ` data-live="${live.name}"` : '';
+    const caption = live ? html : onPaper;
     const still = live ? `<div class="still">${svgs}</div>\n${liveHtml({ book }, live)}` : svgs;
-    return `<figure class="plot" id="${id}"${stage}>${hold(still)}\n<figcaption>${startWith(`<b>Figure ${number}. ${escapeHtml(words.replace(/\.$/, ''))}.</b> `, html)}`
+    return `<figure class="plot" id="${id}"${stage}>${hold(still)}\n<figcaption>${startWith(`<b>Figure ${number}. ${escapeHtml(words.replace(/\.$/, ''))}.</b> `, caption)}`
       + `${figureLinks(book.programs.get(page.owner), figure, book, live)}</figcaption></figure>`;
   },
 };
@@ -52,19 +56,19 @@ const startWith = (label, html) => (html.startsWith('<p>') ? html.replace('<p>',
 function figureLinks(chapter, figure, book, live) {
   const links = csvFiles(chapter, figure, book).map(file => `<a href="data/${chapter.name}/${file}">${file}</a>`);
   links.push(`<a href="${sourceHref(figure.script)}">${figure.name}.gp</a>`);
-  if (live) links.push(`<a href="${sourceHref(liveSource(figure.name))}">${figure.name}.cpp</a>`);
+  if (live) links.push(`<a href="${sourceHref(`${live.folder}/${live.name}.cpp`)}">${figure.name}.cpp</a>`);
   return `<p class="sources">${links.length > 1 ? 'Data and script: ' : 'Script: '}${links.join(', ')}</p>`;
 }
 
-// The files that the script names, as "name.csv" or as file("name"); a %d or %s in a name stands for several. Where a
-// variable is given to file(), every quoted word may be a name.
+// The files that the script names, as "name.csv" or as file("name"); a %d, %s or the like in a name stands for several.
+// Where a variable or a function is given to file(), every quoted word may be a name.
 export function csvFiles(chapter, figure, book) {
   const script = readFileSync(join(book.config.source, figure.script), 'utf8');
   const there = existsSync(chapter.data) ? readdirSync(chapter.data).filter(file => file.endsWith('.csv')).sort() : [];
   const names = [...script.matchAll(/([\w.%-]+)\.csv|\bfile\((?:sprintf\()?["']([\w.%-]+)["']/g)].map(found => found[1] ?? found[2]);
   if (/\bfile\([A-Za-z_]\w*/.test(script.replace(/\bfile\(sprintf\(["']/g, ''))) {
-    for (const [, , quoted] of script.matchAll(/(["'])(.*?)\1/g)) names.push(...quoted.split(/\s+/).filter(word => /^[\w-]+$/.test(word)));
+    for (const [, , quoted] of script.matchAll(/(["'])(.*?)\1/g)) names.push(...quoted.split(/\s+/).filter(word => /^\w[\w-]*(%[\d.]*[dsfg])?$/.test(word)));
   }
-  const wanted = names.map(name => new RegExp(`^${name.replace(/\./g, '\\.').replace(/%0?\d*[ds]/g, '[\\w.-]+')}\\.csv$`));
+  const wanted = names.map(name => new RegExp(`^${name.replace(/\./g, '\\.').replace(/%[\d.\\]*[dsfg]/g, '[\\w.-]+')}\\.csv$`));
   return there.filter(file => wanted.some(pattern => pattern.test(file)));
 }

@@ -1,10 +1,12 @@
 // Looks at what only the whole book shows: what is there and shown nowhere, tests that fail, boxes without what they are for.
+import { bareCaptions } from './captions.mjs';
 import { failureText } from './claims.mjs';
 
 export function checkWhole(book) {
   checkFigureScripts(book);
   checkLiveFigures(book);
   checkClaims(book);
+  checkCaptions(book);
   for (const page of book.pages) checkContents(book, page);
 }
 
@@ -29,6 +31,15 @@ function checkClaims(book) {
     for (const { page, piece } of claim.cited) book.problems.add(page.file, piece.line, `the claim is false: "${test.name}"${failureText(test)}`);
     if (!claim.cited.length) book.problems.add(test.file, test.line, `this test fails: "${test.name}"${failureText(test)}`);
   }
+}
+
+// A caption is a sentence like any other: what it says of its data is measured or proved, and what only tells where to look
+// is marked so. Those that are neither may only get fewer.
+function checkCaptions(book) {
+  const bare = bareCaptions(book);
+  const most = book.config.bareCaptions ?? 0;
+  if (bare.length <= most) return;
+  for (const { page, piece } of bare) book.problems.add(page.file, piece.line, `the caption of "${piece.args[0]}" has neither \\number nor \\claim nor \\look; ${most} of the book may, and ${bare.length} do`);
 }
 
 // A pair of boxes holds what it numbers, and one of it.

@@ -1,4 +1,6 @@
 // The few lines that the weaver prints when all went well.
+import { bareCaptions, captions } from './captions.mjs';
+
 export function stopwatch() {
   const parts = [];
   const watch = (name, work) => {
@@ -19,6 +21,7 @@ export function printSummary(book, pages, watch) {
     return [name, page.words, count('figure'), count('listing'), `${different('claim')} of ${tests.length}`, `${different('number')} of ${numbers.size}`, count('exercise'), page.tasks.size];
   });
   printTable([['chapter', 'words', 'figures', 'listings', 'claims', 'numbers', 'exercises', 'graded'], ...rows]);
+  console.log(`${bareCaptions(book).length} of ${captions(book).length} captions have neither \\number nor \\claim nor \\look (at most ${book.config.bareCaptions ?? 0} may)`);
   const times = watch.parts.map(([name, seconds]) => `${name} ${seconds.toFixed(2)} s`).join(', ');
   console.log(`${pages.length} pages woven in ${watch.parts.reduce((sum, [, s]) => sum + s, 0).toFixed(2)} s: ${times}`);
   console.log(`open ${book.config.output}/index.html`);

@@ -7,8 +7,8 @@ set ytics 0,1
 set grid noxtics
 set label 1 "newest state" at 0,5.6 left tc rgb "#00000a"
 set label 2 "blended" at last,2.08 left offset 0.5,0 tc rgb "#00000b"
-plot file("display") every ::9::last + 8 using ($1 - 8):2 with impulses ls FIRST lw 3, \
-     file("display") every ::9::last + 8 using ($1 - 8):2 with points ls FIRST, \
-     file("display") every ::9::last + 8 using ($1 - 8):3 with linespoints ls SECOND lw 1.4, \
-     file("display") every ::9::last + 8 using ($1 - 8):2:(sprintf("newest state: %.2f cm", $2)) with labels hypertext point ls FIRST, \
-     file("display") every ::9::last + 8 using ($1 - 8):3:(sprintf("blended: %.2f cm", $3)) with labels hypertext point ls SECOND
+plot file("display") every ::9::last + 8 using (val("frame") - 8):col("newest state") with impulses ls FIRST lw 3, \
+     file("display") every ::9::last + 8 using (val("frame") - 8):col("newest state") with points ls FIRST, \
+     file("display") every ::9::last + 8 using (val("frame") - 8):col("blended") with linespoints ls SECOND lw 1.4, \
+     file("display") every ::9::last + 8 using (val("frame") - 8):col("newest state"):(sprintf("newest state: %.2f cm", val("newest state"))) with labels hypertext point ls FIRST, \
+     file("display") every ::9::last + 8 using (val("frame") - 8):col("blended"):(sprintf("blended: %.2f cm", val("blended"))) with labels hypertext point ls SECOND

@@ -11,7 +11,7 @@ set label 1 "Euler" at 1/20.,0.028 left tc rgb "#000001"
 set label 2 "with  {/:Italic a h}^2/2" at 1/45.,0.15 right tc rgb "#00000b"
 set label 3 "slope 1" at 1/560.,0.02 left tc rgb "#000007"
 plot 4.9*x with lines ls CONTEXT, \
-     file("order") using (1/$1):2 with linespoints ls EULER, \
-     file("order") using (1/$1):4 with linespoints ls CONSTANT_ACCELERATION, \
-     file("order") using (1/$1):2:(sprintf("Euler, step 1/%.0f s: error %.2g m", $1, $2)) with labels hypertext point ls EULER, \
-     file("order") using (1/$1):4:(sprintf("with the term, step 1/%.0f s: error %.2g m", $1, $4)) with labels hypertext point ls CONSTANT_ACCELERATION
+     file("order") using (1/val("steps per second")):col("Euler") with linespoints ls EULER, \
+     file("order") using (1/val("steps per second")):col("with a h²/2") with linespoints ls CONSTANT_ACCELERATION, \
+     file("order") using (1/val("steps per second")):col("Euler"):(sprintf("Euler, step 1/%.0f s: error %.2g m", val("steps per second"), val("Euler"))) with labels hypertext point ls EULER, \
+     file("order") using (1/val("steps per second")):col("with a h²/2"):(sprintf("with the term, step 1/%.0f s: error %.2g m", val("steps per second"), val("with a h²/2"))) with labels hypertext point ls CONSTANT_ACCELERATION

@@ -6,7 +6,7 @@ set ytics 25
 set label 1 "true" at 3.2,75 right tc rgb "#000007"
 set label 2 NARROW ? "Euler" : "ten Euler steps" at NARROW ? 2.75 : 1.9,NARROW ? 18 : 4 left tc rgb "#000001"
 set label 3 NARROW ? "constant" : "constant acceleration" at 4.1,NARROW ? 36 : 31 right tc rgb "#00000b"
-plot file("rocket") using 1:3 with lines ls SECOND, \
-     file("rocket") using 1:2 with lines ls EXACT, \
-     file("rocket-euler") using 1:2 with linespoints ls EULER, \
-     file("rocket-euler") using 1:2:(sprintf("Euler at %.1f s: %.1f m", $1, $2)) with labels hypertext point ls EULER
+plot file("rocket") using col("t"):col("as if constant") with lines ls SECOND, \
+     file("rocket") using col("t"):col("exact") with lines ls EXACT, \
+     file("rocket-euler") using col("t"):col("height") with linespoints ls EULER, \
+     file("rocket-euler") using col("t"):col("height"):(sprintf("Euler at %.1f s: %.1f m", val("t"), val("height"))) with labels hypertext point ls EULER

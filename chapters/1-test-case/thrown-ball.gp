@@ -11,11 +11,11 @@ set label 4 "with  {/:Italic a h}^2/2" at 1.6,-1.6 left tc rgb "#00000b"
 set arrow 4 from 4.4,-1.1 to 8.1,-0.6 nohead ls CONTEXT
 vacuum = file("throw-in-a-vacuum")
 air = file("throw-in-air")
-plot vacuum using 2:3 with lines ls EXACT, \
-     air using 2:3 with lines ls EXACT, \
-     vacuum using 6:7 with points ls CONSTANT_ACCELERATION ps 0.4, \
-     vacuum using 4:5 with points ls EULER ps 0.5, \
-     air using 6:7 with points ls CONSTANT_ACCELERATION ps 0.4, \
-     air using 4:5 with points ls EULER ps 0.5, \
-     vacuum using 4:5:(sprintf("Euler, no air, after %.2f s: %.2f m too high", $1, $5 - $3)) with labels hypertext point ls EULER ps 0.5, \
-     air using 6:7:(sprintf("with the term, in air, after %.2f s: %.0f cm off", $1, 100 * sqrt(($6 - $2)**2 + ($7 - $3)**2))) with labels hypertext point ls CONSTANT_ACCELERATION ps 0.4
+plot vacuum using col("x"):col("y") with lines ls EXACT, \
+     air using col("x"):col("y") with lines ls EXACT, \
+     vacuum using col("x with a h²/2"):col("y with a h²/2") with points ls CONSTANT_ACCELERATION ps 0.4, \
+     vacuum using col("Euler's x"):col("Euler's y") with points ls EULER ps 0.5, \
+     air using col("x with a h²/2"):col("y with a h²/2") with points ls CONSTANT_ACCELERATION ps 0.4, \
+     air using col("Euler's x"):col("Euler's y") with points ls EULER ps 0.5, \
+     vacuum using col("Euler's x"):col("Euler's y"):(sprintf("Euler, no air, after %.2f s: %.2f m too high", val("t"), val("Euler's y") - val("y"))) with labels hypertext point ls EULER ps 0.5, \
+     air using col("x with a h²/2"):col("y with a h²/2"):(sprintf("with the term, in air, after %.2f s: %.0f cm off", val("t"), 100 * sqrt((val("x with a h²/2") - val("x"))**2 + (val("y with a h²/2") - val("y"))**2))) with labels hypertext point ls CONSTANT_ACCELERATION ps 0.4

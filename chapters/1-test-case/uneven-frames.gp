@@ -5,8 +5,8 @@ set xtics 0.4,0.1
 set ytics 1.1,0.1
 set label 1 "ten jumps" at 0.53,1.375 center tc rgb "#000001"
 set label 2 "ledge" at 0.32,1.342 left tc rgb "#000008"
-plot 1.33 with lines ls LIMIT, \
-     for [jump=1:10] file("uneven") using ($1 == jump ? $2 : NaN):3 with linespoints ls EULER lw 0.9 ps 0.4, \
+plot exact("ledge") with lines ls LIMIT, \
+     for [jump=1:10] file("uneven") using (val("jump") == jump ? val("t") : NaN):col("height") with linespoints ls EULER lw 0.9 ps 0.4, \
      5*x - 9.81*x**2/2 with lines ls EXACT, \
-     for [jump=1:10] file("uneven") every 5 using ($1 == jump ? $2 : NaN):3:(sprintf("jump %d: %.3f m at %.3f s", $1, $3, $2)) \
+     for [jump=1:10] file("uneven") every 5 using (val("jump") == jump ? val("t") : NaN):col("height"):(sprintf("jump %d: %.3f m at %.3f s", val("jump"), val("height"), val("t"))) \
        with labels hypertext point ls EULER ps 0.4

@@ -3,11 +3,13 @@ set xrange [0:2]
 set yrange [-0.45:1.25]
 set xtics 0.5
 set ytics 0.5
-set label 1 "21.2 ms" at 0.99,1.08 left tc rgb "#00000c"
-set label 2 "19.2 ms" at 1.5,0.33 left tc rgb "#000001"
+inside = number("door-inside")
+outside = number("door-outside")
+set label 1 outside at 0.99,1.08 left tc rgb "#00000c"
+set label 2 inside at 1.5,0.33 left tc rgb "#000001"
 set label 3 "true" at 0.3,0.86 left tc rgb "#000007"
-plot file("door-outside") using 1:2 with linespoints ls THIRD pt 7 lw 1 ps 0.3, \
-     file("door-inside") using 1:2 with linespoints ls EULER lw 1.2 ps 0.35, \
-     file("door-exact") using 1:2 with lines ls EXACT, \
-     file("door-outside") using 1:(abs($2) < 2 ? $2 : NaN):(sprintf("21.2 ms, at %.2f s: %.3f", $1, $2)) with labels hypertext point ls THIRD pt 7 ps 0.3, \
-     file("door-inside") every 4 using 1:2:(sprintf("19.2 ms, at %.2f s: %.3f", $1, $2)) with labels hypertext point ls EULER ps 0.35
+plot file("door-outside") using col("t"):col("x") with linespoints ls THIRD pt 7 lw 1 ps 0.3, \
+     file("door-inside") using col("t"):col("x") with linespoints ls EULER lw 1.2 ps 0.35, \
+     file("door-exact") using col("t"):col("x") with lines ls EXACT, \
+     file("door-outside") using col("t"):(abs(val("x")) < 2 ? val("x") : NaN):(sprintf("%s, at %.2f s: %.3f", outside, val("t"), val("x"))) with labels hypertext point ls THIRD pt 7 ps 0.3, \
+     file("door-inside") every 4 using col("t"):col("x"):(sprintf("%s, at %.2f s: %.3f", inside, val("t"), val("x"))) with labels hypertext point ls EULER ps 0.35

@@ -10,7 +10,7 @@ set label 1 "position" at 36,1.15 left tc rgb "#000001"
 set label 2 "velocity" at 26,0.42 right tc rgb "#000001"
 set label 3 "slope −1" at 1000,0.13 left tc rgb "#000007"
 plot 100/x with lines ls CONTEXT, \
-     file("order") using 1:2 with linespoints ls EULER, \
-     file("order") using 1:4 with linespoints ls EULER dt (5,4) pt 6, \
-     file("order") using 1:2:(sprintf("%d steps a second: %.3g m", $1, $2)) with labels hypertext point ls EULER, \
-     file("order") using 1:4:(sprintf("%d steps a second: %.3g m/s", $1, $4)) with labels hypertext point ls EULER
+     file("order") using col("steps per second"):col("error") with linespoints ls EULER, \
+     file("order") using col("steps per second"):col("velocity error") with linespoints ls EULER dt (5,4) pt 6, \
+     file("order") using col("steps per second"):col("error"):(sprintf("%d steps a second: %.3g m", val("steps per second"), val("error"))) with labels hypertext point ls EULER, \
+     file("order") using col("steps per second"):col("velocity error"):(sprintf("%d steps a second: %.3g m/s", val("steps per second"), val("velocity error"))) with labels hypertext point ls EULER

@@ -11,10 +11,12 @@ set trange [0:2*pi]
 set label 2 "start" at 8.9,0.9 right tc rgb "#000001"
 set label 3 "fence" at 11.5,14.5 left tc rgb "#000008"
 set arrow 3 from 12.5,13.4 to 8.6,8.6 nohead lc rgb "#000008"
-plot 10*cos(t), 10*sin(t) with lines ls EXACT, \
-     file("spiral") every 8 using 2:3 with lines ls EULER lw 1.4, \
-     12*cos(t), 12*sin(t) with lines ls LIMIT lw 2.6, \
-     file("spiral") every 120 using 2:3 with points ls EULER ps 0.35, \
+circle = exact("circle")
+fence = exact("fence")
+plot circle*cos(t), circle*sin(t) with lines ls EXACT, \
+     file("spiral") every 8 using col("x"):col("y") with lines ls EULER lw 1.4, \
+     fence*cos(t), fence*sin(t) with lines ls LIMIT lw 2.6, \
+     file("spiral") every 120 using col("x"):col("y") with points ls EULER ps 0.35, \
      "+" every 1000 using (0):(0) with points ls CONTEXT pt 7 ps 0.8, \
-     file("spiral") every 120 using 2:3:(sprintf("after %.0f s: %.2f m from the tower", $1, $4)) \
+     file("spiral") every 120 using col("x"):col("y"):(sprintf("after %.0f s: %.2f m from the tower", val("t"), val("distance"))) \
        with labels hypertext point ls EULER ps 0.35

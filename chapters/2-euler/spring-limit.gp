@@ -11,5 +11,5 @@ set label 3 "2ζ" at NARROW ? 0.33 : 0.4,1.08 center tc rgb "#000007"
 set label 4 "2(ζ − √(ζ² − 1))" at 1.45,1 left tc rgb "#000007"
 plot limit(x) with filledcurves x1 ls AREA, \
      limit(x) with lines ls CONTEXT, \
-     file("limits") using 1:2 with points ls EULER, \
-     file("limits") using 1:2:(sprintf("ζ = %.1f: measured limit %.4f", $1, $2)) with labels hypertext point ls EULER
+     file("limits") using col("zeta"):col("limit") with points ls EULER, \
+     file("limits") using col("zeta"):col("limit"):(sprintf("ζ = %.1f: measured limit %.4f", val("zeta"), val("limit"))) with labels hypertext point ls EULER

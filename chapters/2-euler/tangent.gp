@@ -15,8 +15,9 @@ set arrow 1 from 0,0 to 10,0 nohead ls CONTEXT
 set arrow 2 from 0,0 to 10,7.854 nohead ls CONTEXT
 set arrow 3 from 9,0 to 9,1 nohead ls CONTEXT
 set arrow 4 from 9,1 to 10,1 nohead ls CONTEXT
-plot 10*cos(t), 10*sin(t) with lines ls EXACT, \
-     file("tangent") using 2:3 with linespoints ls EULER ps 0.8, \
+circle = exact("circle")
+plot circle*cos(t), circle*sin(t) with lines ls EXACT, \
+     file("tangent") using col("x"):col("y") with linespoints ls EULER ps 0.8, \
      "+" every 1000 using (0):(0) with points ls CONTEXT pt 7 ps 0.8, \
-     file("tangent") using 2:3:(sprintf("after %.0f s: %.2f m from the tower", $1, sqrt($2**2 + $3**2))) \
+     file("tangent") using col("x"):col("y"):(sprintf("after %.0f s: %.2f m from the tower", val("t"), sqrt(val("x")**2 + val("y")**2))) \
        with labels hypertext point ls EULER ps 0.8

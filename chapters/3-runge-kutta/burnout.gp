@@ -11,7 +11,7 @@ set label 1 "a step across the burnout" at NARROW ? 1200 : 1000,NARROW ? 14 : 1.
 set label 2 NARROW ? "cut there" : "the step cut there" at NARROW ? 5 : 10,3e-11 left tc rgb "#000004"
 set label 3 "slope −1" at 5,NARROW ? 0.007 : 0.05 left tc rgb "#000007"
 plot 2/x with lines ls CONTEXT, \
-     file("burnout") using 1:2 with points ls SECOND, \
-     file("burnout") using 1:3 with points ls RK4, \
-     file("burnout") using 1:2:(sprintf("%.0f steps a second, across: %.2g m", $1, $2)) with labels hypertext point ls SECOND, \
-     file("burnout") using 1:3:(sprintf("%.0f steps a second, cut: %.2g m", $1, $3)) with labels hypertext point ls RK4
+     file("burnout") using col("steps per second"):col("across") with points ls SECOND, \
+     file("burnout") using col("steps per second"):col("cut") with points ls RK4, \
+     file("burnout") using col("steps per second"):col("across"):(sprintf("%.0f steps a second, across: %.2g m", val("steps per second"), val("across"))) with labels hypertext point ls SECOND, \
+     file("burnout") using col("steps per second"):col("cut"):(sprintf("%.0f steps a second, cut: %.2g m", val("steps per second"), val("cut"))) with labels hypertext point ls RK4

@@ -4,6 +4,6 @@ set yrange [0:95]
 set xtics 0.25
 set ytics 0,20
 set label 1 "nearest the sun" at 9.93,88 right tc rgb "#000007"
-set label 2 "7 in most frames" at 10.49,NARROW ? 27 : 13 right tc rgb "#00000b"
-plot file("comet") using 1:2 with impulses ls SECOND lw (NARROW ? 2 : 4), \
-     file("comet") using ($1 > 9.5 && $1 < 10.5 ? $1 : NaN):2:(sprintf("frame at %.2f s: %.0f evaluations", $1, $2)) with labels hypertext point ls SECOND ps 0.2
+set label 2 number("comet-cheapest")." in most frames" at 10.49,NARROW ? 27 : 13 right tc rgb "#00000b"
+plot file("comet") using col("t"):col("evaluations") with impulses ls SECOND lw (NARROW ? 2 : 4), \
+     file("comet") using (val("t") > 9.5 && val("t") < 10.5 ? val("t") : NaN):col("evaluations"):(sprintf("frame at %.2f s: %.0f evaluations", val("t"), val("evaluations"))) with labels hypertext point ls SECOND ps 0.2

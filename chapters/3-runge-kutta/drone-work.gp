@@ -10,11 +10,12 @@ unset mytics
 set label 1 "Euler" at 1100,NARROW ? 0.2 : 0.09 left tc rgb "#000001"
 set label 2 "midpoint" at 1100,NARROW ? 3e-4 : 8e-5 left tc rgb "#000006"
 set label 3 "RK4" at NARROW ? 100 : 130,1e-8 right tc rgb "#000004"
-set label 4 "1 cm" at 700,0.0032 center tc rgb "#000008"
-plot 0.01 with lines ls LIMIT, \
-     file("work") using 1:2 with linespoints ls EULER, \
-     file("work") using 1:3 with linespoints ls MIDPOINT, \
-     file("work") using 1:4 with linespoints ls RK4, \
-     file("work") using 1:2:(sprintf("Euler, %.0f evaluations a second: %.2g m", $1, $2)) with labels hypertext point ls EULER, \
-     file("work") using 1:3:(sprintf("midpoint, %.0f evaluations a second: %.2g m", $1, $3)) with labels hypertext point ls MIDPOINT, \
-     file("work") using 1:4:(sprintf("RK4, %.0f evaluations a second: %.2g m", $1, $4)) with labels hypertext point ls RK4
+line = 0.01
+set label 4 sprintf("%g cm", 100*line) at 700,0.0032 center tc rgb "#000008"
+plot line with lines ls LIMIT, \
+     file("work") using col("evaluations"):col("Euler") with linespoints ls EULER, \
+     file("work") using col("evaluations"):col("midpoint") with linespoints ls MIDPOINT, \
+     file("work") using col("evaluations"):col("RK4") with linespoints ls RK4, \
+     file("work") using col("evaluations"):col("Euler"):(sprintf("Euler, %.0f evaluations a second: %.2g m", val("evaluations"), val("Euler"))) with labels hypertext point ls EULER, \
+     file("work") using col("evaluations"):col("midpoint"):(sprintf("midpoint, %.0f evaluations a second: %.2g m", val("evaluations"), val("midpoint"))) with labels hypertext point ls MIDPOINT, \
+     file("work") using col("evaluations"):col("RK4"):(sprintf("RK4, %.0f evaluations a second: %.2g m", val("evaluations"), val("RK4"))) with labels hypertext point ls RK4

@@ -11,9 +11,10 @@ set label 1 "RK4" at -5,-4.2 center tc rgb "#000004"
 set label 2 "midpoint" at -9,-11.8 right tc rgb "#000006"
 set label 3 "start" at 9.1,1.2 right tc rgb "#000007"
 set label 2 "midpoint" at -8.2,-13 center
-plot 10*cos(t), 10*sin(t) with lines ls EXACT, \
-     file("eight-midpoint") using 2:3 with linespoints ls MIDPOINT lw 1.4, \
-     file("eight-rk4") using 2:3 with linespoints ls RK4 lw 1.4, \
+circle = exact("circle")
+plot circle*cos(t), circle*sin(t) with lines ls EXACT, \
+     file("eight-midpoint") using col("x"):col("y") with linespoints ls MIDPOINT lw 1.4, \
+     file("eight-rk4") using col("x"):col("y") with linespoints ls RK4 lw 1.4, \
      "+" every 1000 using (0):(0) with points ls CONTEXT pt 7 ps 0.8, \
-     file("eight-midpoint") using 2:3:(sprintf("midpoint after %.0f s: %.2f m from the tower", $1, sqrt($2**2 + $3**2))) with labels hypertext point ls MIDPOINT, \
-     file("eight-rk4") using 2:3:(sprintf("RK4 after %.0f s: %.3f m from the tower", $1, sqrt($2**2 + $3**2))) with labels hypertext point ls RK4
+     file("eight-midpoint") using col("x"):col("y"):(sprintf("midpoint after %.0f s: %.2f m from the tower", val("t"), sqrt(val("x")**2 + val("y")**2))) with labels hypertext point ls MIDPOINT, \
+     file("eight-rk4") using col("x"):col("y"):(sprintf("RK4 after %.0f s: %.3f m from the tower", val("t"), sqrt(val("x")**2 + val("y")**2))) with labels hypertext point ls RK4

@@ -13,9 +13,9 @@ plot 1 with lines ls EXACT, \
      1 + x**2 with lines ls EULER lw 1.2, \
      1 + x**4/4 with lines ls MIDPOINT lw 1.2, \
      1 - x**6/72 + x**8/576 with lines ls RK4 lw 1.2, \
-     file("factors") using 1:2 with points ls EULER, \
-     file("factors") using 1:3 with points ls MIDPOINT, \
-     file("factors") using 1:4 with points ls RK4, \
-     file("factors") using 1:($2 < 2.05 ? $2 : NaN):(sprintf("Euler, hω = %.2f: %.4f", $1, $2)) with labels hypertext point ls EULER, \
-     file("factors") using 1:($3 < 2.05 ? $3 : NaN):(sprintf("midpoint, hω = %.2f: %.5f", $1, $3)) with labels hypertext point ls MIDPOINT, \
-     file("factors") using 1:($4 < 2.05 ? $4 : NaN):(sprintf("RK4, hω = %.2f: %.8f", $1, $4)) with labels hypertext point ls RK4
+     file("factors") using col("hω"):col("Euler") with points ls EULER, \
+     file("factors") using col("hω"):col("midpoint") with points ls MIDPOINT, \
+     file("factors") using col("hω"):col("RK4") with points ls RK4, \
+     file("factors") using col("hω"):(val("Euler") < 2.05 ? val("Euler") : NaN):(sprintf("Euler, hω = %.2f: %.4f", val("hω"), val("Euler"))) with labels hypertext point ls EULER, \
+     file("factors") using col("hω"):(val("midpoint") < 2.05 ? val("midpoint") : NaN):(sprintf("midpoint, hω = %.2f: %.5f", val("hω"), val("midpoint"))) with labels hypertext point ls MIDPOINT, \
+     file("factors") using col("hω"):(val("RK4") < 2.05 ? val("RK4") : NaN):(sprintf("RK4, hω = %.2f: %.8f", val("hω"), val("RK4"))) with labels hypertext point ls RK4

@@ -18,8 +18,9 @@ set label 6 NARROW ? "velocity" : "the velocity there" at 10.3,4.35 left tc rgb 
 set arrow 1 from 10,0 to 10,7.854 ls EULER lw 1.6 filled size 0.25,20
 set arrow 2 from 10,3.927 to 10 - 6.1685/2*0.3,3.927 + 7.854*0.3 ls MIDPOINT lw 1.6 filled size 0.25,20
 set arrow 3 from 10,0 to 6.9157,7.854 ls MIDPOINT lw 2.2 filled size 0.25,20
-plot 10*cos(t), 10*sin(t) with lines ls EXACT, \
-     file("middle") every ::2::2 using 1:2 with points ls EULER ps 0.9, \
+circle = exact("circle")
+plot circle*cos(t), circle*sin(t) with lines ls EXACT, \
+     file("middle") every ::2::2 using col("x"):col("y") with points ls EULER ps 0.9, \
      "+" every 1000 using (10):(0) with points ls CONTEXT pt 7 ps 0.9, \
      "+" every 1000 using (7.0711):(7.0711) with points ls EXACT pt 7 ps 0.8, \
-     file("middle") every ::2::4 using 1:2:(sprintf("%.2f m from the tower", sqrt($1**2 + $2**2))) with labels hypertext point ls CONTEXT ps 0.5
+     file("middle") every ::2::4 using col("x"):col("y"):(sprintf("%.2f m from the tower", sqrt(val("x")**2 + val("y")**2))) with labels hypertext point ls CONTEXT ps 0.5

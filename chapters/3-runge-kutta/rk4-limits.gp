@@ -9,12 +9,12 @@ set label 2 "midpoint" at 0.36,2.27 center tc rgb "#000006"
 set label 3 "Euler" at 0.42,0.5 left tc rgb "#000001"
 set label 4 "past ζ = 1 the fast rate decides" at 1.35,1.75 left tc rgb "#000007"
 if (NARROW) unset label 4
-plot file("limit-lines") using 1:4 with lines ls RK4 lw 1.2, \
-     file("limit-lines") using 1:3 with lines ls MIDPOINT lw 1.2, \
-     file("limit-lines") using 1:2 with lines ls EULER lw 1.2, \
-     file("limits") using 1:4 with points ls RK4, \
-     file("limits") using 1:3 with points ls MIDPOINT, \
-     file("limits") using 1:2 with points ls EULER ps 0.4, \
-     file("limits") using 1:4:(sprintf("RK4, ζ = %.1f: %.4f", $1, $4)) with labels hypertext point ls RK4, \
-     file("limits") using 1:3:(sprintf("midpoint, ζ = %.1f: %.4f", $1, $3)) with labels hypertext point ls MIDPOINT, \
-     file("limits") using 1:2:(sprintf("Euler, ζ = %.1f: %.4f", $1, $2)) with labels hypertext point ls EULER ps 0.4
+plot file("limit-lines") using col("ζ"):col("RK4") with lines ls RK4 lw 1.2, \
+     file("limit-lines") using col("ζ"):col("midpoint") with lines ls MIDPOINT lw 1.2, \
+     file("limit-lines") using col("ζ"):col("Euler") with lines ls EULER lw 1.2, \
+     file("limits") using col("ζ"):col("RK4") with points ls RK4, \
+     file("limits") using col("ζ"):col("midpoint") with points ls MIDPOINT, \
+     file("limits") using col("ζ"):col("Euler") with points ls EULER ps 0.4, \
+     file("limits") using col("ζ"):col("RK4"):(sprintf("RK4, ζ = %.1f: %.4f", val("ζ"), val("RK4"))) with labels hypertext point ls RK4, \
+     file("limits") using col("ζ"):col("midpoint"):(sprintf("midpoint, ζ = %.1f: %.4f", val("ζ"), val("midpoint"))) with labels hypertext point ls MIDPOINT, \
+     file("limits") using col("ζ"):col("Euler"):(sprintf("Euler, ζ = %.1f: %.4f", val("ζ"), val("Euler"))) with labels hypertext point ls EULER ps 0.4

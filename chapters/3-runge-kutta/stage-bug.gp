@@ -9,9 +9,10 @@ unset mxtics
 unset mytics
 set label 1 "RK4" at 7,1e-5 right tc rgb "#000004"
 set label 2 "with the bug" at 14,1.5e-3 left tc rgb "#00000c"
-set label 3 "1 cm" at 150,0.022 right tc rgb "#000008"
-plot 0.01 with lines ls LIMIT, \
-     file("stages") using 1:3 with linespoints ls THIRD, \
-     file("stages") using 1:2 with linespoints ls RK4, \
-     file("stages") using 1:3:(sprintf("with the bug, %.0f steps a second: %.2g m", $1, $3)) with labels hypertext point ls THIRD, \
-     file("stages") using 1:2:(sprintf("RK4, %.0f steps a second: %.2g m", $1, $2)) with labels hypertext point ls RK4
+line = 0.01
+set label 3 sprintf("%g cm", 100*line) at 150,0.022 right tc rgb "#000008"
+plot line with lines ls LIMIT, \
+     file("stages") using col("steps per second"):col("bug") with linespoints ls THIRD, \
+     file("stages") using col("steps per second"):col("RK4") with linespoints ls RK4, \
+     file("stages") using col("steps per second"):col("bug"):(sprintf("with the bug, %.0f steps a second: %.2g m", val("steps per second"), val("bug"))) with labels hypertext point ls THIRD, \
+     file("stages") using col("steps per second"):col("RK4"):(sprintf("RK4, %.0f steps a second: %.2g m", val("steps per second"), val("RK4"))) with labels hypertext point ls RK4

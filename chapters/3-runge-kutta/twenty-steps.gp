@@ -6,8 +6,8 @@ set ytics -10,5
 set label 1 "midpoint" at 0.99,10.6 right tc rgb "#000006"
 set label 2 "RK4" at NARROW ? 0.38 : 0.39,3.3 left tc rgb "#000004"
 set label 3 "true" at 0.345,6.4 left tc rgb "#000007"
-plot file("suspension-midpoint") using 1:(100*$2) with linespoints ls MIDPOINT lw 1.2, \
-     file("suspension-rk4") using 1:(100*$2) with linespoints ls RK4 lw 1.2, \
-     file("suspension-exact") using 1:(100*$2) with lines ls EXACT, \
-     file("suspension-midpoint") using 1:(100*$2):(sprintf("midpoint at %.2f s: %.2f cm", $1, 100*$2)) with labels hypertext point ls MIDPOINT, \
-     file("suspension-rk4") using 1:(100*$2):(sprintf("RK4 at %.2f s: %.2f cm", $1, 100*$2)) with labels hypertext point ls RK4
+plot file("suspension-midpoint") using col("t"):(100*val("x")) with linespoints ls MIDPOINT lw 1.2, \
+     file("suspension-rk4") using col("t"):(100*val("x")) with linespoints ls RK4 lw 1.2, \
+     file("suspension-exact") using col("t"):(100*val("x")) with lines ls EXACT, \
+     file("suspension-midpoint") using col("t"):(100*val("x")):(sprintf("midpoint at %.2f s: %.2f cm", val("t"), 100*val("x"))) with labels hypertext point ls MIDPOINT, \
+     file("suspension-rk4") using col("t"):(100*val("x")):(sprintf("RK4 at %.2f s: %.2f cm", val("t"), 100*val("x"))) with labels hypertext point ls RK4

@@ -12,11 +12,11 @@ set label 3 "Euler" at 10.1,NARROW ? 1 : 1e2 right tc rgb "#000001"
 set label 4 NARROW ? "backward" : "backward Euler" at NARROW ? 1.2 : 0.4,NARROW ? 1e-11 : 1e-9 left tc rgb "#000005"
 set label 5 "true swing" at 6.2,1e-4 left tc rgb "#000007"
 plot 1e-3*exp(-x) with lines ls EXACT, \
-     file("bar") using 1:2 with linespoints ls EULER, \
-     file("bar") using 1:3 with linespoints ls SYMPLECTIC_EULER, \
-     file("bar") using 1:4 with linespoints ls RK4, \
-     file("bar") using 1:5 with linespoints ls BACKWARD_EULER, \
-     file("bar") using 1:2:(sprintf("Euler, frame %d: %.2g m", $1, $2)) with labels hypertext point ls EULER, \
-     file("bar") using 1:3:(sprintf("symplectic Euler, frame %d: %.2g m", $1, $3)) with labels hypertext point ls SYMPLECTIC_EULER, \
-     file("bar") using 1:4:(sprintf("RK4, frame %d: %.2g m", $1, $4)) with labels hypertext point ls RK4, \
-     file("bar") using 1:5:(sprintf("backward Euler, frame %d: %.2g m", $1, $5)) with labels hypertext point ls BACKWARD_EULER
+     file("bar") using col("frame"):col("Euler") with linespoints ls EULER, \
+     file("bar") using col("frame"):col("symplectic Euler") with linespoints ls SYMPLECTIC_EULER, \
+     file("bar") using col("frame"):col("RK4") with linespoints ls RK4, \
+     file("bar") using col("frame"):col("backward Euler") with linespoints ls BACKWARD_EULER, \
+     file("bar") using col("frame"):col("Euler"):(sprintf("Euler, frame %d: %.2g m", val("frame"), val("Euler"))) with labels hypertext point ls EULER, \
+     file("bar") using col("frame"):col("symplectic Euler"):(sprintf("symplectic Euler, frame %d: %.2g m", val("frame"), val("symplectic Euler"))) with labels hypertext point ls SYMPLECTIC_EULER, \
+     file("bar") using col("frame"):col("RK4"):(sprintf("RK4, frame %d: %.2g m", val("frame"), val("RK4"))) with labels hypertext point ls RK4, \
+     file("bar") using col("frame"):col("backward Euler"):(sprintf("backward Euler, frame %d: %.2g m", val("frame"), val("backward Euler"))) with labels hypertext point ls BACKWARD_EULER

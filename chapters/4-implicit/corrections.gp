@@ -8,7 +8,7 @@ set label 2 "drag" at 6.4,1.26 left tc rgb "#000005"
 set label 3 "undamped spring" at 11.6,0.8 left tc rgb "#00000b"
 plot 2 with lines ls EULER lw 1.4, \
      1 with lines ls CONTEXT, \
-     file("corrections") using 1:2 with linespoints ls PREDICTED_EULER, \
-     file("corrections") using 1:3 with linespoints ls SECOND lw 1.2, \
-     file("corrections") using 1:2:(sprintf("%d corrections, drag: %.4f", $1, $2)) with labels hypertext point ls PREDICTED_EULER, \
-     file("corrections") using 1:3:(sprintf("%d corrections, spring: %.4f", $1, $3)) with labels hypertext point ls SECOND
+     file("corrections") using col("corrections"):col("drag") with linespoints ls PREDICTED_EULER, \
+     file("corrections") using col("corrections"):col("undamped spring") with linespoints ls SECOND lw 1.2, \
+     file("corrections") using col("corrections"):col("drag"):(sprintf("%d corrections, drag: %.4f", val("corrections"), val("drag"))) with labels hypertext point ls PREDICTED_EULER, \
+     file("corrections") using col("corrections"):col("undamped spring"):(sprintf("%d corrections, spring: %.4f", val("corrections"), val("undamped spring"))) with labels hypertext point ls SECOND

@@ -15,11 +15,13 @@ set label 3 "rope, substeps" at NARROW ? 1100 : 900,NARROW ? 530 : 510 center tc
 set label 4 "rope, solved" at 900,84 center tc rgb "#00000b"
 set label 5 "chain, substeps" at 900,NARROW ? 175 : 190 center tc rgb "#00000a"
 set label 6 "chain, solved" at 900,14 center tc rgb "#00000a"
-plot file("work") every ::1::3 using 2:4 with linespoints ls FIRST, \
-     file("work") every ::1::3 using 2:6 with linespoints ls FIRST dt (6,4), \
-     file("work") every ::4::6 using 2:4 with linespoints ls SECOND, \
-     file("work") every ::4::6 using 2:6 with linespoints ls SECOND dt (6,4), \
-     file("work") every ::7::11 using 2:4 with linespoints ls THIRD, \
-     file("work") every ::7::11 using 2:6 with linespoints ls THIRD dt (6,4), \
-     file("work") using 2:4:(sprintf("%s, %d unknowns, solved: %.0f", strcol(1), $2, $4)) with labels hypertext point ls CONTEXT, \
-     file("work") using 2:6:(sprintf("%s, %d unknowns, %d substeps: %.0f", strcol(1), $2, $5, $6)) with labels hypertext point ls CONTEXT
+# The chain is one scene; the cloths bear their sizes in their names.
+of(thing) = txt("scene")[1:strlen(thing)] eq thing ? val("unknowns") : NaN
+plot file("work") using (of("chain")):col("solving") with linespoints ls FIRST, \
+     file("work") using (of("chain")):col("all substeps") with linespoints ls FIRST dt (6,4), \
+     file("work") using (of("rope")):col("solving") with linespoints ls SECOND, \
+     file("work") using (of("rope")):col("all substeps") with linespoints ls SECOND dt (6,4), \
+     file("work") using (of("cloth")):col("solving") with linespoints ls THIRD, \
+     file("work") using (of("cloth")):col("all substeps") with linespoints ls THIRD dt (6,4), \
+     file("work") using col("unknowns"):col("solving"):(sprintf("%s, %d unknowns, solved: %.0f", txt("scene"), val("unknowns"), val("solving"))) with labels hypertext point ls CONTEXT, \
+     file("work") using col("unknowns"):col("all substeps"):(sprintf("%s, %d unknowns, %d substeps: %.0f", txt("scene"), val("unknowns"), val("substeps"), val("all substeps"))) with labels hypertext point ls CONTEXT

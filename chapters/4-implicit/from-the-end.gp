@@ -23,5 +23,5 @@ plot 10*cos(t), 10*sin(t) with lines ls EXACT, \
      s*cos(t), s*sin(t) with lines ls CONTEXT, \
      "+" every 1000 using (10):(0) with points ls CONTEXT pt 7 ps 0.9, \
      "+" every 1000 using (7.0711):(7.0711) with points ls EXACT pt 7 ps 0.8, \
-     file("ends") every ::2::2 using 1:2 with points ls BACKWARD_EULER ps 0.9, \
-     file("ends") using 1:2:(sprintf("%.2f m from the tower", sqrt($1**2 + $2**2))) with labels hypertext point ls CONTEXT ps 0.5
+     file("ends") every ::2::2 using col("x"):col("y") with points ls BACKWARD_EULER ps 0.9, \
+     file("ends") using col("x"):col("y"):(sprintf("%.2f m from the tower", sqrt(val("x")**2 + val("y")**2))) with labels hypertext point ls CONTEXT ps 0.5

@@ -12,10 +12,10 @@ set label 1 NARROW ? "trapezoid,\none solve" : "trapezoid, one solve" at 1.03,NA
 set label 2 NARROW ? "backward E.,\none solve" : "backward Euler, one solve" at 1.03,NARROW ? 1.82 : 1.57 left tc rgb "#000005"
 set label 4 NARROW ? "trapezoid,\nto the end" : "trapezoid, to the end" at 1.03,NARROW ? 1.02 : 0.88 left tc rgb "#00000b"
 set label 3 NARROW ? "backward E.,\nto the end" : "backward Euler, to the end" at 1.03,NARROW ? 0.55 : 0.473 left tc rgb "#000005"
-plot file("blow") using 1:4 with lines ls TRAPEZOID dt (6,4), \
-     file("blow") using 1:2 with lines ls BACKWARD_EULER dt (6,4), \
-     file("blow") using 1:5 with lines ls TRAPEZOID dt solid, \
-     file("blow") using 1:3 with lines ls BACKWARD_EULER, \
-     file("blow") every 6 using 1:2:(sprintf("one solve, %.2f s: %.2f", $1, $2)) with labels hypertext point ls BACKWARD_EULER ps 0.3, \
-     file("blow") every 6 using 1:3:(sprintf("to the end, %.2f s: %.3f", $1, $3)) with labels hypertext point ls BACKWARD_EULER ps 0.3, \
-     file("blow") every 6 using 1:4:(sprintf("trapezoid, one solve, %.2f s: %.2f", $1, $4)) with labels hypertext point ls TRAPEZOID pt 7 ps 0.3
+plot file("blow") using col("t"):col("trapezoid") with lines ls TRAPEZOID dt (6,4), \
+     file("blow") using col("t"):col("one solve") with lines ls BACKWARD_EULER dt (6,4), \
+     file("blow") using col("t"):col("trapezoid end") with lines ls TRAPEZOID dt solid, \
+     file("blow") using col("t"):col("to the end") with lines ls BACKWARD_EULER, \
+     file("blow") every 6 using col("t"):col("one solve"):(sprintf("one solve, %.2f s: %.2f", val("t"), val("one solve"))) with labels hypertext point ls BACKWARD_EULER ps 0.3, \
+     file("blow") every 6 using col("t"):col("to the end"):(sprintf("to the end, %.2f s: %.3f", val("t"), val("to the end"))) with labels hypertext point ls BACKWARD_EULER ps 0.3, \
+     file("blow") every 6 using col("t"):col("trapezoid"):(sprintf("trapezoid, one solve, %.2f s: %.2f", val("t"), val("trapezoid"))) with labels hypertext point ls TRAPEZOID pt 7 ps 0.3

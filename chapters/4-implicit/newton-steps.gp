@@ -12,9 +12,9 @@ set label 3 NARROW ? "rope, hard" : "rope, hard blow" at 6.5,4e-13 left tc rgb "
 set label 4 NARROW ? "gentle" : "rope, gentle blow" at 1,1e-11 left tc rgb "#00000b"
 set label 5 "good enough" at 11.5,1.2e-10 center tc rgb "#000008"
 plot 1e-9 with lines ls LIMIT, \
-     file("newton") using 1:($2 > 0 ? $2 : NaN) with linespoints ls FIRST, \
-     file("newton") using 1:3 with linespoints ls SECOND dt (6,4) pt 4 lw 1.8, \
-     file("newton") using 1:4 with linespoints ls SECOND, \
-     file("newton") using 1:5 with linespoints ls THIRD, \
-     file("newton") using 1:($2 > 0 ? $2 : NaN):(sprintf("parachute, iteration %d: %.2g m/s", $1, $2)) with labels hypertext point ls FIRST, \
-     file("newton") using 1:5:(sprintf("cloth, iteration %d: %.2g m/s", $1, $5)) with labels hypertext point ls THIRD
+     file("newton") using col("iteration"):(val("parachute") > 0 ? val("parachute") : NaN) with linespoints ls FIRST, \
+     file("newton") using col("iteration"):col("rope, gentle") with linespoints ls SECOND dt (6,4) pt 4 lw 1.8, \
+     file("newton") using col("iteration"):col("rope, hard") with linespoints ls SECOND, \
+     file("newton") using col("iteration"):col("cloth, hard") with linespoints ls THIRD, \
+     file("newton") using col("iteration"):(val("parachute") > 0 ? val("parachute") : NaN):(sprintf("parachute, iteration %d: %.2g m/s", val("iteration"), val("parachute"))) with labels hypertext point ls FIRST, \
+     file("newton") using col("iteration"):col("cloth, hard"):(sprintf("cloth, iteration %d: %.2g m/s", val("iteration"), val("cloth, hard"))) with labels hypertext point ls THIRD

@@ -18,7 +18,7 @@ do for [n=0:3] {
   set label n + 1 what[n + 1] at x0(n) + 54,y0(n) + 121 center tc rgb "#000007"
 }
 dot = NARROW ? 0.16 : 0.17
-plot file("chain") using (x0(0) + $1):(y0(0) + $2) with points ls FIRST ps dot, \
-     file("rope") using (x0(1) + $1):(y0(1) + $2) with points ls SECOND pt 7 ps dot, \
-     file("cloth") using (x0(2) + $1):(y0(2) + $2) with points ls THIRD pt 7 ps dot, \
-     file("factor") using (x0(3) + $1):(y0(3) + $2) with points ls THIRD pt 7 ps dot
+plot file("chain") using (x0(0) + val("column")):(y0(0) + val("row")) with points ls FIRST ps dot, \
+     file("rope") using (x0(1) + val("column")):(y0(1) + val("row")) with points ls SECOND pt 7 ps dot, \
+     file("cloth") using (x0(2) + val("column")):(y0(2) + val("row")) with points ls THIRD pt 7 ps dot, \
+     file("factor") using (x0(3) + val("column")):(y0(3) + val("row")) with points ls THIRD pt 7 ps dot

@@ -10,6 +10,6 @@ set label 3 "true" at 0.012,1.1 left tc rgb "#000007"
 true(t) = t < 0.11 ? exp(-60*t)*cos(596.99*t) : NaN
 set samples 2000
 plot true(x) with lines ls EXACT lw 0.8 dt solid, \
-     file("ring-trapezoid") using 1:(1000*$2) with linespoints ls TRAPEZOID lw 1 ps 0.5, \
-     file("ring-backward") using 1:(1000*$2) with linespoints ls BACKWARD_EULER ps 0.4, \
-     file("ring-trapezoid") every 3 using 1:(1000*$2):(sprintf("trapezoid, %.3f s: %.2f mm", $1, 1000*$2)) with labels hypertext point ls TRAPEZOID ps 0.55
+     file("ring-trapezoid") using col("t"):(1000*val("x")) with linespoints ls TRAPEZOID lw 1 ps 0.5, \
+     file("ring-backward") using col("t"):(1000*val("x")) with linespoints ls BACKWARD_EULER ps 0.4, \
+     file("ring-trapezoid") every 3 using col("t"):(1000*val("x")):(sprintf("trapezoid, %.3f s: %.2f mm", val("t"), 1000*val("x"))) with labels hypertext point ls TRAPEZOID ps 0.55

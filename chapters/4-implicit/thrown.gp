@@ -8,9 +8,9 @@ set label 2 "backward Euler" at 4.2,0.47 left tc rgb "#000005"
 set label 3 "trapezoid" at 7.4,1.17 left tc rgb "#00000b"
 set label 4 "true" at 5.2,1.17 left tc rgb "#000007"
 plot 1 with lines ls EXACT, \
-     file("spin") using 1:($2 < 5 ? $2 : NaN) with lines ls EULER, \
-     file("spin") using 1:3 with lines ls BACKWARD_EULER, \
-     file("spin") using 1:4 with lines ls TRAPEZOID lw 1.6, \
-     file("spin") every 30 using 1:($2 < 5 ? $2 : NaN):(sprintf("Euler, %.1f s: %.2f", $1, $2)) with labels hypertext point ls EULER ps 0.3, \
-     file("spin") every 30 using 1:3:(sprintf("backward Euler, %.1f s: %.3f", $1, $3)) with labels hypertext point ls BACKWARD_EULER ps 0.3, \
-     file("spin") every 30 using 1:4:(sprintf("trapezoid, %.1f s: %.4f", $1, $4)) with labels hypertext point ls TRAPEZOID ps 0.3
+     file("spin") using col("t"):(val("Euler") < 5 ? val("Euler") : NaN) with lines ls EULER, \
+     file("spin") using col("t"):col("backward Euler") with lines ls BACKWARD_EULER, \
+     file("spin") using col("t"):col("trapezoid") with lines ls TRAPEZOID lw 1.6, \
+     file("spin") every 30 using col("t"):(val("Euler") < 5 ? val("Euler") : NaN):(sprintf("Euler, %.1f s: %.2f", val("t"), val("Euler"))) with labels hypertext point ls EULER ps 0.3, \
+     file("spin") every 30 using col("t"):col("backward Euler"):(sprintf("backward Euler, %.1f s: %.3f", val("t"), val("backward Euler"))) with labels hypertext point ls BACKWARD_EULER ps 0.3, \
+     file("spin") every 30 using col("t"):col("trapezoid"):(sprintf("trapezoid, %.1f s: %.4f", val("t"), val("trapezoid"))) with labels hypertext point ls TRAPEZOID ps 0.3

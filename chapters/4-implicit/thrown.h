@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "bar.h"
+#include "../cast.h"
 #include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"

@@ -6,10 +6,11 @@ set xtics 1
 set ytics ("1 m" 1, "1 km" 1e3, "10^3 km" 1e6, "10^6 km" 1e9)
 unset mytics
 set lmargin 8.5
-set label 1 NARROW ? "springs, 60 Hz" : "springs, 60 steps a second" at 5.7,1e6 right tc rgb "#00000a"
-set label 2 NARROW ? "springs, 360 Hz" : "springs, 360 steps a second" at 8.9,NARROW ? 90 : 80 right tc rgb "#00000b"
-set label 3 NARROW ? "links, 60 Hz" : "links, 60 steps a second" at 8.9,NARROW ? 12 : 17 right tc rgb "#00000c"
-plot file("burst") using 1:($2 < 1e9 ? $2 : NaN) with linespoints ls FIRST, \
-     file("calm") using 1:2 with lines ls SECOND, \
-     file("calm") using 1:3 with lines ls THIRD dt (6,4), \
-     file("burst") using 1:($2 < 1e9 ? $2 : NaN):(sprintf("frame %d: %.3g m", $1, $2)) with labels hypertext point ls FIRST
+rate(name) = NARROW ? number(name) : sprintf("%g steps a second", exact(name))
+set label 1 "springs, ".rate("burst-rate") at 5.7,1e6 right tc rgb "#00000a"
+set label 2 "springs, ".rate("calm-rate") at 8.9,NARROW ? 90 : 80 right tc rgb "#00000b"
+set label 3 "links, ".rate("burst-rate") at 8.9,NARROW ? 12 : 17 right tc rgb "#00000c"
+plot file("burst") using col("frame"):(val("springs") < 1e9 ? val("springs") : NaN) with linespoints ls FIRST, \
+     file("calm") using col("frame"):col("springs") with lines ls SECOND, \
+     file("calm") using col("frame"):col("links") with lines ls THIRD dt (6,4), \
+     file("burst") using col("frame"):(val("springs") < 1e9 ? val("springs") : NaN):(sprintf("frame %d: %.3g m", val("frame"), val("springs"))) with labels hypertext point ls FIRST

@@ -7,9 +7,9 @@ set label 1 "velocity Verlet" at 0.87,7.2 left tc rgb "#000003"
 set label 2 "last distance over h, said of now" at 0.48,-4.4 left tc rgb "#000008"
 set label 3 "the same, said of half a step ago" at 0.6,-6.7 left tc rgb "#00000a"
 if (NARROW) set label 2 "said of now" at 0.52,-4.2; set label 3 "said of half a step ago" at 0.25,-9.6
-plot file("swing-exact") using 1:3 with lines ls EXACT, \
-     file("moments") using 2:3:($1-$2):(0) with vectors nohead ls GRID lw 1.4, \
-     file("moments") using 1:3 with points ls LIMIT pt 8 ps 0.9, \
-     file("moments") using 2:3 with points ls FIRST pt 1 ps 0.9, \
-     file("moments") using 1:4 with points ls VELOCITY_VERLET ps 0.9, \
-     file("moments") using 1:3:(sprintf("at %.3f s the last distance over h is %.2f m/s, velocity Verlet's %.2f", $1, $3, $4)) with labels hypertext point ls LIMIT pt 8 ps 0.9
+plot file("swing-exact") using col("t"):col("v") with lines ls EXACT, \
+     file("moments") using col("half a step ago"):col("last distance over h"):(val("t")-val("half a step ago")):(0) with vectors nohead ls GRID lw 1.4, \
+     file("moments") using col("t"):col("last distance over h") with points ls LIMIT pt 8 ps 0.9, \
+     file("moments") using col("half a step ago"):col("last distance over h") with points ls FIRST pt 1 ps 0.9, \
+     file("moments") using col("t"):col("velocity Verlet") with points ls VELOCITY_VERLET ps 0.9, \
+     file("moments") using col("t"):col("last distance over h"):(sprintf("at %.3f s the last distance over h is %.2f m/s, velocity Verlet's %.2f", val("t"), val("last distance over h"), val("velocity Verlet"))) with labels hypertext point ls LIMIT pt 8 ps 0.9

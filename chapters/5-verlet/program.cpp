@@ -12,9 +12,9 @@
 #include "measure/path.h"
 #include "measure/stability.h"
 #include "rope_runs.h"
-#include "starts.h"
 #include "toys.h"
-#include "turning_runs.h"
+#include "verlet_starts.h"
+#include "wheel_runs.h"
 
 using measure::leapfrog;
 using measure::Record;

@@ -7,13 +7,15 @@ set ytics ("0.01 %%" 0.01, "0.1 %%" 0.1, "1 %%" 1, "10 %%" 10, "100 %%" 100)
 unset mxtics
 unset mytics
 set lmargin NARROW ? 8 : 9
-set label 1 "40 links" at 74,1.6 left tc rgb "#00000a"
-set label 2 "20 links" at 74,0.34 left tc rgb "#00000b"
-set label 3 "10 links" at 74,0.04 left tc rgb "#00000c"
-set label 4 "20 links,\nsubsteps" at 7,0.12 right tc rgb "#00000b"
-tip = "%d: %.3g per cent"
-plot file("stretch") using 1:4 with linespoints ls FIRST, \
-     file("stretch") using 1:3 with linespoints ls SECOND, \
-     file("stretch") using 1:2 with linespoints ls THIRD, \
-     file("stretch") using 1:5 with linespoints ls SECOND dt (6,4) pt 4, \
-     for [i=2:5] file("stretch") using 1:i:(sprintf(tip, $1, column(i))) with labels hypertext point ls CONTEXT ps 0.3
+array count = [10, 20, 40]
+rope(i) = i == 4 ? rope(2)." in substeps" : sprintf("%d links", count[i])
+set label 1 rope(3) at 74,1.6 left tc rgb "#00000a"
+set label 2 rope(2) at 74,0.34 left tc rgb "#00000b"
+set label 3 rope(1) at 74,0.04 left tc rgb "#00000c"
+set label 4 rope(2).",\nsubsteps" at 7,0.12 right tc rgb "#00000b"
+tip(name) = sprintf("%d: %.3g per cent", val("iterations"), val(name))
+plot file("stretch") using col("iterations"):col(rope(3)) with linespoints ls FIRST, \
+     file("stretch") using col("iterations"):col(rope(2)) with linespoints ls SECOND, \
+     file("stretch") using col("iterations"):col(rope(1)) with linespoints ls THIRD, \
+     file("stretch") using col("iterations"):col(rope(4)) with linespoints ls SECOND dt (6,4) pt 4, \
+     for [i=1:4] file("stretch") using col("iterations"):col(rope(i)):(tip(rope(i))) with labels hypertext point ls CONTEXT ps 0.3

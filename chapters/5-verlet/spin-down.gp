@@ -8,7 +8,7 @@ set label 2 "a box of four points, eight steps in a frame" at 9.9,0.84 right tc 
 set label 3 "a normalised direction, and a box" at 2.6,NARROW ? 0.58 : 0.56 left tc rgb "#00000a"
 if (NARROW) set label 2 "box, eight steps" ; set label 3 "direction and box"
 plot 1 with lines ls STORMER_VERLET, \
-     file("spin") using 1:4 with lines ls SECOND dt (6,4), \
-     file("spin") using 1:2 with lines ls FIRST, \
-     file("spin") every 20 using 1:3 with points ls SECOND, \
-     file("spin") every 60 using 1:2:(sprintf("%.0f s: direction %.3f, box %.3f, box in eight steps %.3f turns a second", $1, $2, $3, $4)) with labels hypertext point ls FIRST ps 0.3
+     file("spin") using col("t"):col("box in eight") with lines ls SECOND dt (6,4), \
+     file("spin") using col("t"):col("direction") with lines ls FIRST, \
+     file("spin") every 20 using col("t"):col("box") with points ls SECOND, \
+     file("spin") every 60 using col("t"):col("direction"):(sprintf("%.0f s: direction %.3f, box %.3f, box in eight steps %.3f turns a second", val("t"), val("direction"), val("box"), val("box in eight"))) with labels hypertext point ls FIRST ps 0.3

@@ -20,4 +20,4 @@ set label 3 "x_{n+1}" at X(3*h)-0.1,Y(3*h)-0.12 right
 set label 4 "h^2 a" at X(3*h)+0.08,1.35 left tc rgb "#000008"
 set label 5 "the last step again" at X(2*h)+0.42,1.72 right tc rgb "#000003"
 plot X(t), Y(t) with lines ls EXACT, \
-     file("two-dots") every ::2::4 using 2:3 with points ls VELOCITY_VERLET ps 1
+     file("two-dots") every ::2::4 using col("x"):col("y") with points ls VELOCITY_VERLET ps 1

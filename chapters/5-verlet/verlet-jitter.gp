@@ -5,8 +5,8 @@ set xtics 0.25
 set ytics 0.5
 set label 1 "position Verlet as it is" at 0.02,2.02 left tc rgb "#000008"
 set label 2 "corrected" at 0.33,0.98 left tc rgb "#000003"
-plot for [jump=1:10] file("jitter") using ($1 == jump ? $2 : NaN):3 with linespoints ls LIMIT dt solid lw 0.9 ps 0.3, \
-     for [jump=1:10] file("jitter-corrected") every 10::jump using ($1 == jump ? $2 : NaN):3 with points ls VELOCITY_VERLET ps 0.6, \
+plot for [jump=1:10] file("jitter") using (val("jump") == jump ? val("t") : NaN):col("plain") with linespoints ls LIMIT dt solid lw 0.9 ps 0.3, \
+     for [jump=1:10] file("jitter-corrected") every 10::jump using (val("jump") == jump ? val("t") : NaN):col("x") with points ls VELOCITY_VERLET ps 0.6, \
      5*x - 9.81*x**2/2 with lines ls EXACT, \
-     for [jump=1:10] file("jitter") every 7 using ($1 == jump ? $2 : NaN):3:(sprintf("jump %d: %.3f m at %.3f s", $1, $3, $2)) \
+     for [jump=1:10] file("jitter") every 7 using (val("jump") == jump ? val("t") : NaN):col("plain"):(sprintf("jump %d: %.3f m at %.3f s", val("jump"), val("plain"), val("t"))) \
        with labels hypertext point ls LIMIT ps 0.3

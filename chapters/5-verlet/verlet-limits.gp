@@ -8,7 +8,7 @@ set label 2 "velocity Verlet" at 0.09,0.35 left tc rgb "#000003"
 if (NARROW) set label 2 "velocity\nVerlet" at 0.09,0.55
 plot 2*(sqrt(1+x*x)-x) with lines ls CONTEXT, \
      2*(sqrt(1+4*x*x)-2*x) with lines ls CONTEXT, \
-     file("limits") using 1:2 with points ls STORMER_VERLET, \
-     file("limits") using 1:3 with points ls VELOCITY_VERLET, \
-     file("limits") using 1:2:(sprintf("zeta %.1f: %.3f", $1, $2)) with labels hypertext point ls STORMER_VERLET, \
-     file("limits") using 1:3:(sprintf("zeta %.1f: %.3f", $1, $3)) with labels hypertext point ls VELOCITY_VERLET
+     file("limits") using col("zeta"):col("position Verlet") with points ls STORMER_VERLET, \
+     file("limits") using col("zeta"):col("velocity Verlet") with points ls VELOCITY_VERLET, \
+     file("limits") using col("zeta"):col("position Verlet"):(sprintf("zeta %.1f: %.3f", val("zeta"), val("position Verlet"))) with labels hypertext point ls STORMER_VERLET, \
+     file("limits") using col("zeta"):col("velocity Verlet"):(sprintf("zeta %.1f: %.3f", val("zeta"), val("velocity Verlet"))) with labels hypertext point ls VELOCITY_VERLET

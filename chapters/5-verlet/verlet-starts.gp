@@ -11,9 +11,9 @@ set label 1 "x_{prev} = x, drone" at 120,80 center tc rgb "#000008"
 set label 2 "x_{prev} = x, a swing from rest" at NARROW ? 55 : 62,0.4 left tc rgb "#00000a"
 set label 3 "x – hv, drone" at 170,0.006 right tc rgb "#000002"
 set label 4 NARROW ? "x – hv + h^2a/2" : "x – hv + h^2a/2, drone" at NARROW ? 70 : 60,NARROW ? 4e-5 : 6e-5 right tc rgb "#000003"
-tip = "%d steps a second: %.2g m"
-plot file("starts") using 1:2 with linespoints ls LIMIT dt solid lw 2.2 ps 0.7, \
-     file("starts") using 1:3 with linespoints ls FIRST, \
-     file("starts") using 1:4 with linespoints ls SYMPLECTIC_EULER, \
-     file("starts") using 1:5 with linespoints ls STORMER_VERLET, \
-     for [i=2:5] file("starts") using 1:i:(sprintf(tip, $1, column(i))) with labels hypertext point ls CONTEXT ps 0.3
+tip(name) = sprintf("%d steps a second: %.2g m", val("steps per second"), val(name))
+plot file("starts") using col("steps per second"):col("drone x") with linespoints ls LIMIT dt solid lw 2.2 ps 0.7, \
+     file("starts") using col("steps per second"):col("swing x") with linespoints ls FIRST, \
+     file("starts") using col("steps per second"):col("drone x − hv") with linespoints ls SYMPLECTIC_EULER, \
+     file("starts") using col("steps per second"):col("drone x − hv + h²a/2") with linespoints ls STORMER_VERLET, \
+     for [name in "'drone x' 'swing x' 'drone x − hv' 'drone x − hv + h²a/2'"] file("starts") using col("steps per second"):col(name):(tip(name)) with labels hypertext point ls CONTEXT ps 0.3

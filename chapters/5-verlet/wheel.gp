@@ -10,6 +10,6 @@ set trange [0:2*pi]
 set label 1 "2u – u_{prev}" at 0.9,2.6 right tc rgb "#000008"
 set label 2 "normalised" at 0,-0.6 center tc rgb "#00000a"
 plot cos(t), sin(t) with lines ls EXACT, \
-     for [i=1:31:6] file("wheel") every ::i::i using (0):(0):2:3 with vectors nohead ls GRID lw 1.4, \
-     file("wheel") every ::1::31 using 2:3 with points ls LIMIT pt 7 ps 0.6, \
-     file("wheel") using 4:5 with points ls FIRST ps 0.6
+     for [i=1:31:6] file("wheel") every ::i::i using (0):(0):col("x"):col("y") with vectors nohead ls GRID lw 1.4, \
+     file("wheel") every ::1::31 using col("x"):col("y") with points ls LIMIT pt 7 ps 0.6, \
+     file("wheel") using col("kept x"):col("kept y") with points ls FIRST ps 0.6

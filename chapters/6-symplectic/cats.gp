@@ -8,12 +8,12 @@ set ytics 1
 set label 1 "start" at 1,0.5 center tc rgb "#000007"
 set label 2 "Euler" at NARROW ? -1.5 : -1.2,1.36 center tc rgb "#000001"
 set label 3 NARROW ? "symplectic\nEuler" : "symplectic Euler" at -0.45,NARROW ? 0.35 : 0.3 left tc rgb "#000002"
-set label 4 "6 steps" at NARROW ? 0.1 : 0.15,-0.5 center tc rgb "#000007"
-set label 5 "12" at -0.58,-0.35 left tc rgb "#000007"
-set label 6 "18" at 0.12,0.95 left tc rgb "#000007"
-first(i) = 1 + 461*i
-last(i) = 461*(i + 1)
-plot for [i=0:3] file("cat-symplectic") every ::first(i)::last(i) using 2:3 with filledcurves closed ls AREA, \
-     for [i=1:3] file("cat-euler") every ::first(i)::last(i) using 2:3 with lines ls EULER lw 1.5, \
-     for [i=1:3] file("cat-symplectic") every ::first(i)::last(i) using 2:3 with lines ls SYMPLECTIC_EULER lw 1.5, \
-     file("cat-euler") every ::first(0)::last(0) using 2:3 with lines ls EXACT dt solid
+third = exact("cat-third")
+set label 4 sprintf("%g steps", third) at NARROW ? 0.1 : 0.15,-0.5 center tc rgb "#000007"
+set label 5 sprintf("%g", 2*third) at -0.58,-0.35 left tc rgb "#000007"
+set label 6 sprintf("%g", 3*third) at 0.12,0.95 left tc rgb "#000007"
+x(third) = val("third") == third ? val("x") : NaN
+plot for [i=0:3] file("cat-symplectic") using (x(i)):col("v") with filledcurves closed ls AREA, \
+     for [i=1:3] file("cat-euler") using (x(i)):col("v") with lines ls EULER lw 1.5, \
+     for [i=1:3] file("cat-symplectic") using (x(i)):col("v") with lines ls SYMPLECTIC_EULER lw 1.5, \
+     file("cat-euler") using (x(0)):col("v") with lines ls EXACT dt solid

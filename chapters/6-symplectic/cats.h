@@ -23,6 +23,7 @@ inline void cats(measure::Record& record) {
       for (const auto& point : closed(now)) table.add({double(third), point.x, point.v});
     }
   };
+  record.number("cat-third", cat_steps / 3, measure::whole);
   follow("cat-euler", method::euler);
   follow("cat-symplectic", method::symplectic_euler);
 

@@ -14,15 +14,15 @@ set label 6 NARROW ? "Verlet, damped" : "velocity Verlet, damped" at 8800,6e-8 l
 set label 4 "Yoshida" at 8800,1.3e-9 left tc rgb "#00000a"
 set label 5 "RK4" at 8800,2e-10 left tc rgb "#000004"
 tip = "%d evaluations: %.2g m"
-plot file("composition") using 1:2 with linespoints ls SYMPLECTIC_EULER, \
-     file("composition") using 1:3 with linespoints ls VELOCITY_VERLET, \
-     file("composition") using 1:4 with linespoints ls FIRST, \
-     file("composition") using 1:5 with linespoints ls RK4, \
-     file("composition") using 1:6 with linespoints ls VELOCITY_VERLET dt (5,4) pt 8, \
-     file("composition") using 1:7 with linespoints ls FIRST dt (5,4) pt 6, \
-     file("composition") using 1:2:(sprintf(tip, $1, $2)) with labels hypertext point ls SYMPLECTIC_EULER, \
-     file("composition") using 1:3:(sprintf(tip, $1, $3)) with labels hypertext point ls VELOCITY_VERLET, \
-     file("composition") using 1:4:(sprintf(tip, $1, $4)) with labels hypertext point ls FIRST, \
-     file("composition") using 1:5:(sprintf(tip, $1, $5)) with labels hypertext point ls RK4, \
-     file("composition") using 1:6:(sprintf(tip, $1, $6)) with labels hypertext point ls VELOCITY_VERLET, \
-     file("composition") using 1:7:(sprintf(tip, $1, $7)) with labels hypertext point ls FIRST
+plot file("composition") using col("evaluations per second"):col("symplectic Euler") with linespoints ls SYMPLECTIC_EULER, \
+     file("composition") using col("evaluations per second"):col("velocity Verlet") with linespoints ls VELOCITY_VERLET, \
+     file("composition") using col("evaluations per second"):col("Yoshida 4") with linespoints ls FIRST, \
+     file("composition") using col("evaluations per second"):col("RK4") with linespoints ls RK4, \
+     file("composition") using col("evaluations per second"):col("velocity Verlet damped") with linespoints ls VELOCITY_VERLET dt (5,4) pt 8, \
+     file("composition") using col("evaluations per second"):col("Yoshida 4 damped") with linespoints ls FIRST dt (5,4) pt 6, \
+     file("composition") using col("evaluations per second"):col("symplectic Euler"):(sprintf(tip, val("evaluations per second"), val("symplectic Euler"))) with labels hypertext point ls SYMPLECTIC_EULER, \
+     file("composition") using col("evaluations per second"):col("velocity Verlet"):(sprintf(tip, val("evaluations per second"), val("velocity Verlet"))) with labels hypertext point ls VELOCITY_VERLET, \
+     file("composition") using col("evaluations per second"):col("Yoshida 4"):(sprintf(tip, val("evaluations per second"), val("Yoshida 4"))) with labels hypertext point ls FIRST, \
+     file("composition") using col("evaluations per second"):col("RK4"):(sprintf(tip, val("evaluations per second"), val("RK4"))) with labels hypertext point ls RK4, \
+     file("composition") using col("evaluations per second"):col("velocity Verlet damped"):(sprintf(tip, val("evaluations per second"), val("velocity Verlet damped"))) with labels hypertext point ls VELOCITY_VERLET, \
+     file("composition") using col("evaluations per second"):col("Yoshida 4 damped"):(sprintf(tip, val("evaluations per second"), val("Yoshida 4 damped"))) with labels hypertext point ls FIRST

@@ -11,10 +11,10 @@ set label 5 "1/√3" at 0.6,0.22 left tc rgb "#000008"
 set arrow 1 from 0.57735,0 to 0.57735,1.1547 nohead ls LIMIT
 tip = "ζ = %.2f: stable under hω = %.3f"
 plot 2*(sqrt(1 + x*x) - x) with lines ls CONTEXT, 2*(sqrt(1 + x*x) + x) with lines ls CONTEXT, \
-     file("damped") using 1:2 with linespoints ls EULER lw 1.4 ps 0.45, \
-     file("damped") using 1:5 with linespoints ls SECOND lw 1.4 ps 0.5, \
-     file("damped") using 1:($4 < 5 ? $4 : NaN) with points ls FIRST ps 0.5, \
-     file("damped") using 1:3 with points ls SYMPLECTIC_EULER ps 0.5, \
-     file("damped") every 4 using 1:2:(sprintf(tip, $1, $2)) with labels hypertext point ls EULER ps 0.45, \
-     file("damped") every 4 using 1:3:(sprintf(tip, $1, $3)) with labels hypertext point ls SYMPLECTIC_EULER ps 0.5, \
-     file("damped") every 4 using 1:5:(sprintf(tip, $1, $5)) with labels hypertext point ls SECOND ps 0.5
+     file("damped") using col("ζ"):col("Euler") with linespoints ls EULER lw 1.4 ps 0.45, \
+     file("damped") using col("ζ"):col("first") with linespoints ls SECOND lw 1.4 ps 0.5, \
+     file("damped") using col("ζ"):(val("last") < 5 ? val("last") : NaN) with points ls FIRST ps 0.5, \
+     file("damped") using col("ζ"):col("symplectic Euler") with points ls SYMPLECTIC_EULER ps 0.5, \
+     file("damped") every 4 using col("ζ"):col("Euler"):(sprintf(tip, val("ζ"), val("Euler"))) with labels hypertext point ls EULER ps 0.45, \
+     file("damped") every 4 using col("ζ"):col("symplectic Euler"):(sprintf(tip, val("ζ"), val("symplectic Euler"))) with labels hypertext point ls SYMPLECTIC_EULER ps 0.5, \
+     file("damped") every 4 using col("ζ"):col("first"):(sprintf(tip, val("ζ"), val("first"))) with labels hypertext point ls SECOND ps 0.5

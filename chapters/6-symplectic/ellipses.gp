@@ -16,6 +16,6 @@ set label 3 "true" at 0,8.4 center tc rgb "#000007"
 plot 10*cos(t), 10*sin(t) with lines ls EXACT, \
      far*cos(t) - near*sin(t), far*cos(t) + near*sin(t) with lines ls SYMPLECTIC_EULER lw 1, \
      near*cos(t) - far*sin(t), near*cos(t) + far*sin(t) with lines ls FIRST lw 1, \
-     file("ellipse") using (100*$2):(5*$3) with points ls SYMPLECTIC_EULER ps 0.5, \
-     file("ellipse-twin") using (100*$2):(5*$3) with points ls FIRST ps 0.55, \
-     file("ellipse") every 2 using (100*$2):(5*$3):(sprintf("at %.2f s: %.1f cm, %.1f m/s", $1, 100*$2, $3)) with labels hypertext point ls SYMPLECTIC_EULER ps 0.5
+     file("ellipse") using (100*val("x")):(5*val("v")) with points ls SYMPLECTIC_EULER ps 0.5, \
+     file("ellipse-twin") using (100*val("x")):(5*val("v")) with points ls FIRST ps 0.55, \
+     file("ellipse") every 2 using (100*val("x")):(5*val("v")):(sprintf("at %.2f s: %.1f cm, %.1f m/s", val("t"), 100*val("x"), val("v"))) with labels hypertext point ls SYMPLECTIC_EULER ps 0.5

@@ -8,9 +8,8 @@ unset mytics
 set label 1 "to the moon" at 4,2.5e9 left tc rgb "#000008"
 set label 2 "Euler" at NARROW ? 29 : 31,1.2e6 right tc rgb "#000001"
 set label 3 "two lines swapped" at 45,35 center tc rgb "#000002"
-moon = 384400e3
-plot moon with lines ls LIMIT, \
-     file("hour") every 4::1 using 1:2 with linespoints ls EULER ps 0.45, \
-     file("hour") every 4::1 using 1:3 with linespoints ls SYMPLECTIC_EULER ps 0.4, \
-     file("hour") every 4::1 using 1:2:(sprintf("Euler after %.0f min: %.3g m", $1, $2)) with labels hypertext point ls EULER ps 0.45, \
-     file("hour") every 4::1 using 1:3:(sprintf("symplectic Euler after %.0f min: %.3f m", $1, $3)) with labels hypertext point ls SYMPLECTIC_EULER ps 0.4
+plot exact("moon") with lines ls LIMIT, \
+     file("hour") every 4::1 using col("minute"):col("Euler") with linespoints ls EULER ps 0.45, \
+     file("hour") every 4::1 using col("minute"):col("symplectic Euler") with linespoints ls SYMPLECTIC_EULER ps 0.4, \
+     file("hour") every 4::1 using col("minute"):col("Euler"):(sprintf("Euler after %.0f min: %.3g m", val("minute"), val("Euler"))) with labels hypertext point ls EULER ps 0.45, \
+     file("hour") every 4::1 using col("minute"):col("symplectic Euler"):(sprintf("symplectic Euler after %.0f min: %.3f m", val("minute"), val("symplectic Euler"))) with labels hypertext point ls SYMPLECTIC_EULER ps 0.4

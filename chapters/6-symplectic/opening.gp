@@ -10,14 +10,17 @@ set trange [0:2*pi]
 # The shadow ellipse x^2 - k x u + u^2 = x0^2, k = h omega, along its two axes; a hyperbola from k = 2 on.
 far(k) = 0.1/sqrt(2 - k)
 near(k) = 0.1/sqrt(2 + k)
-set label 1 "{/:Italic h}ω = 0.67" at -0.07,0.19 right tc rgb "#000002"
-set label 2 "1.5" at 0.26,-0.05 left tc rgb "#000002"
+array k = [0.67, 1.5, 1.9, 2.1]
+swing(i) = sprintf("opening-%.0f", 100*k[i])
+homega(i) = sprintf("%g", k[i])
+set label 1 "{/:Italic h}ω = ".homega(1) at -0.07,0.19 right tc rgb "#000002"
+set label 2 homega(2) at 0.26,-0.05 left tc rgb "#000002"
 set arrow 1 from 0.25,-0.03 to 0.155,0.095 nohead ls CONTEXT
-set label 3 "1.9" at 0.32,0.13 left tc rgb "#000002"
-set label 4 "2.1" at 0.23,0.44 right tc rgb "#000008"
+set label 3 homega(3) at 0.32,0.13 left tc rgb "#000002"
+set label 4 homega(4) at 0.23,0.44 right tc rgb "#000008"
 along(t) = (t/pi - 1)/2
-bend(p) = near(2.1)*sqrt(1 + 10*p*p)
-plot for [k in "0.67 1.5 1.9"] far(k)*cos(t) - near(k)*sin(t), far(k)*cos(t) + near(k)*sin(t) with lines ls CONTEXT, \
+bend(p) = near(k[4])*sqrt(1 + 10*p*p)
+plot for [i=1:3] far(k[i])*cos(t) - near(k[i])*sin(t), far(k[i])*cos(t) + near(k[i])*sin(t) with lines ls CONTEXT, \
      for [side in "1 -1"] along(t) + side*bend(along(t)), along(t) - side*bend(along(t)) with lines ls LIMIT, \
-     for [name in "opening-67 opening-150 opening-190"] file(name) using 2:($3/20) with points ls SYMPLECTIC_EULER ps 0.35, \
-     file("opening-210") using (abs($2) < 0.6 ? $2 : NaN):($3/20) with points ls LIMIT pt 7 ps 0.7
+     for [i=1:3] file(swing(i)) using col("x"):(val("v")/20) with points ls SYMPLECTIC_EULER ps 0.35, \
+     file(swing(4)) using (abs(val("x")) < 0.6 ? val("x") : NaN):(val("v")/20) with points ls LIMIT pt 7 ps 0.7

@@ -10,9 +10,9 @@ set label 2 "kicked" at 1.34,-1.12 left tc rgb "#00000a"
 set label 3 "drifted" at -0.15,-0.42 center tc rgb "#000002"
 set arrow 1 from 0.72,-0.36 to 0.72,-0.68 head size 0.05,20 ls CONTEXT
 set arrow 2 from 0.66,-0.95 to 0.4,-0.95 head size 0.05,20 ls CONTEXT
-plot file("shears") using 1:2 with filledcurves closed ls AREA, \
-     file("shears") using 1:3 with filledcurves closed ls AREA, \
-     file("shears") using 4:3 with filledcurves closed ls AREA, \
-     file("shears") using 1:2 with lines ls EXACT dt solid, \
-     file("shears") using 1:3 with lines ls FIRST lw 1.6, \
-     file("shears") using 4:3 with lines ls SYMPLECTIC_EULER lw 1.6
+plot file("shears") using col("x"):col("v") with filledcurves closed ls AREA, \
+     file("shears") using col("x"):col("kicked v") with filledcurves closed ls AREA, \
+     file("shears") using col("drifted x"):col("kicked v") with filledcurves closed ls AREA, \
+     file("shears") using col("x"):col("v") with lines ls EXACT dt solid, \
+     file("shears") using col("x"):col("kicked v") with lines ls FIRST lw 1.6, \
+     file("shears") using col("drifted x"):col("kicked v") with lines ls SYMPLECTIC_EULER lw 1.6

@@ -12,7 +12,8 @@ set label 3 "implicit last" at 9,4.99 right tc rgb "#000007"
 set label 4 "explicit first" at 9,4.8 right tc rgb "#000007"
 set label 5 "exponential last" at 9,4.43 right tc rgb "#00000b"
 set label 6 "explicit last" at 9,3.924 right tc rgb "#00000a"
-look(n) = n == 1 ? FIRST : n == 4 ? THIRD : n >= 5 ? SECOND : EXACT
-plot for [n=1:6] file("terminal") using 1:(column(n + 1)) with linespoints ls look(n) dt solid, \
-     for [n=1:6] file("terminal") every 3 using 1:(column(n + 1)):(sprintf("%d steps a second: %.3f m/s", $1, column(n + 1))) \
-       with labels hypertext point ls look(n)
+array way = ["explicit last", "explicit first", "implicit last", "implicit first", "exponential last", "exponential first"]
+array look = [FIRST, EXACT, EXACT, THIRD, SECOND, SECOND]
+plot for [n=1:6] file("terminal") using col("steps per second"):col(way[n]) with linespoints ls look[n] dt solid, \
+     for [n=1:6] file("terminal") every 3 using col("steps per second"):col(way[n]):(sprintf("%d steps a second: %.3f m/s", val("steps per second"), val(way[n]))) \
+       with labels hypertext point ls look[n]

@@ -6,7 +6,7 @@ set ytics 0.2
 set label 1 "Euler" at 0.105,1.5 left tc rgb "#000001"
 set label 2 "symplectic Euler" at 0.5,1.29 center tc rgb "#000002"
 set label 3 "its shadow energy" at 0.5,0.77 center tc rgb "#00000a"
-plot file("wobble") using 1:($2 < 1.7 ? $2 : NaN) with linespoints ls EULER lw 1.6, \
-     file("wobble") using 1:4 with lines ls FIRST, \
-     file("wobble") using 1:3 with linespoints ls SYMPLECTIC_EULER lw 1.4 ps 0.45, \
-     file("wobble") every 3 using 1:3:(sprintf("at %.2f s: energy %.3f, shadow %.3f", $1, $3, $4)) with labels hypertext point ls SYMPLECTIC_EULER ps 0.45
+plot file("wobble") using col("t"):(val("Euler") < 1.7 ? val("Euler") : NaN) with linespoints ls EULER lw 1.6, \
+     file("wobble") using col("t"):col("shadow") with lines ls FIRST, \
+     file("wobble") using col("t"):col("symplectic Euler") with linespoints ls SYMPLECTIC_EULER lw 1.4 ps 0.45, \
+     file("wobble") every 3 using col("t"):col("symplectic Euler"):(sprintf("at %.2f s: energy %.3f, shadow %.3f", val("t"), val("symplectic Euler"), val("shadow"))) with labels hypertext point ls SYMPLECTIC_EULER ps 0.45

@@ -13,11 +13,11 @@ set lmargin NARROW ? 15.5 : 16
 set tmargin 1
 edge = NARROW ? 30000 : 15000
 set arrow 1 from edge,0.4 to edge,14.6 nohead ls LIMIT
-methods = "Euler symplectic_Euler leapfrog Störmer–Verlet velocity_Verlet Yoshida_4 midpoint Heun RK4 Dormand-Prince predicted_Euler backward_Euler trapezoid"
-styles = "EULER SYMPLECTIC_EULER LEAPFROG STORMER_VERLET VELOCITY_VERLET YOSHIDA4 MIDPOINT HEUN RK4 DOPRI5 PREDICTED_EULER BACKWARD_EULER TRAPEZOID"
-spaced(name) = (cut = strstrt(name, "_"), cut ? name[1:cut - 1]." ".name[cut + 1:*] : name)
-paid(n) = strcol(n) eq "inf" ? never : column(n)
-plot file("bills") every ::1 using (paid(2)):($0 + 1):ytic(1) with points ls EXACT ps 0, \
-     file("bills") every ::1::1 using (paid(2)):($0 + 1) with points ls EXACT pt 7 ps 0.8, \
-     for [i=1:words(methods)] file("bills") every ::1 using (strcol(1) eq spaced(word(methods, i)) ? paid(2) : NaN):($0 + 1) with points ls value(word(styles, i)), \
-     file("bills") every ::1 using (paid(2)):($0 + 1):(strcol(2) eq "inf" ? "" : strcol(2)) with labels left offset 0.9,0 tc ls EXACT
+methods = "Euler 'symplectic Euler' leapfrog Störmer–Verlet 'velocity Verlet' 'Yoshida 4' midpoint Heun RK4 Dormand-Prince 'predicted Euler' 'backward Euler' trapezoid"
+price = "evaluations a second"
+paid(name) = txt(name) eq "inf" ? never : val(name)
+of(m) = txt("what is taken") eq m ? paid(price) : NaN
+plot file("bills") every ::1 using (paid(price)):($0 + 1):ytic(txt("what is taken")) with points ls EXACT ps 0, \
+     file("bills") every ::1 using (of("the choice for each")):($0 + 1) with points ls EXACT pt 7 ps 0.8, \
+     for [m in methods] file("bills") every ::1 using (of(m)):($0 + 1) with points ls style(m), \
+     file("bills") every ::1 using (paid(price)):($0 + 1):(txt(price) eq "inf" ? "" : txt(price)) with labels left offset 0.9,0 tc ls EXACT

@@ -12,16 +12,16 @@
 #include <string_view>
 #include <vector>
 
-#include "floor.h"
+#include "float_floor.h"
+#include "level_by_choice.h"
 #include "map.h"
 #include "measure/method_of.h"
 #include "measure/methods.h"
 #include "particles.h"
 #include "peers.h"
-#include "solved.h"
+#include "poster.h"
 #include "verdicts.h"
-#include "wall.h"
-#include "work.h"
+#include "work_precision.h"
 #include "your_spring.h"
 
 using Catch::Matchers::ContainsSubstring;
@@ -393,8 +393,9 @@ TEST_CASE("One exact step of a second ends where sixty of a frame do") {
       measure::after(method::spring_exact, suspension, suspension.start(), frame, 60);
   CHECK_THAT(once.x, WithinAbs(often.x, 1e-15));
   CHECK_THAT(once.x, WithinAbs(suspension.exact(1).x, 1e-15));
-  const auto leap = measure::after(method::constant_acceleration, jump, jump.start(), 1.0, 1);
-  CHECK_THAT(leap.x, WithinAbs(jump.exact(1).x, 1e-15));
+  const auto leap =
+      measure::after(method::constant_acceleration, height_of_jump, height_of_jump.start(), 1.0, 1);
+  CHECK_THAT(leap.x, WithinAbs(height_of_jump.exact(1).x, 1e-15));
 }
 
 TEST_CASE("In float RK4's shuttle stays a tenth of a millimetre off, and more than 480 Hz hurt") {
@@ -586,7 +587,8 @@ TEST_CASE(
 
 TEST_CASE("Euler's jump is eight centimetres off, and the exact step asks as often") {
   CHECK_THAT(errors(euler)["jump"], WithinAbs(8.2, 0.05));
-  CHECK(price(method::constant_acceleration, jump, frame) == price(euler, jump, frame));
+  CHECK(price(method::constant_acceleration, height_of_jump, frame) ==
+        price(euler, height_of_jump, frame));
 }
 
 TEST_CASE("A swing twice a second to one per cent takes velocity Verlet 288 steps a second") {

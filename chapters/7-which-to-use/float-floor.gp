@@ -13,9 +13,9 @@ set label 2 NARROW ? "Verlet" : "velocity Verlet" at NARROW ? 28 : 30,0.012 left
 set label 3 "RK4 in float" at 1000,NARROW ? 1e-5 : 3e-5 left tc rgb "#000004"
 set label 4 "RK4 in double" at 760,3e-11 right tc rgb "#000004"
 tip = "%d steps a second: %.2g m in double, %.2g m in float"
-plot file("floor") using 1:2 with lines ls SYMPLECTIC_EULER dt solid lw 1.2, file("floor") using 1:3 with linespoints ls SYMPLECTIC_EULER, \
-     file("floor") using 1:4 with lines ls VELOCITY_VERLET lw 1.2, file("floor") using 1:5 with linespoints ls VELOCITY_VERLET, \
-     file("floor") using 1:6 with lines ls RK4 lw 1.2, file("floor") using 1:7 with linespoints ls RK4, \
-     file("floor") using 1:3:(sprintf(tip, $1, $2, $3)) with labels hypertext point ls SYMPLECTIC_EULER, \
-     file("floor") using 1:5:(sprintf(tip, $1, $4, $5)) with labels hypertext point ls VELOCITY_VERLET, \
-     file("floor") using 1:7:(sprintf(tip, $1, $6, $7)) with labels hypertext point ls RK4
+plot file("floor") using col("steps per second"):col("symplectic Euler") with lines ls SYMPLECTIC_EULER dt solid lw 1.2, file("floor") using col("steps per second"):col("symplectic Euler float") with linespoints ls SYMPLECTIC_EULER, \
+     file("floor") using col("steps per second"):col("velocity Verlet") with lines ls VELOCITY_VERLET lw 1.2, file("floor") using col("steps per second"):col("velocity Verlet float") with linespoints ls VELOCITY_VERLET, \
+     file("floor") using col("steps per second"):col("RK4") with lines ls RK4 lw 1.2, file("floor") using col("steps per second"):col("RK4 float") with linespoints ls RK4, \
+     file("floor") using col("steps per second"):col("symplectic Euler float"):(sprintf(tip, val("steps per second"), val("symplectic Euler"), val("symplectic Euler float"))) with labels hypertext point ls SYMPLECTIC_EULER, \
+     file("floor") using col("steps per second"):col("velocity Verlet float"):(sprintf(tip, val("steps per second"), val("velocity Verlet"), val("velocity Verlet float"))) with labels hypertext point ls VELOCITY_VERLET, \
+     file("floor") using col("steps per second"):col("RK4 float"):(sprintf(tip, val("steps per second"), val("RK4"), val("RK4 float"))) with labels hypertext point ls RK4

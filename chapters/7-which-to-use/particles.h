@@ -135,6 +135,7 @@ inline void memory_wall(measure::Record& record) {
                                            {"packs", "ns", 2},
                                            {"memory alone", "ns", 2},
                                            {"packs 16 times", "ns", 2}});
+  record.number("steps-a-visit", steps_a_visit, measure::whole);
   auto& curves = record.table("memory-wall", {{"particles", "", measure::whole},
                                               {"structs", "ns"},
                                               {"packs", "ns"},

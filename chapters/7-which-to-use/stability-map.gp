@@ -12,13 +12,11 @@ unset tics
 unset grid
 left(k) = 4.75*(k % across)
 low(k) = 2.85*(down - 1 - k/across)
-style(k) = k == 0 ? EULER : k == 1 ? MIDPOINT : k == 2 ? RK4 : k == 3 ? DOPRI5 : k < 6 ? SYMPLECTIC_EULER : k == 6 ? VELOCITY_VERLET : k == 7 ? YOSHIDA4 : k == 8 ? PREDICTED_EULER : k == 9 ? TRAPEZOID : k == 10 ? BACKWARD_EULER : EXACT
-name(k) = word("Euler midpoint RK4 Dormand-Prince symplectic_Euler drag_divided velocity_Verlet Yoshida_4 predicted_Euler trapezoid backward_Euler exact_step", k + 1)
-plain(k) = k == 4 ? "symplectic Euler" : k == 5 ? "drag divided" : k == 6 ? "velocity Verlet" : k == 7 ? "Yoshida 4" : k == 8 ? "predicted Euler" : k == 10 ? "backward Euler" : k == 11 ? "exact step" : name(k)
-colour(k) = k == 3 ? 4 : k == 4 || k == 5 ? 2 : k == 6 ? 3 : k == 7 ? 10 : k == 8 || k == 10 ? 5 : k == 9 ? 11 : k == 11 ? 7 : k == 1 ? 6 : k == 2 ? 4 : 1
+array methods = ["Euler", "midpoint", "RK4", "Dormand-Prince", "symplectic Euler", "drag divided", "velocity Verlet", "Yoshida 4", "predicted Euler", "trapezoid", "backward Euler", "exact step"]
+look(m) = m eq "drag divided" ? SYMPLECTIC_EULER : m eq "exact step" ? EXACT : style(m)
 do for [k=0:11] {
   set object k+1 rectangle from left(k),low(k) to left(k)+4,low(k)+2 fs empty border lc rgb "#000009"
-  set label k+1 plain(k) at left(k),low(k)+2.25 left font NARROW ? "Book Sans,12" : "Book Sans,15" tc rgb sprintf("#%06x", colour(k))
+  set label k+1 methods[k+1] at left(k),low(k)+2.25 left font NARROW ? "Book Sans,12" : "Book Sans,15" tc ls look(methods[k+1])
 }
 do for [k=12-across:11] {
   set label 20+k "0" at left(k),low(k)-0.24 left tc rgb "#000007"
@@ -31,9 +29,11 @@ do for [r=0:down-1] {
   set label 100+r "0" at left(k)-0.38,low(k)+0.12 left tc rgb "#000007"
   set label 120+r "2" at left(k)-0.38,low(k)+1.88 left tc rgb "#000007"
 }
-tip = "%s, ζ = %.2f: stable to hω = %.2f, true to %.2f"
-limit(k) = column(2*k+2) < 4 ? left(k) + column(2*k+2) : NaN  # the edge is no limit, and the last three have none
-plot for [k=0:11] file("map") using (left(k)+column(2*k+2)):(low(k)+$1) with filledcurves x1=left(k) ls style(k) fs transparent solid 0.22 noborder, \
-     for [k=0:11] file("map") using (left(k)+column(2*k+3)):(low(k)+$1) with filledcurves x1=left(k) ls style(k) fs transparent solid 0.6 noborder, \
-     for [k=0:8] file("map") using (limit(k)):(low(k)+$1) with lines ls style(k) lw 1.2 dt solid, \
-     for [k=0:11] file("map") every 5 using (left(k)+column(2*k+2)):(low(k)+$1):(sprintf(tip, plain(k), $1, column(2*k+2), column(2*k+3))) with labels hypertext point ls style(k) ps 0.3
+stable(k) = val(methods[k+1])
+true(k) = val(methods[k+1]." true")
+tip(k) = sprintf("%s, ζ = %.2f: stable to hω = %.2f, true to %.2f", methods[k+1], val("ζ"), stable(k), true(k))
+limit(k) = stable(k) < 4 ? left(k) + stable(k) : NaN  # the edge is no limit, and the last three have none
+plot for [k=0:11] file("map") using (left(k)+stable(k)):(low(k)+val("ζ")) with filledcurves x1=left(k) ls look(methods[k+1]) fs transparent solid 0.22 noborder, \
+     for [k=0:11] file("map") using (left(k)+true(k)):(low(k)+val("ζ")) with filledcurves x1=left(k) ls look(methods[k+1]) fs transparent solid 0.6 noborder, \
+     for [k=0:8] file("map") using (limit(k)):(low(k)+val("ζ")) with lines ls look(methods[k+1]) lw 1.2 dt solid, \
+     for [k=0:11] file("map") every 5 using (left(k)+stable(k)):(low(k)+val("ζ")):(tip(k)) with labels hypertext point ls look(methods[k+1]) ps 0.3

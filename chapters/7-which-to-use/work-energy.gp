@@ -9,15 +9,16 @@ set ytics ("10^{-2}" 1e-2, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{
 unset mxtics
 unset mytics
 set lmargin NARROW ? 7.5 : 8
-at(i) = 1 + 4*int(word("0 1 4 5 6 8 9 11 12", i))
-style(i) = i == 1 ? EULER : i == 2 ? SYMPLECTIC_EULER : i == 3 ? VELOCITY_VERLET : i == 4 ? YOSHIDA4 : i == 5 ? MIDPOINT : i == 6 ? RK4 : i == 7 ? DOPRI5 : i == 8 ? BACKWARD_EULER : TRAPEZOID
-plot for [i=1:9] file("work-energy") every ::at(i)::at(i)+3 using 3:4 with linespoints ls style(i), \
-     for [i=1:9] file("work-energy") every ::at(i)::at(i)+3 using 3:4:(sprintf("%s, %d steps a second: %.2g", strcol(1), $2, $4)) with labels hypertext point ls style(i), \
-     file("work-energy") every ::at(1)+0::at(1)+0 using 3:4:(strcol(1)) with labels left offset -0.4,0.7 tc ls EULER, \
-     file("work-energy") every ::at(2)+3::at(2)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0.4 tc ls SYMPLECTIC_EULER, \
-     file("work-energy") every ::at(3)+0::at(3)+0 using 3:4:(NARROW ? "Verlet" : strcol(1)) with labels left offset -0.4,(NARROW ? -1.6 : -1.4) tc ls VELOCITY_VERLET, \
-     file("work-energy") every ::at(4)+3::at(4)+3 using 3:4:("Yoshida") with labels left offset 0.8,0.2 tc ls YOSHIDA4, \
-     file("work-energy") every ::at(5)+3::at(5)+3 using 3:4:(strcol(1)) with labels left offset 0.2,-0.8 tc ls MIDPOINT, \
-     file("work-energy") every ::at(6)+3::at(6)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0 tc ls RK4, \
-     file("work-energy") every ::at(7)+3::at(7)+3 using 3:4:(strcol(1)) with labels right offset -0.6,-0.35 tc ls DOPRI5, \
-     file("work-energy") every ::at(9)+3::at(9)+3 using 3:4:(strcol(1)) with labels left offset 0.8,0.3 tc ls TRAPEZOID
+methods = "Euler 'symplectic Euler' 'velocity Verlet' 'Yoshida 4' midpoint RK4 Dormand-Prince 'backward Euler' trapezoid"
+of(m) = txt("method") eq m ? val("evaluations per second") : NaN
+at(m, rate) = val("steps per second") == rate ? of(m) : NaN
+plot for [m in methods] file("work-energy") using (of(m)):col("energy error") with linespoints ls style(m), \
+     for [m in methods] file("work-energy") using (of(m)):col("energy error"):(sprintf("%s, %d steps a second: %.2g", m, val("steps per second"), val("energy error"))) with labels hypertext point ls style(m), \
+     file("work-energy") using (at("Euler", 30)):col("energy error"):("Euler") with labels left offset -0.4,0.7 tc ls style("Euler"), \
+     file("work-energy") using (at("symplectic Euler", 240)):col("energy error"):("symplectic Euler") with labels left offset 0.8,0.4 tc ls style("symplectic Euler"), \
+     file("work-energy") using (at("velocity Verlet", 30)):col("energy error"):(NARROW ? "Verlet" : "velocity Verlet") with labels left offset -0.4,(NARROW ? -1.6 : -1.4) tc ls style("velocity Verlet"), \
+     file("work-energy") using (at("Yoshida 4", 240)):col("energy error"):("Yoshida") with labels left offset 0.8,0.2 tc ls style("Yoshida 4"), \
+     file("work-energy") using (at("midpoint", 240)):col("energy error"):("midpoint") with labels left offset 0.2,-0.8 tc ls style("midpoint"), \
+     file("work-energy") using (at("RK4", 240)):col("energy error"):("RK4") with labels left offset 0.8,0 tc ls style("RK4"), \
+     file("work-energy") using (at("Dormand-Prince", 240)):col("energy error"):("Dormand-Prince") with labels right offset -0.6,-0.35 tc ls style("Dormand-Prince"), \
+     file("work-energy") using (at("trapezoid", 240)):col("energy error"):("trapezoid") with labels left offset 0.8,0.3 tc ls style("trapezoid")

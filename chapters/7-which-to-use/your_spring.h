@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "../cast.h"
 #include "map.h"
 #include "measure/record.h"
 
-inline constexpr scenes::Spring<> camera{.omega = 40, .zeta = 1};
 inline constexpr double camera_step = 1.0 / 30;  ///< [s]
 inline constexpr long camera_steps = 30;
 
@@ -29,6 +29,7 @@ inline void your_spring(measure::Record& record) {
   const auto ways = cameras();
   std::vector<measure::Column> columns{{"t", "s"}};
   for (const auto& [method, way] : ways) columns.push_back({method, "m"});
+  record.number("camera-watched", camera_steps * camera_step, 1, "s");
   auto& table = record.table("your-spring", columns);
   for (std::size_t n = 0; n <= std::size_t(camera_steps); ++n) {
     std::vector<measure::Cell> row{double(n) * camera_step};

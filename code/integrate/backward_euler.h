@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Implicit Euler by a linear system: one solve, or Newton's method.
+/// Backward Euler, or implicit Euler, by a linear system: one solve, or Newton's method.
 ///
 /// @code
 /// const auto spring = [](double x, double v, double) { return -9 * x - v; };
@@ -32,7 +32,7 @@
 
 namespace integrate {
 
-/// One step of implicit Euler with a single solve: linearly implicit Euler.
+/// One step of backward (implicit) Euler with a single solve: linearly implicit Euler.
 ///
 /// Order 1, one evaluation of the acceleration and one solve, stable on drag for every h, on an
 /// undamped spring for every h. On a linear force it is implicit Euler itself. On any other it puts
@@ -74,7 +74,7 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve>
   }
 }
 
-/// One step of implicit Euler, solved by Newton's method to a tolerance.
+/// One step of backward (implicit) Euler, solved by Newton's method to a tolerance.
 ///
 /// Order 1, one evaluation of the acceleration and one solve for each iteration, stable on drag for
 /// every h, on an undamped spring for every h.

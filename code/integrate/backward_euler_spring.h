@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Implicit Euler on a damped spring, solved by hand.
+/// Backward Euler, or implicit Euler, on a damped spring, solved by hand.
 ///
 /// @code
 /// double x = 1, v = 0;
@@ -12,7 +12,7 @@
 
 namespace integrate {
 
-/// One step of implicit Euler on a damped spring.
+/// One step of backward (implicit) Euler on a damped spring.
 ///
 /// Order 1, no evaluation of the acceleration, stable on drag for every h, on an undamped spring
 /// for every h. The spring is `x'' = -omega^2 x - 2 zeta omega x'`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Implicit Euler by predictor and corrector, which is explicit after all.
+/// Backward Euler, or implicit Euler, by predictor and corrector, which is explicit after all.
 ///
 /// @code
 /// const auto spring = [](double x, double v, double) { return -9 * x - v; };
@@ -12,7 +12,7 @@
 
 namespace integrate {
 
-/// One step of implicit Euler, its end found by Euler's method and then corrected.
+/// One step of backward (implicit) Euler, its end found by Euler's method and then corrected.
 ///
 /// Order 1, two evaluations of the acceleration with one correction (one more for each further
 /// one), stable on drag while c*h < 1, on an undamped spring while h*omega < 1. More corrections

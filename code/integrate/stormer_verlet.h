@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Position Verlet: the next position from the last two.
+/// Position Verlet, or Stormer-Verlet: the next position from the last two.
 ///
 /// @code
 /// const auto spring = [](double x, double v, double) { return -9 * x - v; };
@@ -103,7 +103,7 @@ constexpr Vec stormer_verlet_start(const Vec& x, const Vec& v, Time t, Real h,
   }
 }
 
-/// One step of position Verlet, whose drag sees the last step's distance over its time.
+/// One step of position Verlet (Stormer-Verlet); drag sees the last step's distance over its time.
 ///
 /// Order 2 in position, 1 in velocity and under drag, one evaluation of the acceleration, stable on
 /// drag while c*h < 2, on an undamped spring while h*omega < 2. The step must stay the same from

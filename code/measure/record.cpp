@@ -30,9 +30,12 @@ std::string join(const std::vector<std::string>& cells) {
   return line + "\n";
 }
 
+std::string quoted(const std::string& words) {
+  return words.find(',') == std::string::npos ? words : '"' + words + '"';
+}
+
 std::string text(const Cell& cell) {
-  if (cell.words.empty()) return shortest(cell.value);
-  return cell.words.find(',') == std::string::npos ? cell.words : '"' + cell.words + '"';
+  return cell.words.empty() ? shortest(cell.value) : quoted(cell.words);
 }
 
 bool is_text(const Table& table, std::size_t column) {
@@ -41,7 +44,7 @@ bool is_text(const Table& table, std::size_t column) {
 
 std::string csv(const Table& table) {
   std::vector<std::string> names;
-  for (const Column& column : table.columns) names.push_back(column.name);
+  for (const Column& column : table.columns) names.push_back(quoted(column.name));
   std::string lines = join(names);
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
@@ -110,7 +113,7 @@ void Record::write(const path& folder) const {
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const Column& column = table.columns[i];
       const std::string digits = is_text(table, i) ? "text" : std::to_string(column.digits);
-      columns += join({table.name, column.name, column.unit, digits});
+      columns += join({table.name, quoted(column.name), column.unit, digits});
     }
   }
   try {

@@ -8,7 +8,7 @@ import { headersOf } from './std_headers.mjs';
 
 const source = process.argv[2];
 // Our own headers are named from the file's folder, or from one of these.
-const roots = ['code', 'exercises/grader', 'tests', 'tests/peers', 'tests/snippets', 'book/live'];
+const roots = ['code', 'exercises/grader', 'tests', 'tests/peers', 'tests/snippets', 'book', 'chapters'];
 
 const bare = text => text.replace(/\/\*[\s\S]*?\*\/|\/\/.*|R"(\w*)\([\s\S]*?\)\1"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'/g,
   found => found.startsWith('"') || found.startsWith('R"') ? '""' : '\n'.repeat(found.split('\n').length - 1));

@@ -82,6 +82,16 @@ TEST_CASE("Words with a comma stay one cell") {
   CHECK(folder.read("cards.csv") == "when to use it\n\"never, or nearly\"\n");
 }
 
+TEST_CASE("A column's name with a comma stays one name") {
+  const Folder folder;
+  Record record;
+  record.table("newton", {{"rope, gentle"}, {"cloth"}}).add({1.0, 2.0});
+  record.write(folder.path);
+  CHECK(folder.read("newton.csv") == "\"rope, gentle\",cloth\n1,2\n");
+  CHECK_THAT(folder.read("tables.csv"),
+             Catch::Matchers::ContainsSubstring("newton,\"rope, gentle\",,3\n"));
+}
+
 TEST_CASE("A second write replaces the first") {
   const Folder folder;
   two_tables().write(folder.path);

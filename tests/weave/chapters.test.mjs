@@ -10,7 +10,7 @@ const report = name => `<Catch2TestRun name="claims"><TestCase name="${name}" fi
   <OverallResult success="true" skips="0"/></TestCase></Catch2TestRun>\n`;
 
 const chapter = (text, { figure = 'wheel', test = 'Heun is better', numbers = 'gain,2,,3\n' } = {}) => [
-  [SECOND, `# Heun\n\n${text}\n\n\\figure{${figure}, Title}\nCaption.\n\\endfigure\n`],
+  [SECOND, `# Heun\n\n${text}\n\n\\figure{${figure}, Title}\nCaption. \\look\n\\endfigure\n`],
   ['chapters/3-heun/claims.cpp', `// test\nTEST_CASE("${test}") {}\n`],
   [`chapters/3-heun/${figure}.gp`, 'plot sin(x)\n'],
   [`built/3-heun/figures/${figure}.svg`, svg], [`built/3-heun/figures/${figure}-narrow.svg`, svg],

@@ -7,7 +7,7 @@ const EULER = 'code/integrate/euler.h';
 const listing = (path, tag) => paragraph(`\\listing{${path}, ${tag}}`);
 
 test('a figure without a script', () => refuses(
-  [paragraph('\\figure{spirals, Title}\nCaption.\n\\endfigure')],
+  [paragraph('\\figure{spirals, Title}\nCaption. \\look\n\\endfigure')],
   [CHAPTER, 'spirals', 'there is no chapters/2-euler/spirals.gp that draws the figure "spirals". Did you mean "spiral"?'],
 ));
 

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CHAPTER, MODULE, refuses, sampleBook } from './weaver.mjs';
 
-const FOLDER = 'book/live/figures';
+const FOLDER = 'chapters/2-euler/live';
 const DESCRIPTION = JSON.stringify({
   seconds: 1, pace: 1, shape: [1, 1], scene: 'place [m]', chart: { name: 'energy', curves: [{ value: 'energy', colour: 'method' }], from: 0, to: 2 },
   controls: [
@@ -51,12 +51,35 @@ test('without a compiler for the browser the figure is a still one', () => {
   assert.ok(!book.has('built/book/live'));
 });
 
+const parts = [CHAPTER, 'Each dot is one step, with', 'Each dot is one step.\n\n\\paper\nThe line is \\number{step} wide.\n\\endpaper\n\n\\screen\nMove the *step*.\n\\endscreen\n\nWith'];
+
+test('a caption may say one thing on paper and another on the screen', () => {
+  const page = weaves(...live, method, methodEnd, module, parts).read('built/book/2-euler.html');
+  const caption = page.match(/<figcaption><p><b>Figure 2\.1[^]*?<\/figcaption>/)[0];
+  assert.match(caption, /<div class="on-paper"><p>The line is <data[^>]*>0\.10\u202fs<\/data> wide\.<\/p><\/div>\s*<div class="on-screen"><p>Move the <em>step<\/em>\.<\/p><\/div>/);
+  assert.doesNotMatch(page.match(/<desc id="figure-spiral-wide-desc">[^<]*/)[0], /Move/);
+  const style = weaves(...live, method, methodEnd, module).read('built/book/live/live.css');
+  assert.match(style, /^figcaption \.on-screen \{ display: none; \}/m);
+  assert.match(style, /^@media screen \{ \.stage ~ figcaption \.on-paper \{ display: none; \} \.stage ~ figcaption \.on-screen \{ display: block; \} \}/m);
+});
+
+test('a figure that is a still one has the words for paper alone', () => {
+  const page = weaves(...live, method, methodEnd, parts).read('built/book/2-euler.html');
+  assert.match(page, /<div class="on-paper"><p>The line is/);
+  assert.doesNotMatch(page, /on-screen|Move the/);
+});
+
+test('words for the screen, outside of a live figure', () => refuses(
+  [[CHAPTER, 'Each dot is one step, with', 'Each dot is one step, with\n\n\\screen\nMove it.\n\\endscreen\n\n']],
+  [CHAPTER, '\\screen', '\\screen stands outside of \\live; put it between \\live and \\endlive'],
+));
+
 test('a live figure that nothing describes', () => refuses(
   [...live, [CHAPTER, '\\live{spiral', '\\live{spirall'], ['chapters/2-euler/spirall.gp', 'plot x\n'], ['chapters/2-euler/spiral.gp'],
     ...['', '-narrow'].map(size => [`built/2-euler/figures/spirall${size}.svg`, '<svg xmlns="http://www.w3.org/2000/svg"/>'])],
-  [`${FOLDER}/spiral.json`, '', 'no page shows this with \\live{spiral, ...}; show it, or delete what is named spiral'],
   [CHAPTER, '\\live{spirall', `there is no ${FOLDER}/spirall.json that describes the live figure "spirall". Did you mean "spiral"?`],
   [CHAPTER, '\\figref{spiral}', /there is no \\figure\{spiral\}/],
+  [`${FOLDER}/spiral.json`, '', 'no page shows this with \\live{spiral, ...}; show it, or delete what is named spiral'],
 ));
 
 test('a live figure without its parts', () => refuses(

@@ -2,7 +2,7 @@
 import { test } from 'node:test';
 import { CHAPTER, CLAIMS, paragraph, refuses, REPORT } from './weaver.mjs';
 
-const INDEX = 'book/index.md';
+const INDEX = 'chapters/front/chapter.md';
 const BIB = 'book/references.md';
 
 test('references to nothing, all told at once', () => refuses(
@@ -27,8 +27,8 @@ test('links to nothing', () => refuses(
 ));
 
 test('names that two things bear', () => refuses(
-  [paragraph(['## Growth', '\\figure{spiral, Again}\nOnce more.\n\\endfigure', '\\eq{growth} \\f[ a \\f] \\endeq',
-    '\\table{methods}\nAgain.\n\\rows{growth}\n\\endtable', '\\exercise{back, Again}\nOnce more.\n\\endexercise'].join('\n\n')),
+  [paragraph(['## Growth', '\\figure{spiral, Again}\nOnce more. \\look\n\\endfigure', '\\eq{growth} \\f[ a \\f] \\endeq',
+    '\\table{methods}\nAgain.\n\\rows{growth}\n\\endtable', '\\exercise{back, Again}\nOnce more. \\look\n\\endexercise'].join('\n\n')),
   [BIB, '- \\bibitem{hairer', '- \\bibitem{verlet1967, Another}\n- \\bibitem{hairer']],
   [BIB, 'Another', 'the reference "verlet1967" is taken by book/references.md:3; give this one another key'],
   [CHAPTER, '## Growth\n\n\\figure', 'this section has the same name as the one in line 25; links could not tell them apart'],
@@ -50,6 +50,6 @@ test('a section named like a figure', () => refuses(
 
 test('a mistake in another page than a chapter', () => refuses(
   [[INDEX, '\\chapterref{2-euler}', '\\chapterref{1-euler}'], [BIB, '*Physical', '\\citep{nobody} *Physical']],
-  [INDEX, '1-euler', 'there is no chapter "1-euler". Did you mean "2-euler"?'],
   [BIB, 'nobody', 'there is no reference "nobody" in book/references.md. There is "verlet1967", "hairer2006".'],
+  [INDEX, '1-euler', 'there is no chapter "1-euler". Did you mean "2-euler"?'],
 ));

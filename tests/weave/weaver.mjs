@@ -36,7 +36,7 @@ export function sampleBook(...edits) {
     has: name => existsSync(join(folder, name)),
     read: name => readFileSync(join(folder, name), 'utf8'),
     edit: (name, ...change) => edit(book, name, change),
-    weave: (doxygen = process.env.DOXYGEN || 'doxygen') => weave(folder, readdirSync(join(folder, 'chapters')), doxygen),
+    weave: (doxygen = process.env.DOXYGEN || 'doxygen') => weave(folder, readdirSync(join(folder, 'chapters')).filter(name => name !== 'front' || existsSync(join(folder, 'built/front'))), doxygen),
   };
   for (const change of edits) book.edit(...change);
   return book;
