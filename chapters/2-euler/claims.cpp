@@ -77,6 +77,14 @@ TEST_CASE("Each step of the drone ends outside the circle that it started on") {
   }
 }
 
+TEST_CASE("The drone at 60 steps a second is over its fence after four turns and before five") {
+  const auto distance = [](double turns) {
+    return measure::after(euler, drone, drone.start(), h, std::lround(turns * turn)).x.norm();
+  };
+  CHECK(distance(4) < fence);
+  CHECK(distance(5) > fence);
+}
+
 TEST_CASE("Four times the steps take a quarter of the growth in a minute") {
   const double coarse = std::log1p(measure::drift(euler, drone, frame, 3600, energy).last);
   const double fine = std::log1p(measure::drift(euler, drone, frame / 4, 4 * 3600, energy).last);
