@@ -64,6 +64,7 @@ void thrown(Record& record) {
   measure::run(measure::rk4, parachute, diver, 1e-3, 1500, [&](double t, const auto& now) {
     braking.add({t, -now.v});
   });
+  record.number("diving-half", braking.rows[500][1].value, 2, "m/s");
 }
 
 void rockets(Record& record) {
