@@ -74,6 +74,9 @@ file(name) = (name eq TABLE ? 0 : (TABLE = name, HEADER = header(DATA.name.".csv
 col(name) = place_in(HEADER, name, 1) ? place_in(HEADER, name, 1) : refuse(TABLE.".csv has no column \"".name."\"")
 val(name) = column(col(name))
 txt(name) = strcol(col(name))
+# A number of a table by its row, counted from 1 below the header, for an arrow or the like.
+cell(table, row, name) = (file(table), number_in(system(sprintf("awk -F, 'NR == %d { print $%d }' '%s%s.csv'", row + 1, col(name), DATA, table)), row))
+number_in(text, row) = strlen(text) ? real(text) : refuse(sprintf("%s.csv has no row %d", TABLE, row))
 
 # What the chapter's program recorded: number("apex") is the text that \number{apex} is on the page, "1.27 m"; exact("apex")
 # is the value. The build writes NUMBERS: name, value, text.

@@ -4,6 +4,7 @@ import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { LIVE_SCRIPTS, colourRules } from './live.mjs';
+import { isMark } from './snippets.mjs';
 
 const require = createRequire(import.meta.url);
 const theme = fileURLToPath(new URL('../theme/', import.meta.url));
@@ -66,8 +67,11 @@ function copyData(data, folder) {
   for (const file of readdirSync(data)) if (file.endsWith('.csv')) copyFileSync(join(data, file), join(folder, file));
 }
 
-// The headers that readers take home.
+// The headers that readers take home, without the marks between which the book cuts its listings.
 function copyHeaders({ api, config }, folder) {
   mkdirSync(folder, { recursive: true });
-  for (const { file, name } of api.headers.values()) copyFileSync(join(config.source, file), join(folder, name));
+  for (const { file, name } of api.headers.values()) {
+    const lines = readFileSync(join(config.source, file), 'utf8').split('\n');
+    writeFileSync(join(folder, name), lines.filter(line => !isMark(line)).join('\n'));
+  }
 }

@@ -146,6 +146,7 @@ function checkLive(book, page, piece, report) {
     if (fault) report(`the live figure shows the code of its methods: ${fault}`);
   }
   if (piece.live.table) findLiveTable(book, page, piece.live, report);
+  findLiveNumbers(book, page, piece.live, report);
 }
 
 function findLiveTable(book, page, live, report) {
@@ -153,6 +154,12 @@ function findLiveTable(book, page, live, report) {
   const table = tables.get(live.table);
   if (table) live.columns = numberColumns(table);
   else report(`${live.file} wants the table "${live.table}", and the program of this chapter writes none of that name.${nameOneOf(live.table, tables.keys())}`);
+}
+
+// { name: value } of the recorded numbers that a picture draws.
+function findLiveNumbers(book, page, live, report) {
+  const found = (live.numbers ?? []).map(name => [name, findNumber(book, page, name, fault => report(`${live.file}: ${fault}`))?.value]);
+  live.numbers = Object.fromEntries(found);
 }
 
 function chapter({ book, piece, report }) {

@@ -12,6 +12,7 @@
 #include "frames/recorded.h"
 #include "integrate/rk4.h"
 #include "jump.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "scenes/constant_velocity.h"
 #include "scenes/friction.h"
@@ -193,6 +194,18 @@ TEST_CASE("Ten Euler steps follow a rocket better than one step of the constant 
       measure::after(constant_acceleration, rocket, rocket.start(), rocket.burn_time, 1).x;
   const double ten = measure::after(euler, rocket, rocket.start(), rocket.burn_time / 10, 10).x;
   CHECK(std::abs(ten - truth) < std::abs(once - truth));
+}
+
+TEST_CASE("Halfway through the burn ten Euler steps run below the constant formula, then above") {
+  const scenes::Rocket<> rocket;
+  const double step = rocket.burn_time / 10;
+  const auto height = [&](auto method, double h, long steps) {
+    return measure::after(method, rocket, rocket.start(), h, steps).x;
+  };
+  for (long n = 1; n <= 5; ++n) {
+    CHECK(height(euler, step, n) < height(constant_acceleration, n * step, 1));
+  }
+  CHECK(height(euler, step, 10) > 1.2 * height(constant_acceleration, 10 * step, 1));
 }
 
 TEST_CASE("Euler's method has order one on a falling leaf") {

@@ -7,6 +7,7 @@
 #include "frames/fixed_step.h"
 #include "frames/recorded.h"
 #include "jump.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/record.h"
 #include "shot.h"

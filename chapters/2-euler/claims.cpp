@@ -8,7 +8,7 @@
 #include "../cast.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
-#include "measure/linear_methods.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/stability.h"
 #include "planets.h"
@@ -75,6 +75,14 @@ TEST_CASE("Each step of the drone ends outside the circle that it started on") {
     CHECK(s.x.norm() > before);
     before = s.x.norm();
   }
+}
+
+TEST_CASE("The drone at 60 steps a second is over its fence after four turns and before five") {
+  const auto distance = [](double turns) {
+    return measure::after(euler, drone, drone.start(), h, std::lround(turns * turn)).x.norm();
+  };
+  CHECK(distance(4) < fence);
+  CHECK(distance(5) > fence);
 }
 
 TEST_CASE("Four times the steps take a quarter of the growth in a minute") {

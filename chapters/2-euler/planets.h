@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../cast_of_many.h"
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
 

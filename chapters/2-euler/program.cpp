@@ -7,6 +7,7 @@
 #include "../cast.h"
 #include "measure/energy.h"
 #include "measure/fewest_steps.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/path.h"
 #include "measure/stability.h"

@@ -12,7 +12,7 @@ set label 1 "{/:Italic r}" at 4.6,-1.1 center tc rgb "#000007"
 set label 2 "{/:Italic h v}" at 10.6,4 left tc rgb "#000001"
 set label 3 "outside" at 10.6,8.4 left tc rgb "#000001"
 set arrow 1 from 0,0 to 10,0 nohead ls CONTEXT
-set arrow 2 from 0,0 to 10,7.854 nohead ls CONTEXT
+set arrow 2 from 0,0 to cell("tangent", 2, "x"),cell("tangent", 2, "y") nohead ls CONTEXT
 set arrow 3 from 9,0 to 9,1 nohead ls CONTEXT
 set arrow 4 from 9,1 to 10,1 nohead ls CONTEXT
 circle = exact("circle")

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "integrate/rk4.h"
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
 #include "toys.h"

@@ -14,8 +14,7 @@
 #include "equal_cost.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
-#include "measure/linear_methods.h"
-#include "measure/methods_with_memory.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/stability.h"
 #include "measure/times.h"
@@ -102,6 +101,20 @@ TEST_CASE("Moving with the old velocity, 60 steps a second go where 120 of Euler
   const double wrong = distance_after_ten_turns(old_velocity, frame);
   CHECK_THAT(distance_after_ten_turns(euler, frame / 2), WithinAbs(wrong, 0.001));
   CHECK(wrong > 12);
+}
+
+TEST_CASE("Looking halfway with the old velocity more than halves the drift of ten turns") {
+  const auto drift = [](auto step) { return distance_after_ten_turns(step, h) - drone.radius; };
+  CHECK(drift(old_velocity) < 0.5 * drift(euler));
+  CHECK(drift(old_velocity) > 0.4 * drift(euler));
+}
+
+TEST_CASE("A midpoint step of a second ends almost four times nearer to the drone than Euler's") {
+  const auto off = [](auto step) {
+    const auto end = measure::after(step, drone, drone.start(), 1.0, 1);
+    return (end.x - drone.exact(1.0).x).norm();
+  };
+  CHECK_THAT(off(euler) / off(midpoint), WithinAbs(3.8, 0.05));
 }
 
 TEST_CASE("The midpoint method keeps the drone within a millimetre of its circle for ten turns") {
@@ -306,6 +319,11 @@ TEST_CASE("In a day RK4 takes less than a millionth of the drone's energy") {
 TEST_CASE("In one minute at 60 Hz RK4 takes a quarter of the energy at four swings a second") {
   CHECK_THAT(left_after(3600, frame * swinging(4).omega), WithinAbs(0.77, 0.005));
   CHECK(left_after(3600, frame * swinging(8).omega) < 1e-4);
+}
+
+TEST_CASE("In one minute RK4 takes half a per cent from two swings a second, and all from eight") {
+  CHECK_THAT(left_after(3600, h * swinging(2).omega), WithinAbs(0.9955, 0.0005));
+  CHECK(left_after(3600, h * swinging(8).omega) < 1e-6);
 }
 
 TEST_CASE("The line of one per cent a minute at 60 Hz lies at 26 steps a swing") {

@@ -10,6 +10,7 @@
 #include "frames/fixed_step.h"
 #include "integrate/dopri5.h"
 #include "measure/cost.h"
+#include "measure/methods.h"
 #include "measure/run.h"
 
 // [tolerance]

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "measure/evaluations.h"
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "toys.h"
 

@@ -15,9 +15,14 @@ set label 4 NARROW ? "midpoint" : "midpoint ends here" at 6.9,8.4 left tc rgb "#
 set label 5 "should be here" at 6.6,6.7 right tc rgb "#000007"
 if (NARROW) set label 5 "truth" at 6.6,6.9 right
 set label 6 NARROW ? "velocity" : "the velocity there" at 10.3,4.35 left tc rgb "#000006"
-set arrow 1 from 10,0 to 10,7.854 ls EULER lw 1.6 filled size 0.25,20
-set arrow 2 from 10,3.927 to 10 - 6.1685/2*0.3,3.927 + 7.854*0.3 ls MIDPOINT lw 1.6 filled size 0.25,20
-set arrow 3 from 10,0 to 6.9157,7.854 ls MIDPOINT lw 2.2 filled size 0.25,20
+# The table's rows: the start, half a step of Euler, a step of midpoint and one of Euler.
+x(row) = cell("middle", row, "x")
+y(row) = cell("middle", row, "y")
+u = 0.3*cell("middle", 2, "u")
+v = 0.3*cell("middle", 2, "v")
+set arrow 1 from x(1),y(1) to x(4),y(4) ls EULER lw 1.6 filled size 0.25,20
+set arrow 2 from x(2),y(2) to x(2) + u,y(2) + v ls MIDPOINT lw 1.6 filled size 0.25,20
+set arrow 3 from x(1),y(1) to x(3),y(3) ls MIDPOINT lw 2.2 filled size 0.25,20
 circle = exact("circle")
 plot circle*cos(t), circle*sin(t) with lines ls EXACT, \
      file("middle") every ::2::2 using col("x"):col("y") with points ls EULER ps 0.9, \

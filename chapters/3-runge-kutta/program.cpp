@@ -9,7 +9,7 @@
 #include "comet.h"
 #include "equal_cost.h"
 #include "measure/fewest_steps.h"
-#include "measure/linear_methods.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/path.h"
 #include "measure/times.h"

@@ -4,7 +4,7 @@
 #pragma once
 #include <cmath>
 
-#include "measure/linear_methods.h"
+#include "measure/methods.h"
 #include "measure/run.h"
 #include "toys.h"
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "measure/energy.h"
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/stability.h"
 #include "toys.h"

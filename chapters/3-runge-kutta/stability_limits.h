@@ -7,6 +7,7 @@
 #include <complex>
 #include <vector>
 
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/stability.h"
 #include "toys.h"

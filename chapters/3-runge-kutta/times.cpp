@@ -5,6 +5,7 @@
 #include "integrate/rk4_linear.h"
 #include "integrate/spring_exact.h"
 #include "measure/cost.h"
+#include "measure/methods.h"
 #include "rest.h"
 
 namespace {

@@ -15,12 +15,16 @@ if (!NARROW) set label 3 "backward Euler\nends here" at 5.8,4.9 right tc rgb "#0
 set label 4 "truth" at 7.4,7.35 left tc rgb "#000007"
 set label 5 NARROW ? "velocity" : "its velocity" at 4.85,7.0 left tc rgb "#000005"
 if (NARROW) set label 5 "velocity" at 3.9,8.4 right tc rgb "#000005"
-s = 7.8615
-set arrow 1 from 10,0 to 10,7.854 ls EULER lw 1.6 filled size 0.25,20
-set arrow 2 from 10,0 to 6.1849,4.8576 ls BACKWARD_EULER lw 2.2 filled size 0.25,20
-set arrow 3 from 6.1849,4.8576 to 6.1849 - 3.8151*0.6,4.8576*1.6 ls BACKWARD_EULER lw 1.4 dt (4,3) filled size 0.25,20
-plot 10*cos(t), 10*sin(t) with lines ls EXACT, \
-     s*cos(t), s*sin(t) with lines ls CONTEXT, \
+# The table's rows: the start, and the end of backward Euler.
+x(row) = cell("ends", row, "x")
+y(row) = cell("ends", row, "y")
+inner = sqrt(x(2)**2 + y(2)**2)
+set arrow 1 from x(1),y(1) to x(1),exact("tangent") ls EULER lw 1.6 filled size 0.25,20
+set arrow 2 from x(1),y(1) to x(2),y(2) ls BACKWARD_EULER lw 2.2 filled size 0.25,20
+set arrow 3 from x(2),y(2) to x(2) + 0.6*(x(2) - x(1)),y(2) + 0.6*(y(2) - y(1)) ls BACKWARD_EULER lw 1.4 dt (4,3) filled size 0.25,20
+circle = x(1)
+plot circle*cos(t), circle*sin(t) with lines ls EXACT, \
+     inner*cos(t), inner*sin(t) with lines ls CONTEXT, \
      "+" every 1000 using (10):(0) with points ls CONTEXT pt 7 ps 0.9, \
      "+" every 1000 using (7.0711):(7.0711) with points ls EXACT pt 7 ps 0.8, \
      file("ends") every ::2::2 using col("x"):col("y") with points ls BACKWARD_EULER ps 0.9, \

@@ -7,8 +7,7 @@
 #include "iterated.h"
 #include "matrix_costs.h"
 #include "measure/error.h"
-#include "measure/implicit_methods.h"
-#include "measure/linear_methods.h"
+#include "measure/methods.h"
 #include "measure/path.h"
 #include "measure/record.h"
 #include "measure/stability.h"
@@ -62,6 +61,7 @@ void opening(Record& record) {
 void from_the_end(Record& record) {
   auto& table = record.table("ends", {{"x", "m"}, {"y", "m"}});
   auto s = drone.start();
+  record.number("tangent", s.v.norm(), 4, "m");  // in a step of a second
   table.add({s.x.x(), s.x.y()});
   integrate::backward_euler_spring(s.x, s.v, 1.0, drone.omega, 0.0);
   table.add({s.x.x(), s.x.y()});

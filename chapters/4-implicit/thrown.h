@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "../cast.h"
-#include "measure/implicit_methods.h"
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
 #include "scenes/state.h"

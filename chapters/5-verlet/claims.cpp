@@ -13,6 +13,7 @@
 #include "jitter_runs.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
+#include "measure/methods.h"
 #include "measure/stability.h"
 #include "rope_runs.h"
 #include "scenes/orbit.h"
@@ -105,6 +106,31 @@ TEST_CASE("At 60 steps a second a rope of stiff springs is longer than 100 m aft
   const auto calm =
       measure::after(stormer_verlet, rope_of_springs, rope_of_springs.start(), frame / 6, 3600);
   CHECK(length_of(calm.x) < 2.2);
+}
+
+TEST_CASE(
+    "At 360 steps a second the stiff springs hold two metres, and at 60 links do, to a tenth") {
+  auto s = springs.start();
+  measure::run(stormer_verlet, springs, s, frame / 6, 600,
+               [&](double, const auto& now) { REQUIRE_THAT(length_of(now.x), WithinRel(2, 0.1)); });
+  Rope rope = two_metres(20, {1, 0});
+  for (int n = 0; n < 100; ++n) {
+    rope.step(frame, 8);
+    REQUIRE_THAT(2 * (1 + stretch(rope)), WithinRel(2, 0.1));
+  }
+}
+
+TEST_CASE("After 42 frames a rope reaches beyond its two metres with one iteration and with four") {
+  const auto reach = [](int iterations) {
+    Rope rope = two_metres(20, {1, 0});
+    for (int n = 0; n < 42; ++n) rope.step(frame, iterations);
+    double most = 0;
+    for (const Vec& point : rope.x) most = std::max(most, point.norm());
+    return most;
+  };
+  CHECK_THAT(reach(1), WithinAbs(2.77, 0.01));
+  CHECK_THAT(reach(4), WithinAbs(2.36, 0.01));
+  CHECK(reach(64) < 2);
 }
 
 TEST_CASE("The fastest motion of the stiff rope is 102 swings a second, of one of its springs 72") {

@@ -7,6 +7,7 @@
 #include "float_digits.h"
 #include "jitter_runs.h"
 #include "measure/energy.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/path.h"
 #include "measure/stability.h"

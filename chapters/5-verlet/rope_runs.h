@@ -7,7 +7,7 @@
 #include <string>
 
 #include "measure/eigenvalues.h"
-#include "measure/methods_with_memory.h"
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
 #include "rope_in_frames.h"

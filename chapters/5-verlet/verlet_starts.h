@@ -2,7 +2,7 @@
 /// @file
 /// Three ways to start position Verlet.
 #pragma once
-#include "measure/methods_with_memory.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 
 /// Position Verlet with another start: how long ago the thing was where it is now does not matter.

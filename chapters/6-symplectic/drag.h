@@ -7,7 +7,7 @@
 
 #include "../cast.h"
 #include "measure/record.h"
-#include "measure/registry.h"
+#include "measure/compiled.h"
 #include "measure/stability.h"
 
 /// One way to brake within a step of symplectic Euler.

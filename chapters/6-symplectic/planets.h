@@ -11,7 +11,7 @@
 
 #include "../cast_of_many.h"
 #include "measure/record.h"
-#include "measure/registry.h"
+#include "measure/compiled.h"
 #include "measure/run.h"
 
 /// The outer solar system with all its unknowns in one column, as the implicit methods want it.

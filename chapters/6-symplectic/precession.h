@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "measure/energy.h"
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "shadow.h"
 #include "shuttle.h"

@@ -12,7 +12,6 @@
 #include "drag.h"
 #include "measure/energy.h"
 #include "measure/methods.h"
-#include "measure/methods_with_memory.h"
 #include "measure/order.h"
 #include "measure/path.h"
 #include "measure/stability.h"

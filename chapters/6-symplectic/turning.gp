@@ -3,7 +3,7 @@ eval axis_names("x  [m]", "y  [m]")
 set size ratio -1
 # A turn of 129 steps, from a farthest point to the next, where both ends meet without a kink.
 farthest = 7666
-stats file("turning") every ::farthest::farthest using (passed = val("t")) nooutput
+passed = cell("turning", farthest, "t")
 set xrange [-19:8]
 set yrange [-12:18]
 set xtics 10

@@ -5,15 +5,18 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "float_floor.h"
 #include "level_by_choice.h"
 #include "map.h"
 #include "measure/method_of.h"
+#include "measure/methods.h"
 #include "particles.h"
 #include "peers.h"
 #include "poster.h"
@@ -238,6 +241,36 @@ TEST_CASE("At 240 evaluations RK4's shuttle is 300 times nearer than Verlet's") 
   CHECK_THAT(off(symplectic_euler, shuttle, frame / 4, 8) / best, WithinAbs(4600, 50));
 }
 
+TEST_CASE(
+    "Near the planet the shuttle is four times as fast as far out, and pulled 16 times as hard") {
+  const auto near = shuttle.exact(0), far = shuttle.exact(shuttle.period() / 2);
+  const auto pull = [](const auto& s) { return shuttle(s.x, s.v, 0.0).norm(); };
+  CHECK_THAT(near.v.norm() / far.v.norm(), WithinRel(4, 1e-9));
+  CHECK_THAT(pull(near) / pull(far), WithinRel(16, 1e-9));
+}
+
+TEST_CASE(
+    "For the price methods of order four and five hold the shuttle ten times nearer than others") {
+  const Method* const high[] = {&method::yoshida4, &rk4, &method::dopri5};
+  for (const Method* one : high) {
+    for (const int rate : {40, 75, 150, 210}) {
+      const double paid = double(rate * price(*one, shuttle, 1.0 / rate));
+      const double error = off(*one, shuttle, 1.0 / rate, 8);
+      for (const Method* other : entrants) {
+        if (std::count(std::begin(high), std::end(high), other)) continue;
+        const double h = double(price(*other, shuttle, frame)) / paid;
+        CHECK(off(*other, shuttle, h, 8) > 10 * error);
+      }
+    }
+  }
+}
+
+TEST_CASE("In a minute backward Euler changes the shuttle's energy by more than ten times itself") {
+  for (const int rate : {30, 60, 120, 240}) {
+    CHECK(energy_error(backward_euler, shuttle, 1.0 / rate) > 10);
+  }
+}
+
 TEST_CASE("Twice the steps halve Euler's error, quarter Verlet's and leave a sixteenth of RK4's") {
   const auto gain = [](const Method& step) {
     return off(step, lamp, 1.0 / 960, 10) / off(step, lamp, 1.0 / 1920, 10);
@@ -308,6 +341,21 @@ TEST_CASE("Just inside the limits of the map a spring stays, just outside it exp
     }
   }
   CHECK(checked == 34);
+}
+
+TEST_CASE("What has no map of its own has the limits of something that has") {
+  const auto limits = [](const Method& step) {
+    std::vector<long> rounded;
+    for (const double zeta : {0.0, 0.1, 0.5, 1.0, 2.0}) {
+      rounded.push_back(std::lround(1e6 * stable_until(step, zeta)));
+    }
+    return rounded;
+  };
+  for (const Method* entrant : entrants) {
+    INFO(entrant->name << ": give it a map, in chapters/7-which-to-use/map.h");
+    const auto same = [&](const Mapped& one) { return limits(one.method) == limits(*entrant); };
+    CHECK(std::any_of(std::begin(mapped), std::end(mapped), same));
+  }
 }
 
 TEST_CASE("The eigenvalues know the limits that the formulas give") {

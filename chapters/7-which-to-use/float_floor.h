@@ -7,7 +7,6 @@
 
 #include "level.h"
 #include "measure/methods.h"
-#include "measure/methods_with_memory.h"
 #include "measure/record.h"
 
 /// The shuttle in another precision.

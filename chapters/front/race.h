@@ -7,8 +7,7 @@
 
 #include "../cast.h"
 #include "measure/cost.h"
-#include "measure/implicit_methods.h"
-#include "measure/methods_with_memory.h"
+#include "measure/methods.h"
 
 inline constexpr double price = 15;    ///< evaluations of the acceleration per second
 inline constexpr int turns = 20;       ///< length of the race

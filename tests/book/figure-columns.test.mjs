@@ -65,6 +65,7 @@ const WRONG = {
   'an area': 'plot file("orbit") using col("t"):col("x"):(val("X")) with filledcurves',
   'a name at the axis': 'plot file("orbit") using col("t"):col("x"):ytic(txt("X")) with lines',
   statistics: 'stats file("orbit") using (val("X")) nooutput',
+  'a cell': 'x = cell("orbit", 1, "X"); plot x',
   'a comparison': 'plot file("orbit") using (txt("X") eq "a" ? 1 : 2):col("t") with lines',
 };
 const drawLine = line => {
@@ -84,7 +85,7 @@ for (const [what, line] of Object.entries(WRONG)) {
 test('so is a method without a style, a number that nobody recorded, a table that is not there, and a warning', () => {
   const faults = {
     'set label 1 "a" at 0,0 tc ls style("Eler"); plot 1': 'no style for "Eler"', 'set label 1 number("apx") at 0,0; plot 1': 'no number "apx"', 'plot exact("apx")': 'no number "apx"',
-    'plot file("orbits") using col("t"):col("x")': 'orbits.csv', 'plot file("orbit") using col("t"):(val("x") > 9 ? 1 : NaN) with lines': 'no valid points',
+    'x = cell("orbit", 4, "x"); plot x': 'orbit.csv has no row 4', 'plot file("orbits") using col("t"):col("x")': 'orbits.csv', 'plot file("orbit") using col("t"):(val("x") > 9 ? 1 : NaN) with lines': 'no valid points',
   };
   for (const [line, word] of Object.entries(faults)) {
     const { drawn, said } = drawLine(line);
@@ -93,7 +94,7 @@ test('so is a method without a style, a number that nobody recorded, a table tha
 });
 
 test('a good one is drawn, with the number as the prose prints it', () => {
-  const { drawn, said } = drawLine('set label 1 number("apex") at 1,1; plot file("orbit") using col("t"):col("x") with lines ls style("Störmer–Verlet"), exact("apex")');
+  const { drawn, said } = drawLine('set label 1 number("apex") at 1,1; plot file("orbit") using col("t"):col("x") with lines ls style("Störmer–Verlet"), exact("apex") + cell("orbit", 3, "x")');
   assert.ok(drawn, said);
   assert.match(readFileSync(join(scratch, 'sketch.svg'), 'utf8'), />1\.27 m</);
 });

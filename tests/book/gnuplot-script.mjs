@@ -56,7 +56,7 @@ function entriesOf(text) {
 const UNITS = ['pm', 'nm', 'µm', 'mm', 'cm', 'm', 'km', 'AU', 'ns', 'µs', 'ms', 's', 'min', 'h', 'Hz', 'kHz', 'm/s', 'rad', 'rad/s', '°', '%', 'per cent',
   'seconds?', 'minutes?', 'years?', 'metres?', 'steps?', 'turns?', 'links?', 'iterations?', 'frames?', 'evaluations?', 'substeps?', 'particles?', 'times'];
 const MEASURED = new RegExp(`\\d{3}|\\d\\.\\d|\\d\\s?(?:${UNITS.join('|')})(?![\\wµ])`);
-const LOOKED_UP = ['col', 'val', 'txt', 'file', 'style', 'number', 'exact', 'canvas'];
+const LOOKED_UP = ['col', 'val', 'txt', 'file', 'style', 'number', 'exact', 'cell', 'canvas'];
 
 // Every string with a number in it that the chapter's program should write: three digits, a decimal point, or a unit. What is
 // looked up by its name may bear one, and so may a command for eval, and what stands at an axis, whose place ticks.test.mjs tests.

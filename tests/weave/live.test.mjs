@@ -98,6 +98,17 @@ test('a live figure may show a table of its chapter, and the code of a method fr
   assert.match(book.read('built/book/2-euler.html'), /data-method="euler"[^]*?the old velocity[^]*?<\/template>/);
 });
 
+test('a live figure may draw with numbers of its chapter', () => {
+  const book = weaves(...other, described({ numbers: ['step', 'radius'] }), method, methodEnd, module);
+  const descriptions = JSON.parse(book.read('built/book/live/compiled.js').match(/descriptions = (.*);/)[1]);
+  assert.deepEqual(descriptions.spiral.numbers, { step: 0.1, radius: 3.141592653589793 });
+});
+
+test('a live figure that wants a number nobody records', () => refuses(
+  [...other, described({ numbers: ['stp'] }), method, methodEnd],
+  [CHAPTER, '\\live{spiral', /^book\/live\/figures\/spiral\.json: unknown number "stp".*Did you mean "step"/],
+));
+
 test('a live figure that wants a table nobody writes', () => refuses(
   [...other, described({ table: 'growht' }), method, methodEnd],
   [CHAPTER, '\\live{spiral', `${FOLDER}/spiral.json wants the table "growht", and the program of this chapter writes none of that name. Did you mean "growth"?`],

@@ -13,6 +13,7 @@ export const CHAPTER = 'chapters/2-euler/chapter.md';
 export const CLAIMS = 'chapters/2-euler/claims.cpp';
 export const REPORT = 'built/2-euler/claims.xml';
 export const CARDS = 'code/measure/every_card.cpp';
+export const METHODS = 'code/measure/methods/euler.h';
 export const MODULE = 'built/live.wasm';
 export const NUMBERS = 'built/2-euler/data/numbers.csv';
 

@@ -3,6 +3,7 @@
 #include "1-test-case/ball.h"
 #include "live/figure.h"
 #include "live/run.h"
+#include "measure/methods/euler.h"
 
 namespace live {
 namespace {

@@ -4,6 +4,7 @@
 #include "live/figure.h"
 #include "live/run.h"
 #include "live/step_limit.h"
+#include "measure/methods/euler.h"
 
 namespace live {
 namespace {

@@ -6,6 +6,8 @@
 #include "live/figure.h"
 #include "live/run.h"
 #include "measure/evaluations.h"
+#include "measure/methods/euler.h"
+#include "measure/methods/runge_kutta.h"
 
 namespace live {
 namespace {

@@ -4,7 +4,9 @@
 #include "live/figure.h"
 #include "live/implicit.h"
 #include "live/run.h"
-#include "measure/methods_with_memory.h"
+#include "measure/methods/euler.h"
+#include "measure/methods/runge_kutta.h"
+#include "measure/methods/verlet.h"
 
 namespace live {
 namespace {

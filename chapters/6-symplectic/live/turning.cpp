@@ -7,7 +7,9 @@
 #include "6-symplectic/shuttle.h"
 #include "live/figure.h"
 #include "live/run.h"
-#include "measure/methods_with_memory.h"
+#include "measure/methods/euler.h"
+#include "measure/methods/runge_kutta.h"
+#include "measure/methods/verlet.h"
 
 namespace live {
 namespace {

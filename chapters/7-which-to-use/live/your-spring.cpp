@@ -6,8 +6,11 @@
 #include "live/figure.h"
 #include "live/implicit.h"
 #include "live/run.h"
-#include "measure/linear_methods.h"
-#include "measure/methods_with_memory.h"
+#include "measure/methods/damping.h"
+#include "measure/methods/euler.h"
+#include "measure/methods/runge_kutta.h"
+#include "measure/methods/spring.h"
+#include "measure/methods/verlet.h"
 #include "scenes/spring.h"
 
 namespace live {
