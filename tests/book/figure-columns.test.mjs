@@ -55,15 +55,21 @@ for (const chapter of readdirSync(chapters).filter(name => existsSync(join(chapt
   });
 }
 
-// gnuplot looks a name up when it comes to it, and may not come to each today.
+// gnuplot looks a name up when it comes to it, and may not come to each today. And txt() ends at a comma, quoted or not.
 for (const chapter of readdirSync(chapters).filter(name => existsSync(join(chapters, name, 'figures')))) {
+  const cells = new Map();
   const folder = join(chapters, chapter, 'data');
-  const names = new Set(readdirSync(folder).filter(file => /^(?!numbers|tables).*\.csv$/.test(file))
-    .flatMap(file => fields(readFileSync(join(folder, file), 'utf8').split('\n')[0]).map(name => name.replace(/^"|"$/g, ''))));
-  test(`chapter ${chapter}: each column that a script names is there`, () => {
+  for (const file of readdirSync(folder).filter(name => /^(?!numbers|tables).*\.csv$/.test(name))) {
+    const [header, ...rows] = readFileSync(join(folder, file), 'utf8').split('\n').map(fields);
+    header.forEach((name, i) => cells.set(name.replace(/^"|"$/g, ''), [...(cells.get(name) ?? []), ...rows.map(row => row[i] ?? '')]));
+  }
+  test(`chapter ${chapter}: each column that a script names is there, and one that it reads as text has no commas`, () => {
     for (const script of readdirSync(join(source, 'chapters', chapter)).filter(file => file.endsWith('.gp'))) {
       for (const { text, call, alone, line } of readScript(readFileSync(join(source, 'chapters', chapter, script), 'utf8')).strings) {
-        if (['col', 'val', 'txt'].includes(call) && alone) assert.ok(names.has(text), `${script}:${line}: no table of the chapter has a column "${text}"`);
+        if (!['col', 'val', 'txt'].includes(call) || !alone) continue;
+        assert.ok(cells.has(text), `${script}:${line}: no table of the chapter has a column "${text}"`);
+        const cut = call === 'txt' && cells.get(text).find(cell => cell.includes(','));
+        assert.ok(!cut, `${script}:${line}: txt("${text}") would end ${cut} at its comma`);
       }
     }
   });

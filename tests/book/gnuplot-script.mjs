@@ -32,9 +32,9 @@ export function columnsByNumber(script) {
   const found = [];
   for (const use of code.matchAll(/\busing\s+/g)) {
     const entries = entriesOf(code.slice(use.index + use[0].length));
-    found.push(...entries.filter(entry => !/^(\(|col\(|[xyz]tic\((txt|strcol)\()/.test(entry) && entry !== '0').map(entry => `using ${entry}`));
+    found.push(...entries.filter(entry => !/^(\(|col\(|[xyz]tic\((txt\(|[a-z]\w*\)))/.test(entry) && entry !== '0').map(entry => `using ${entry}`));
   }
-  for (const [text] of code.matchAll(/\$[1-9]\d*|\b(?:column|strcol|stringcolumn|[xyz]tic)\(\s*(?!0\s*\)|txt\(|strcol\()[^)]*\)/g)) found.push(text);
+  for (const [text] of code.matchAll(/\$[1-9]\d*|\b(?:column|strcol|stringcolumn)\(\s*(?!0\s*\))[^)]*\)|\b[xyz]tic\(\s*\d+\s*\)/g)) found.push(text);
   return found;
 }
 
