@@ -30,8 +30,7 @@ libeigen3-dev: vectors and linear systems
 catch2: C++ tests, version 3
 gnuplot-nox: figures
 libcli11-dev: command lines, of the chooser of methods and of the grader
-bubblewrap libseccomp-dev nlohmann-json3-dev: the grader and its cage
-parallel: to see a class graded by GNU parallel"
+bubblewrap libseccomp-dev nlohmann-json3-dev: the grader and its cage"
 [ "$*" = grader ] || needs+="
 clang-19: the second compiler
 libglm-dev: to try the snippets on another library's vectors

@@ -1,13 +1,14 @@
 // The runs whose bits are compared: every combination of a figure's choices, with its sliders where they stand at first, all
 // at their low ends, and all at their high ends.
-import { readFileSync, readdirSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
 
-const FOLDER = new URL('figures/', import.meta.url);
+const CHAPTERS = new URL('../../chapters/', import.meta.url);
 export const STEPS = 20_000;
 
 export function readFigures() {
-  return readdirSync(FOLDER).filter(file => file.endsWith('.json')).sort()
-    .map(file => ({ name: file.slice(0, -5), ...JSON.parse(readFileSync(new URL(file, FOLDER), 'utf8')) }));
+  const folders = readdirSync(CHAPTERS).sort().map(chapter => new URL(`${chapter}/live/`, CHAPTERS)).filter(folder => existsSync(folder));
+  return folders.flatMap(folder => readdirSync(folder).filter(file => file.endsWith('.json')).sort()
+    .map(file => ({ name: file.slice(0, -5), ...JSON.parse(readFileSync(new URL(file, folder), 'utf8')) })));
 }
 
 // [{ figure, choices, settings: { name: value } }]

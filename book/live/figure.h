@@ -68,13 +68,13 @@ class Figure {
   std::vector<Shown> shown_;
 };
 
-/// A figure by its name in the list of figures.cpp.
+/// A figure by its name: chapters/N/live/NAME.cpp defines make_NAME(), with _ for each -.
 struct Entry {
   const char* name;
   std::unique_ptr<Figure> (*make)();
 };
 
-/// All live figures of the book.
+/// All live figures of the book; CMake lists the files that are there.
 std::span<const Entry> figures();
 
 }  // namespace live

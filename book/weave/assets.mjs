@@ -3,7 +3,8 @@ import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFi
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { LIVE_FOLDER, LIVE_SCRIPTS, colourRules } from './live.mjs';
+import { LIVE_SCRIPTS, colourRules } from './live.mjs';
+import { isMark } from './snippets.mjs';
 
 const require = createRequire(import.meta.url);
 const theme = fileURLToPath(new URL('../theme/', import.meta.url));
@@ -39,7 +40,7 @@ function copyLive({ config, live }, folder) {
   writeFileSync(join(folder, 'compiled.js'), `(globalThis.Live ??= {}).compiled = "${readFileSync(config.live).toString('base64')}";\n`
     + `globalThis.Live.descriptions = ${JSON.stringify(Object.fromEntries(live))};\n`);
   for (const script of LIVE_SCRIPTS) copyFileSync(join(livePage, `${script}.js`), join(folder, `${script}.js`));
-  for (const name of live.keys()) copyFileSync(join(config.source, LIVE_FOLDER, `${name}.js`), join(folder, `${name}.js`));
+  for (const { name, folder: from } of live.values()) copyFileSync(join(config.source, from, `${name}.js`), join(folder, `${name}.js`));
 }
 
 function copyFonts(folder) {
@@ -66,8 +67,11 @@ function copyData(data, folder) {
   for (const file of readdirSync(data)) if (file.endsWith('.csv')) copyFileSync(join(data, file), join(folder, file));
 }
 
-// The headers that readers take home.
+// The headers that readers take home, without the marks between which the book cuts its listings.
 function copyHeaders({ api, config }, folder) {
   mkdirSync(folder, { recursive: true });
-  for (const { file, name } of api.headers.values()) copyFileSync(join(config.source, file), join(folder, name));
+  for (const { file, name } of api.headers.values()) {
+    const lines = readFileSync(join(config.source, file), 'utf8').split('\n');
+    writeFileSync(join(folder, name), lines.filter(line => !isMark(line)).join('\n'));
+  }
 }

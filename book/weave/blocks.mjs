@@ -10,8 +10,8 @@ export function blockHtml(context, piece) {
   return { listing, fence, display, rows, card, contents }[piece.name](context, piece);
 }
 
-export function codeLines(lines, numbers, id = () => '') {
-  const leftOut = i => i > 0 && numbers[i] !== numbers[i - 1] + 1;
+export function codeLines(lines, numbers, { id = () => '', gaps = true } = {}) {
+  const leftOut = i => gaps && i > 0 && numbers[i] !== numbers[i - 1] + 1;
   return lines.map((line, i) => `<span class="ln${leftOut(i) ? ' gap' : ''}"${id(numbers[i])} data-n="${numbers[i]}"></span>${line}`).join('\n');
 }
 

@@ -12,12 +12,13 @@ import { createSnippets } from './snippets.mjs';
 import { readTables } from './tables.mjs';
 import { slug } from './text.mjs';
 
-// The pages before and after the chapters, book/NAME.md each.
-const BEFORE = ['index', 'preface'];
-const AFTER = ['talks', 'teaching', 'glossary', 'references'];
-
-// The folder of the program and the figures of the start page. The others have a number in front.
+// The folder of the start page, its program and its figures, among the chapters'. A chapter's has a number in front; any other is a
+// page behind the chapters.
 const OPENING = 'front';
+
+// The pages before and after the chapters, book/NAME.md each.
+const BEFORE = ['preface'];
+const AFTER = ['talks', 'teaching', 'glossary', 'references'];
 
 export function readBook(config) {
   const problems = createProblems();
@@ -25,7 +26,7 @@ export function readBook(config) {
   const book = {
     config, problems,
     chapters: new Map(), programs: new Map(), pages: [], labels: new Map(), references: new Map(), claims: new Map(),
-    sources, cards: readCards(config.cards, problems), times: readAllTimes(config.times, problems), live: readLive(config.source, problems),
+    sources, cards: readCards(config.cards, problems), times: readAllTimes(config.times, problems), live: readLive(config, problems),
     snippet: createSnippets(config.source, sources),
     short: path => relative(config.source, path),
   };
@@ -52,6 +53,9 @@ function findSources({ source, chapters }) {
     }
   };
   for (const folder of ['code', ...chapters.map(chapter => chapter.folder), 'book/theme', 'book/live']) walk(folder);
+  for (const entry of readdirSync(join(source, 'chapters'), { withFileTypes: true })) {
+    if (/\.(h|cpp)$/.test(entry.name)) found.add(`chapters/${entry.name}`);  // what the chapters share
+  }
   walk('exercises', ['starter.h', 'given.h']);  // the tests work out what a student is asked for
   return found;
 }
@@ -83,15 +87,21 @@ function readPages(book) {
     return page;
   };
   const addAround = name => add(`book/${name}.md`, { name, href: `${name}.html` });
-  const [start] = BEFORE.map(addAround);
+  const start = add(`chapters/${OPENING}/chapter.md`, { name: 'index', href: 'index.html', owner: OPENING });
+  BEFORE.forEach(addAround);
   for (const chapter of book.chapters.values()) {
     chapter.page = add(`${chapter.folder}/chapter.md`, { ...chapter, owner: chapter.name });
     chapter.title = chapter.page.title;
   }
+  for (const program of book.programs.values()) {
+    if (program.number) continue;
+    if (program.name === OPENING) Object.assign(program, { page: start, title: 'The start page', href: start.href });
+    else {
+      program.page = add(`${program.folder}/chapter.md`, { name: program.name, href: program.href, owner: program.name });
+      program.title = program.page.title;
+    }
+  }
   AFTER.forEach(addAround);
-  const opening = book.programs.get(OPENING);
-  if (opening) Object.assign(opening, { page: start, title: 'The start page', href: start.href });
-  start.owner = OPENING;
 }
 
 function registerClaims(book, chapter) {

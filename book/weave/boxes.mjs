@@ -2,7 +2,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { inlineText } from './inline.mjs';
-import { liveHtml, liveSource } from './live.mjs';
+import { liveHtml } from './live.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { adoptSvg } from './svg.mjs';
 import { taskFoot, taskHead } from './task-box.mjs';
@@ -56,7 +56,7 @@ const startWith = (label, html) => (html.startsWith('<p>') ? html.replace('<p>',
 function figureLinks(chapter, figure, book, live) {
   const links = csvFiles(chapter, figure, book).map(file => `<a href="data/${chapter.name}/${file}">${file}</a>`);
   links.push(`<a href="${sourceHref(figure.script)}">${figure.name}.gp</a>`);
-  if (live) links.push(`<a href="${sourceHref(liveSource(figure.name))}">${figure.name}.cpp</a>`);
+  if (live) links.push(`<a href="${sourceHref(`${live.folder}/${live.name}.cpp`)}">${figure.name}.cpp</a>`);
   return `<p class="sources">${links.length > 1 ? 'Data and script: ' : 'Script: '}${links.join(', ')}</p>`;
 }
 

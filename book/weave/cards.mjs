@@ -1,5 +1,5 @@
 // The card of each method: what the program `cards` measured of it, as tables with the names of the functions.
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { readRecords } from './csv.mjs';
 import { aboutTimes, isTime, timeHtml } from './measured-times.mjs';
@@ -9,6 +9,7 @@ import { sourceHref } from './source-pages.mjs';
 import { escapeHtml } from './text.mjs';
 
 export const MEASURED_BY = 'code/measure/every_card.cpp';
+export const LISTED_IN = 'code/measure/methods';
 
 // Map of function name to its rows { name, about, asked, measured, digits, unit } and what it is for.
 export function readCards(folder, problems) {
@@ -34,17 +35,21 @@ export const stepping = api => [...api.headers.values()].flatMap(header => heade
 export function checkCards(book) {
   const known = stepping(book.api);
   for (const { name, file, line } of known) {
-    if (!book.cards.has(name)) book.problems.add(file, line, `${name} steps and has no card; let ${MEASURED_BY} measure one`);
+    if (!book.cards.has(name)) book.problems.add(file, line, `${name} steps and has no card; list it in ${LISTED_IN}`);
   }
   for (const name of book.cards.keys()) {
-    if (!known.some(member => member.name === name)) book.problems.add(MEASURED_BY, lineOf(book, name), `a card of "${name}", which is no function in code/integrate that steps.${didYouMean(name, known.map(m => m.name))}`);
+    if (!known.some(member => member.name === name)) book.problems.add(...placeOf(book, name), `a card of "${name}", which is no function in code/integrate that steps.${didYouMean(name, known.map(m => m.name))}`);
   }
 }
 
-function lineOf({ config }, name) {
-  const path = join(config.source, MEASURED_BY);
-  const lines = existsSync(path) ? readFileSync(path, 'utf8').split('\n') : [];
-  return lines.findIndex(line => line.includes(`"${name}"`)) + 1 || 1;
+// Where a method says which function it is.
+function placeOf({ config }, name) {
+  for (const file of readdirSync(join(config.source, LISTED_IN))) {
+    const lines = readFileSync(join(config.source, LISTED_IN, file), 'utf8').split('\n');
+    const line = lines.findIndex(text => text.includes(`function = "${name}"`)) + 1;
+    if (line) return [`${LISTED_IN}/${file}`, line];
+  }
+  return [MEASURED_BY, 1];
 }
 
 // `title` is the HTML of the head.

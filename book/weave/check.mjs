@@ -2,8 +2,8 @@
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { checkWhole } from './check-whole.mjs';
-import { findChapter, findNumber } from './find.mjs';
-import { LIVE_FOLDER, methodsOf } from './live.mjs';
+import { findChapter, findNumber } from './look_up.mjs';
+import { liveFolder, methodsOf } from './live.mjs';
 import { MARKS, NUMBERED, REFERS } from './marks.mjs';
 import { renderTex, substituteNumbers } from './math.mjs';
 import { didYouMean, nameOneOf } from './problems.mjs';
@@ -126,14 +126,19 @@ const CHECKS = {
 
 function checkLive(book, page, piece, report) {
   const [name] = piece.args;
+  const folder = liveFolder(book.programs.get(page.owner));
   piece.live = book.live.get(name);
   if (!piece.live) {
-    report(`there is no ${LIVE_FOLDER}/${name}.json that describes the live figure "${name}".${nameOneOf(name, book.live.keys())}`);
+    report(`there is no ${folder}/${name}.json that describes the live figure "${name}".${nameOneOf(name, book.live.keys())}`);
     return;
   }
   piece.live.used = true;
+  if (piece.live.folder !== folder) {
+    report(`${piece.live.file} lies with another chapter; move what is named ${name} to ${folder}`);
+    return;
+  }
   for (const kind of ['cpp', 'js']) {
-    const file = `${LIVE_FOLDER}/${name}.${kind}`;
+    const file = `${folder}/${name}.${kind}`;
     if (!existsSync(join(book.config.source, file))) report(`there is no ${file}, which the live figure "${name}" needs`);
   }
   for (const { path, tag } of methodsOf(piece.live)) {

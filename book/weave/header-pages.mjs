@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { cardHtml, steps } from './cards.mjs';
 import { highlightLines } from './highlight.mjs';
 import { brief, details, entryHeading, fields, include, memberSection, signature, templateLine, where } from './reference-entries.mjs';
+import { isMark } from './snippets.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { escapeHtml } from './text.mjs';
 
@@ -42,7 +43,7 @@ function cardFor(book, member) {
 }
 
 function take(book, header) {
-  const lines = readFileSync(join(book.config.source, header.file), 'utf8').trimEnd().split('\n');
+  const lines = readFileSync(join(book.config.source, header.file), 'utf8').trimEnd().split('\n').filter(line => !isMark(line));
   const libraries = [...new Set(lines.map(line => line.match(/^#include <(\w+)\//)?.[1]).filter(Boolean))];
   return `<p class="take">Take <a href="headers/${header.name}" download>${escapeHtml(header.name)}</a>, <a href="${sourceHref(header.file)}">${lines.length} lines</a> `
     + `under MIT-0, which owe you nothing. It needs C++17${libraries.length ? ` and ${libraries.join(' and ')}` : ' and nothing else'}.${vectors(header, libraries)}</p>`;

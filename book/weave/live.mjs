@@ -6,8 +6,8 @@ import { highlightLines } from './highlight.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
-export const LIVE_FOLDER = 'book/live/figures';
-export const liveSource = name => `${LIVE_FOLDER}/${name}.cpp`;
+// Where the parts of a chapter's live figures lie: NAME.cpp, NAME.js and NAME.json.
+export const liveFolder = chapter => `${chapter.folder}/live`;
 
 // The scripts of every live figure, in the order in which they are loaded.
 export const LIVE_SCRIPTS = ['module', 'words', 'settings', 'run', 'pen', 'chart', 'clock', 'handle', 'figure'];
@@ -20,14 +20,15 @@ export function liveHead(body) {
   return `<link rel="stylesheet" href="live/uplot.css">\n<link rel="stylesheet" href="live/live.css">\n${scripts.join('')}`;
 }
 
-// name -> { name, file, controls, ... } of each NAME.json; a fault where one cannot be read.
-export function readLive(source, problems) {
-  const folder = join(source, LIVE_FOLDER);
-  const files = existsSync(folder) ? readdirSync(folder).filter(file => file.endsWith('.json')).sort() : [];
-  return new Map(files.map(file => {
-    const name = file.slice(0, -5);
-    return [name, { name, file: `${LIVE_FOLDER}/${file}`, controls: [], ...readJson(join(folder, file), `${LIVE_FOLDER}/${file}`, problems) }];
-  }));
+// name -> { name, folder, file, controls, ... } of each NAME.json; a fault where one cannot be read.
+export function readLive({ source, chapters }, problems) {
+  return new Map(chapters.map(liveFolder).flatMap(folder => {
+    const files = existsSync(join(source, folder)) ? readdirSync(join(source, folder)).filter(file => file.endsWith('.json')).sort() : [];
+    return files.map(name => {
+      const file = `${folder}/${name}`;
+      return { name: name.slice(0, -5), folder, file, controls: [], ...readJson(join(source, file), file, problems) };
+    });
+  }).map(live => [live.name, live]));
 }
 
 function readJson(path, file, problems) {

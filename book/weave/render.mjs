@@ -1,6 +1,6 @@
 // A page's body: Doxygen's XML with the book's marks, boxes and formulas put in.
 import { join } from 'node:path';
-import { attach } from './attach.mjs';
+import { keepTogether } from './keep_together.mjs';
 import { boxHtml } from './boxes.mjs';
 import { inlineHtml, inlineText } from './inline.mjs';
 import { blockHtml } from './blocks.mjs';
@@ -34,7 +34,7 @@ export function renderPage(book, page, xml) {
   const raw = flow($('doxygen > compounddef > detaileddescription').get(0)?.children ?? []);
   findLeftovers(page, raw, report);
   const expand = html => html.replace(/\ue002(\d+)\ue003/g, (_, n) => held[n]);
-  return { html: expand(attach(raw, n => inlineHtml(context, piece(n)), piece)), sections: sectionsOf(page, raw, n => inlineText(piece(n))) };
+  return { html: expand(keepTogether(raw, n => inlineHtml(context, piece(n)), piece)), sections: sectionsOf(page, raw, n => inlineText(piece(n))) };
 }
 
 function link(book, refid, html) {

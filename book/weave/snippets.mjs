@@ -4,21 +4,28 @@ import { join } from 'node:path';
 import { didYouMean } from './problems.mjs';
 
 const MARKER = /^\s*\/\/ \[([\w-]+)\]\s*$/;
+export const isMark = line => MARKER.test(line);
+
 const DOC = /^\s*\/\/\/(?!<)/;
 
-// Reads `path` once; returns a function that cuts tags out of it, or says what is wrong with it.
+// Reads `path` once; returns a function that cuts a tag out of it, or several as `one + other`, or says what is wrong with it.
 export function createSnippets(source, sources) {
   const files = new Map();
-  return (path, tag) => {
+  return (path, tags) => {
     if (!files.has(path)) files.set(path, readTagged(join(source, path)));
     const file = files.get(path);
     if (!file) return { fault: `there is no file ${path}; paths start at the top of the repository.${didYouMean(path, sources)}` };
-    const at = file.tags.get(tag);
-    if (!at) return { fault: `${path} has no tag "${tag}".${didYouMean(tag, file.tags.keys()) || noTag(tag)}` };
-    if (at.length !== 2) return { fault: `tag "${tag}" stands ${times(at, path)}; it must stand twice, before and after the lines to show` };
-    const found = cut(file.lines, at);
-    return found.length ? { lines: found } : { fault: `nothing but documentation stands between the two tags of "${tag}" in ${path} (lines ${at.join(' and ')})` };
+    const pieces = tags.split(' + ').map(tag => piece(path, file, tag));
+    return pieces.find(({ fault }) => fault) ?? { lines: unindented(pieces.flatMap(({ lines }) => lines)) };
   };
+}
+
+function piece(path, file, tag) {
+  const at = file.tags.get(tag);
+  if (!at) return { fault: `${path} has no tag "${tag}".${didYouMean(tag, file.tags.keys()) || noTag(tag)}` };
+  if (at.length !== 2) return { fault: `tag "${tag}" stands ${times(at, path)}; it must stand twice, before and after the lines to show` };
+  const found = cut(file.lines, at);
+  return found.length ? { lines: found } : { fault: `nothing but documentation stands between the two tags of "${tag}" in ${path} (lines ${at.join(' and ')})` };
 }
 
 const times = (at, path) => (at.length === 1 ? `once in ${path} (line ${at[0]})` : `${at.length} times in ${path} (lines ${at.join(', ')})`);
@@ -41,6 +48,10 @@ function cut(lines, [first, last]) {
     .map(({ text, number }) => ({ text: text.replace('///<', '//'), number }));
   while (kept.length && !kept[0].text) kept.shift();
   while (kept.length && !kept.at(-1).text) kept.pop();
-  const indent = Math.min(...kept.filter(l => l.text).map(l => l.text.match(/^ */)[0].length));
-  return kept.map(l => ({ ...l, text: l.text.slice(indent) }));
+  return kept;
+}
+
+function unindented(lines) {
+  const indent = Math.min(...lines.filter(l => l.text).map(l => l.text.match(/^ */)[0].length));
+  return lines.map(l => ({ ...l, text: l.text.slice(indent) }));
 }

@@ -7,7 +7,7 @@ import { sourceHref } from './source-pages.mjs';
 import { KINDS } from './tasks.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
-const GIVEN = 'exercises/grade/harness/given.h';
+const GIVEN = 'exercises/grader/harness/given.h';
 
 export function taskHead({ goal, kind, difficulty, minutes }) {
   const words = ['', 'easy', 'takes some thought', 'hard'][difficulty];

@@ -12,13 +12,13 @@
 #include "frames/recorded.h"
 #include "integrate/rk4.h"
 #include "jump.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "scenes/constant_velocity.h"
 #include "scenes/friction.h"
 #include "scenes/linear_drag.h"
 #include "scenes/orbit.h"
 #include "scenes/pendulum.h"
-#include "scenes/rocket.h"
 #include "scenes/spring.h"
 #include "shot.h"
 
@@ -32,11 +32,11 @@ namespace {
 /// The heights of a jump of a second, frame after frame; `advance` is given the length of a frame.
 template <class Advance>
 std::vector<double> heights(std::size_t first_frame, Advance advance) {
-  frames::Playback frame{.at = first_frame};
+  frames::Playback recording{.at = first_frame};
   auto s = jump.start();
   std::vector<double> seen;
   for (double t = 0, length; t < 1; t += length) {
-    length = frame.next();
+    length = recording.next();
     advance(length, s, seen);
   }
   return seen;
@@ -52,9 +52,9 @@ double highest_when_step_follows_frame(std::size_t first_frame) {
 
 /// The longest of a jump's frames that end before the figure begins [s].
 double longest_early_frame(std::size_t first_frame) {
-  frames::Playback frame{.at = first_frame};
+  frames::Playback recording{.at = first_frame};
   double longest = 0;
-  for (double t = frame.next(), last = t; t < 0.31; last = frame.next(), t += last) {
+  for (double t = recording.next(), last = t; t < 0.31; last = recording.next(), t += last) {
     longest = std::max(longest, last);
   }
   return longest;
@@ -81,14 +81,14 @@ Drawn drawn_ball(int frames) {
   frames::FixedStep<> clock;
   Drawn drawn;
   double before = 0, now = 0;
-  for (int frame = 1; frame <= frames; ++frame) {
+  for (int shown = 1; shown <= frames; ++shown) {
     clock.frame(1.0 / 144, [&](double) {
       before = now;
       now = 3 * clock.h * double(clock.steps);
     });
     drawn.newest.push_back(now);
     drawn.blended.push_back(before + clock.blend() * (now - before));
-    drawn.true_place.push_back(3.0 * frame / 144);
+    drawn.true_place.push_back(3.0 * shown / 144);
   }
   return drawn;
 }
@@ -130,10 +130,10 @@ TEST_CASE("A constant velocity is followed exactly by a step of any length") {
 }
 
 TEST_CASE("One long exact step and twelve short ones land a cannonball in the same place") {
-  const scenes::Projectile<> ball{.start_velocity = {40, 30}};
   const double landing = 2 * 30 / 9.81;
-  const auto once = measure::after(constant_acceleration, ball, ball.start(), landing, 1);
-  const auto often = measure::after(constant_acceleration, ball, ball.start(), landing / 12, 12);
+  const auto start = cannonball.start();
+  const auto once = measure::after(constant_acceleration, cannonball, start, landing, 1);
+  const auto often = measure::after(constant_acceleration, cannonball, start, landing / 12, 12);
   CHECK((once.x - often.x).norm() < 1e-12 * once.x.norm());
   CHECK_THAT(once.x.y(), WithinAbs(0, 1e-12));
 }
@@ -159,7 +159,7 @@ TEST_CASE("Drawn by the exact step, the top of a jump is missed by less than hal
 }
 
 TEST_CASE("In air the cannonball's shot comes down 99.5 m away") {
-  const auto start = scenes::Projectile<>{.start_velocity = {40, 30}}.start();
+  const auto start = cannonball.start();
   double lowest = 0;
   const Landing down =
       land_in_air(start, [&](double, const auto& now) { lowest = std::min(lowest, now.x.y()); });
@@ -184,13 +184,11 @@ TEST_CASE("In air the cannonball's shot comes down 99.5 m away") {
 }
 
 TEST_CASE("The constant formula leaves a burning rocket far below where it is") {
-  const scenes::Rocket<> rocket;
   const auto s = measure::after(constant_acceleration, rocket, rocket.start(), rocket.burn_time, 1);
   CHECK(s.x < 0.7 * rocket.exact(rocket.burn_time).x);
 }
 
 TEST_CASE("Ten Euler steps follow a rocket better than one step of the constant formula") {
-  const scenes::Rocket<> rocket;
   const double truth = rocket.exact(rocket.burn_time).x;
   const double once =
       measure::after(constant_acceleration, rocket, rocket.start(), rocket.burn_time, 1).x;
@@ -211,7 +209,7 @@ TEST_CASE("Halfway through the burn ten Euler steps run below the constant formu
 }
 
 TEST_CASE("Euler's method has order one on a falling leaf") {
-  const auto study = measure::halvings(euler, scenes::LinearDrag<>{.c = 2}, 1.0 / 64, 4.0, 5);
+  const auto study = measure::halvings(euler, leaf, 1.0 / 64, 4.0, 5);
   for (std::size_t i = 1; i < study.size(); ++i) {
     CHECK_THAT(study[i].position_order, WithinAbs(1, 0.1));
     CHECK_THAT(study[i].velocity_order, WithinAbs(1, 0.1));
@@ -219,7 +217,6 @@ TEST_CASE("Euler's method has order one on a falling leaf") {
 }
 
 TEST_CASE("On a falling leaf the term with half a h squared leaves the order at one") {
-  const scenes::LinearDrag<> leaf{.c = 2};
   const auto study = measure::halvings(constant_acceleration, leaf, 1.0 / 64, 4.0, 5);
   for (std::size_t i = 1; i < study.size(); ++i) {
     CHECK_THAT(study[i].position_order, WithinAbs(1, 0.1));
@@ -229,7 +226,6 @@ TEST_CASE("On a falling leaf the term with half a h squared leaves the order at 
 
 TEST_CASE(
     "On a falling leaf the term with half a h squared makes the error more than twice as large") {
-  const scenes::LinearDrag<> leaf{.c = 2};
   const auto plain = measure::halvings(euler, leaf, 1.0 / 64, 4.0, 5);
   const auto curved = measure::halvings(constant_acceleration, leaf, 1.0 / 64, 4.0, 5);
   for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -349,11 +345,11 @@ TEST_CASE("A clock that multiplies is right to rounding after a night") {
 }
 
 TEST_CASE("A hitch of 100 ms before the top lifts a jump by four centimetres") {
-  auto even = measure::after(euler, jump, jump.start(), 1.0 / 60, 30);
+  auto even = measure::after(euler, jump, jump.start(), frame, 30);
   for (const int before : {0, 12, 24}) {
-    auto s = measure::after(euler, jump, jump.start(), 1.0 / 60, before);
+    auto s = measure::after(euler, jump, jump.start(), frame, before);
     integrate::euler(s.x, s.v, 0.0, 0.1, jump);
-    s = measure::after(euler, jump, s, 1.0 / 60, 24 - before);
+    s = measure::after(euler, jump, s, frame, 24 - before);
     CHECK_THAT(s.x.y() - even.x.y(), WithinAbs(0.04, 0.002));
   }
 }

@@ -4,10 +4,9 @@
 #pragma once
 #include <algorithm>
 
+#include "../cast.h"
 #include "measure/run.h"
-#include "scenes/projectile.h"
 
-inline const scenes::Projectile<> jump{.start_velocity = {0, 5}};
 inline constexpr double ledge = 1.33;  ///< how high it is [m]
 
 /// How high the jump goes without any computer [m].

@@ -7,10 +7,9 @@
 #include "frames/fixed_step.h"
 #include "frames/recorded.h"
 #include "jump.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/record.h"
-#include "scenes/linear_drag.h"
-#include "scenes/rocket.h"
 #include "shot.h"
 
 using measure::euler;
@@ -38,30 +37,28 @@ void jumps(Record& record) {
 
 void cannon(Record& record) {
   // [cannon]
-  const scenes::Projectile<> ball{.start_velocity = {40, 30}};
-  auto s = ball.start();
+  auto s = cannonball.start();
   const double landing = 2 * 30 / 9.81;
-  integrate::constant_acceleration(s.x, s.v, 0.0, landing, ball);
+  integrate::constant_acceleration(s.x, s.v, 0.0, landing, cannonball);
   // [cannon]
   record.number("cannon-range", s.x.x(), 4, "m");
   record.number("cannon-height-of-landing", std::abs(s.x.y()), 2, "m");
 
   auto& exact = record.table("cannon", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
-  for (int frame = 0; frame <= 12; ++frame) {
-    const auto now = ball.exact(landing * frame / 12).x;
-    exact.add({landing * frame / 12, now.x(), now.y()});
+  for (int twelfth = 0; twelfth <= 12; ++twelfth) {
+    const auto now = cannonball.exact(landing * twelfth / 12).x;
+    exact.add({landing * twelfth / 12, now.x(), now.y()});
   }
   auto& air = record.table("cannon-in-air", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
   long n = 0;
-  const Landing down = land_in_air(ball.start(), [&](double t, const auto& now) {
+  const Landing down = land_in_air(cannonball.start(), [&](double t, const auto& now) {
     if (n++ % 500 == 0) air.add({t, now.x.x(), now.x.y()});
   });
   air.add({down.t, down.x, 0.0});
   record.number("cannon-range-in-air", down.x, 3, "m");
 }
 
-void rocket(Record& record) {
-  const scenes::Rocket<> rocket;
+void burning_rocket(Record& record) {
   auto& table = record.table("rocket", {{"t", "s"}, {"exact", "m"}, {"as if constant", "m"}});
   auto& dots = record.table("rocket-euler", {{"t", "s"}, {"height", "m"}});
   for (int i = 0; i <= 100; ++i) {
@@ -109,7 +106,6 @@ void throws(Record& record) {
 }
 
 void order(Record& record) {
-  const scenes::LinearDrag<> leaf{.c = 2};
   auto& table = record.table("order", {{"steps per second", "", whole},
                                        {"Euler", "m"},
                                        {"order"},
@@ -134,13 +130,13 @@ void uneven_frames(Record& record) {
   double lowest = INFINITY, highest = 0;
   for (std::size_t jumps = 0; jumps < 10; ++jumps) {
     // [uneven]
-    frames::Playback frame{.at = 60 * jumps};
+    frames::Playback recording{.at = 60 * jumps};
     auto s = jump.start();
     double top = 0;
     for (double t = 0, length; t < 1; t += length) {
       table.add({double(jumps + 1), t, s.x.y()});
       top = std::max(top, s.x.y());
-      length = frame.next();
+      length = recording.next();
       integrate::euler(s.x, s.v, t, length, jump);
     }
     // [uneven]
@@ -166,13 +162,13 @@ void display(Record& record) {
   frames::FixedStep<> clock{.h = 1.0 / 60};
   double before = 0, now = 0;
   double now_before = 0, shown_before = 0;
-  for (int frame = 0; frame < 48; ++frame) {
+  for (int shows = 0; shows < 48; ++shows) {
     clock.frame(1.0 / 144, [&](double) {
       before = now;
       now += 3 * clock.h;
     });
     const double shown = before + clock.blend() * (now - before);
-    table.add({double(frame), 100 * (now - now_before), 100 * (shown - shown_before)});
+    table.add({double(shows), 100 * (now - now_before), 100 * (shown - shown_before)});
     now_before = now;
     shown_before = shown;
   }
@@ -203,7 +199,7 @@ int main(int argc, char** argv) {
   return measure::record(argc, argv, [](Record& record) {
     jumps(record);
     cannon(record);
-    rocket(record);
+    burning_rocket(record);
     throws(record);
     order(record);
     uneven_frames(record);

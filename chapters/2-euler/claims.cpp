@@ -5,18 +5,14 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 
-#include "drone.h"
+#include "../cast.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
-#include "measure/linear_methods.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/stability.h"
 #include "planets.h"
 #include "scenes/friction.h"
-#include "scenes/linear_drag.h"
-#include "scenes/projectile.h"
-#include "scenes/quadratic_drag.h"
-#include "scenes/spring.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -44,19 +40,19 @@ double speed_after(double ch, long steps) {
 }
 
 auto after_ten_day_steps(const State<Planets::Vec>& start) {
-  return measure::after(euler, Planets(), start, days, planet_steps);
+  return measure::after(euler, outer_planets, start, days, planet_steps);
 }
 
 }  // namespace
 
 TEST_CASE("Euler gains energy on every step of a circle") {
-  for (const double step : {1e-4, h, 0.1, 1.0}) {
+  for (const double step : {1e-4, frame, 0.1, 1.0}) {
     CHECK(measure::drift(euler, drone, step, 1000, energy).smallest_gain > 0);
   }
 }
 
 TEST_CASE("Every step of a circle multiplies the energy by 1 + (h omega)^2") {
-  for (const double step : {h, 0.1, 1.0}) {
+  for (const double step : {frame, 0.1, 1.0}) {
     const double growth = 1 + std::pow(step * drone.omega, 2);
     const auto drift = measure::drift(euler, drone, step, 100, energy);
     CHECK_THAT(1 + drift.last, WithinRel(std::pow(growth, 100), 1e-12));
@@ -65,7 +61,7 @@ TEST_CASE("Every step of a circle multiplies the energy by 1 + (h omega)^2") {
 }
 
 TEST_CASE("The angular momentum of the drone grows by the same factor as its energy") {
-  for (const double step : {h, 0.1, 1.0}) {
+  for (const double step : {frame, 0.1, 1.0}) {
     const double growth = measure::drift(euler, drone, step, 50, energy).last;
     CHECK_THAT(measure::drift(euler, drone, step, 50, spin).last, WithinRel(growth, 1e-10));
   }
@@ -75,7 +71,7 @@ TEST_CASE("Each step of the drone ends outside the circle that it started on") {
   auto s = drone.start();
   double before = s.x.norm();
   for (int n = 0; n < 5000; ++n) {
-    integrate::euler(s.x, s.v, 0.0, h, drone);
+    integrate::euler(s.x, s.v, 0.0, frame, drone);
     CHECK(s.x.norm() > before);
     before = s.x.norm();
   }
@@ -90,8 +86,8 @@ TEST_CASE("The drone at 60 steps a second is over its fence after four turns and
 }
 
 TEST_CASE("Four times the steps take a quarter of the growth in a minute") {
-  const double coarse = std::log1p(measure::drift(euler, drone, h, 3600, energy).last);
-  const double fine = std::log1p(measure::drift(euler, drone, h / 4, 4 * 3600, energy).last);
+  const double coarse = std::log1p(measure::drift(euler, drone, frame, 3600, energy).last);
+  const double fine = std::log1p(measure::drift(euler, drone, frame / 4, 4 * 3600, energy).last);
   CHECK_THAT(coarse / fine, WithinRel(4, 0.01));
 }
 
@@ -104,7 +100,7 @@ TEST_CASE("Euler has order one on the drone, in position and in velocity") {
 }
 
 TEST_CASE("Euler asks for the acceleration once in a step") {
-  CHECK(measure::evaluations_per_step(euler, drone, h) == 1);
+  CHECK(measure::evaluations_per_step(euler, drone, frame) == 1);
 }
 
 TEST_CASE("Euler loses an undamped spring at every step size") {
@@ -167,38 +163,34 @@ TEST_CASE("Above c h = 2 Euler's brakes speed the thing up") {
 }
 
 TEST_CASE("Euler's terminal speed in linear drag is right to rounding") {
-  const LinearDrag<> leaf{.c = 2};
-  for (const double step : {h, 0.1, 0.5, 0.9}) {
+  for (const double step : {frame, 0.1, 0.5, 0.9}) {
     CHECK_THAT(-measure::after(euler, leaf, leaf.start(), step, 2000).v,
                WithinRel(leaf.terminal_speed(), 1e-12));
   }
 }
 
 TEST_CASE("At ten steps a second a parachute that opens too fast throws its diver upwards") {
-  const scenes::QuadraticDrag<> parachute{.k = 9.81 / (5 * 5)};
-  double x = 0, v = -50;
+  double x = 0, v = diving;
   integrate::euler(x, v, 0.0, 0.1, parachute);
   CHECK(v > 40);
-  x = 0, v = -50;
-  integrate::euler(x, v, 0.0, h, parachute);
+  x = 0, v = diving;
+  integrate::euler(x, v, 0.0, frame, parachute);
   CHECK(v < 0);
 }
 
 TEST_CASE("Under a constant force Euler's velocity is exact") {
-  const scenes::Projectile<> jump{.start_velocity = {3, 5}};
-  for (const double step : {h, 0.1, 1.0}) {
-    const auto end = measure::after(euler, jump, jump.start(), step, 100);
-    CHECK((end.v - jump.exact(100 * step).v).norm() < 1e-12 * end.v.norm());
+  for (const double step : {frame, 0.1, 1.0}) {
+    const auto end = measure::after(euler, running_jump, running_jump.start(), step, 100);
+    CHECK((end.v - running_jump.exact(100 * step).v).norm() < 1e-12 * end.v.norm());
   }
 }
 
 TEST_CASE("Under a constant force Euler's position is off by a h t / 2") {
-  const scenes::Projectile<> jump{.start_velocity = {3, 5}};
-  for (const double step : {h, 0.1, 1.0}) {
+  for (const double step : {frame, 0.1, 1.0}) {
     const double t = 100 * step;
-    const auto end = measure::after(euler, jump, jump.start(), step, 100);
-    CHECK_THAT(end.x.y() - jump.exact(t).x.y(), WithinRel(9.81 * step * t / 2, 1e-9));
-    CHECK_THAT(end.x.x(), WithinRel(jump.exact(t).x.x(), 1e-12));
+    const auto end = measure::after(euler, running_jump, running_jump.start(), step, 100);
+    CHECK_THAT(end.x.y() - running_jump.exact(t).x.y(), WithinRel(9.81 * step * t / 2, 1e-9));
+    CHECK_THAT(end.x.x(), WithinRel(running_jump.exact(t).x.x(), 1e-12));
   }
 }
 
@@ -232,7 +224,7 @@ TEST_CASE("Under Coulomb friction Euler never comes to rest but trembles") {
   auto s = puck.start();
   int turns = 0;
   double before = s.v;
-  measure::run(euler, puck, s, h, 2000, [&](double t, const auto& now) {
+  measure::run(euler, puck, s, frame, 2000, [&](double t, const auto& now) {
     if (t > 20) turns += now.v * before < 0;
     before = now.v;
   });
@@ -241,34 +233,34 @@ TEST_CASE("Under Coulomb friction Euler never comes to rest but trembles") {
 
 TEST_CASE(
     "Ten-day steps of Euler lift the energy of the planets two thirds of the way to freedom") {
-  const Planets system;
-  const auto start = system.start();
+  const auto start = outer_planets.start();
   const auto end = after_ten_day_steps(start);
-  CHECK_THAT(system.energy(end.x, end.v) / system.energy(start.x, start.v), WithinAbs(0.34, 0.02));
+  CHECK_THAT(outer_planets.energy(end.x, end.v) / outer_planets.energy(start.x, start.v),
+             WithinAbs(0.34, 0.02));
 }
 
 TEST_CASE("Ten-day steps of Euler carry Jupiter past the orbit of Saturn") {
-  const auto start = Planets().start();
+  const auto start = outer_planets.start();
   CHECK(apart(after_ten_day_steps(start), 0, 1) > apart(start, 0, 2));
 }
 
 TEST_CASE("Ten-day steps of Euler throw Saturn past the orbit of Neptune") {
-  const auto start = Planets().start();
+  const auto start = outer_planets.start();
   CHECK(apart(after_ten_day_steps(start), 0, 2) > 1.1 * apart(start, 0, 4));
 }
 
 TEST_CASE(
     "Ten-day steps of Euler leave the outer three near their orbits and 8 to 32 AU off their "
     "places") {
-  auto s = Planets().start(), truth = s;
+  auto s = outer_planets.start(), truth = s;
   double farthest[Planets::bodies] = {}, true_farthest[Planets::bodies] = {};
   for (long n = 0; n < planet_steps; ++n) {
-    euler(s.x, s.v, 0.0, days, Planets());
+    euler(s.x, s.v, 0.0, days, outer_planets);
     // Velocity Verlet in steps of a day, written out: the program's truth comes from RK4.
     for (int day = 0; day < days; ++day) {
-      truth.v += 0.5 * Planets()(truth.x, truth.v, 0.0);
+      truth.v += 0.5 * outer_planets(truth.x, truth.v, 0.0);
       truth.x += truth.v;
-      truth.v += 0.5 * Planets()(truth.x, truth.v, 0.0);
+      truth.v += 0.5 * outer_planets(truth.x, truth.v, 0.0);
     }
     for (int body = 3; body < Planets::bodies; ++body) {
       farthest[body] = std::max(farthest[body], apart(s, 0, body));
@@ -286,22 +278,21 @@ TEST_CASE(
 
 TEST_CASE("With two lines swapped the drone stays within four centimetres of its circle") {
   auto s = drone.start();
-  measure::run(measure::symplectic_euler, drone, s, h, 4800,
+  measure::run(measure::symplectic_euler, drone, s, frame, 4800,
                [](double, const auto& now) { CHECK_THAT(now.x.norm(), WithinAbs(10, 0.04)); });
 }
 
 TEST_CASE("A camera spring of 12 per second needs 20 steps a second at zeta 0.3 and 35 at zeta 3") {
   const auto rate = [](double zeta) {
-    const Spring<> camera{.omega = 12, .zeta = zeta};
-    return 1 / measure::stability_limit(euler, camera, 1e-6, 1);
+    return 1 / measure::stability_limit(euler, Spring<>{.omega = 12, .zeta = zeta}, 1e-6, 1);
   };
   CHECK_THAT(rate(0.3), WithinRel(20, 1e-9));
   CHECK_THAT(rate(3), WithinAbs(35, 0.1));
 }
 
 TEST_CASE("A turn forward and a turn back leave the drone on its line, 10.86 m out") {
-  auto s = measure::after(euler, drone, drone.start(), h, turn);
-  s = measure::after(euler, drone, s, -h, turn);
+  auto s = measure::after(euler, drone, drone.start(), frame, turn);
+  s = measure::after(euler, drone, s, -frame, turn);
   CHECK_THAT(s.x.x(), WithinAbs(10.86, 0.005));
   CHECK_THAT(s.x.y(), WithinAbs(0, 1e-9));
 }

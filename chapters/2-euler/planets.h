@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "../cast_of_many.h"
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
-#include "scenes/outer_solar_system.h"
 
 constexpr double days = 10;
 constexpr long planet_steps = 20'000;
@@ -30,8 +31,8 @@ scenes::State<Planets::Vec> follow(measure::Record& record, const std::string& n
     columns.push_back({std::string(Planets::names[body]) + " y", "AU"});
   }
   auto& table = record.table(name, columns);
-  auto s = Planets().start();
-  measure::run(step, Planets(), s, days, planet_steps, [&](double day, const auto& now) {
+  auto s = outer_planets.start();
+  measure::run(step, outer_planets, s, days, planet_steps, [&](double day, const auto& now) {
     if (std::fmod(day, 20 * days) != 0) return;
     std::vector<measure::Cell> row{day};
     for (int body = 1; body < Planets::bodies; ++body) {
@@ -51,31 +52,31 @@ inline double misplaced(const scenes::State<Planets::Vec>& s,
 /// When and how close Jupiter and Saturn pass each other under Euler's method.
 inline void meeting(measure::Record& record) {
   double closest = INFINITY, when = 0;
-  auto s = Planets().start();
-  measure::run(measure::euler, Planets(), s, days, planet_steps, [&](double day, const auto& now) {
-    if (apart(now, 1, 2) >= closest) return;
-    closest = apart(now, 1, 2);
-    when = day;
-  });
+  auto s = outer_planets.start();
+  measure::run(measure::euler, outer_planets, s, days, planet_steps,
+               [&](double day, const auto& now) {
+                 if (apart(now, 1, 2) >= closest) return;
+                 closest = apart(now, 1, 2);
+                 when = day;
+               });
   record.number("meeting-distance", closest, 2, "AU");
   record.number("meeting-year", when / 365.25, 3);
 }
 
 inline void planets(measure::Record& record) {
-  const Planets system;
-  const auto start = system.start();
+  const auto start = outer_planets.start();
   const auto end = follow(record, "planets-euler", measure::euler);
   follow(record, "planets-true", measure::symplectic_euler);
   record.number("jupiter-start", apart(start, 0, 1), 3, "AU");
   record.number("jupiter-end", apart(end, 0, 1), 3, "AU");
   record.number("saturn-end", apart(end, 0, 2), 3, "AU");
-  const auto truth = measure::after(measure::rk4, system, start, days, planet_steps);
+  const auto truth = measure::after(measure::rk4, outer_planets, start, days, planet_steps);
   record.number("uranus-off", misplaced(end, truth, 3), 3, "AU");
   record.number("neptune-off", misplaced(end, truth, 4), 3, "AU");
   record.number("pluto-off", misplaced(end, truth, 5), 2, "AU");
   record.number("jupiter-angle", days * 2 * std::numbers::pi / 4332.6, 3);
   record.number("years", planet_steps * days / 365.25, 3);
-  const double energy = system.energy(start.x, start.v);
-  record.number("planets-energy", 100 * (1 - system.energy(end.x, end.v) / energy), 3, "%");
+  const double energy = outer_planets.energy(start.x, start.v);
+  record.number("planets-energy", 100 * (1 - outer_planets.energy(end.x, end.v) / energy), 3, "%");
   meeting(record);
 }

@@ -4,17 +4,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "drone.h"
+#include "../cast.h"
 #include "measure/energy.h"
 #include "measure/fewest_steps.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/path.h"
 #include "measure/stability.h"
 #include "planets.h"
-#include "scenes/linear_drag.h"
-#include "scenes/projectile.h"
-#include "scenes/quadratic_drag.h"
-#include "scenes/spring.h"
 
 using measure::euler;
 using measure::Record;
@@ -27,10 +24,10 @@ void spiral(Record& record) {
   auto& path = record.table("spiral", {{"t", "s"}, {"x", "m"}, {"y", "m"}, {"distance", "m", 4}});
   // [spiral]
   auto s = drone.start();
-  measure::run(euler, drone, s, h, 10 * turn, [&](double t, const auto& now) {
+  measure::run(euler, drone, s, frame, 10 * turn, [&](double t, const auto& now) {
     path.add({t, now.x.x(), now.x.y(), now.x.norm()});
   });
-  const auto once = measure::after(euler, drone, drone.start(), h, turn);
+  const auto once = measure::after(euler, drone, drone.start(), frame, turn);
   record.number("distance-1", once.x.norm(), 4, "m");
   record.number("distance-10", s.x.norm(), 4, "m");
   // [spiral]
@@ -39,15 +36,15 @@ void spiral(Record& record) {
 
   double nearest = INFINITY, farthest = 0;
   s = drone.start();
-  measure::run(measure::symplectic_euler, drone, s, h, 10 * turn, [&](double, const auto& now) {
+  measure::run(measure::symplectic_euler, drone, s, frame, 10 * turn, [&](double, const auto& now) {
     nearest = std::min(nearest, now.x.norm());
     farthest = std::max(farthest, now.x.norm());
   });
   record.number("swapped-nearest", nearest, 4, "m");
   record.number("swapped-farthest", farthest, 4, "m");
 
-  record.number("drone-angle", h * drone.omega, 3);
-  record.number("step-length", 100 * h * drone.start().v.norm(), 2, "cm");
+  record.number("drone-angle", frame * drone.omega, 3);
+  record.number("step-length", 100 * frame * drone.start().v.norm(), 2, "cm");
   auto& coarse = record.table("tangent", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
   s = drone.start();
   measure::run(euler, drone, s, 1.0, 4,
@@ -56,12 +53,13 @@ void spiral(Record& record) {
 
 void energy(Record& record) {
   const auto drone_energy = [](auto& x, auto& v) { return drone.energy(x, v); };
-  const double growth = 1 + std::pow(h * drone.omega, 2);
+  const double growth = 1 + std::pow(frame * drone.omega, 2);
   record.number("growth-step", growth, 8);
   record.number("growth-minute", std::pow(growth, 3600), 4);
-  record.number("growth-240", 1 + measure::drift(euler, drone, h / 4, 4 * 3600, drone_energy).last,
+  record.number("growth-240",
+                1 + measure::drift(euler, drone, frame / 4, 4 * 3600, drone_energy).last, 4);
+  record.number("growth-measured", 1 + measure::drift(euler, drone, frame, 3600, drone_energy).last,
                 4);
-  record.number("growth-measured", 1 + measure::drift(euler, drone, h, 3600, drone_energy).last, 4);
 
   auto& table = record.table("energy", {{"t", "s"}, {"30 Hz"}, {"60 Hz"}, {"120 Hz"}, {"240 Hz"}});
   for (int t = 0; t <= 60; t += 3) {
@@ -93,16 +91,9 @@ void order(Record& record) {
   record.number("rate-for-ten-turns", rate_for_a_centimetre(80), 3);
 }
 
-// [suspension]
-constexpr scenes::Spring<> suspension{.omega = 20, .zeta = 0.1, .x0 = 0.1};
-constexpr scenes::Spring<> door{.omega = 10, .zeta = 5, .x0 = 1};
-// [suspension]
-
 void springs(Record& record) {
-  scenes::Spring<> undamped = suspension;
-  undamped.zeta = 0;
-  const auto energy = [&](double x, double v) { return undamped.energy(x, v); };
-  const double gain = measure::drift(euler, undamped, h, 60, energy).last;
+  const auto energy = [](double x, double v) { return undamped_suspension.energy(x, v); };
+  const double gain = measure::drift(euler, undamped_suspension, frame, 60, energy).last;
   record.number("swing-after-a-second", std::sqrt(1 + gain), 3);
 
   // [limit]
@@ -115,7 +106,7 @@ void springs(Record& record) {
   record.number("suspension-inside", 1000 * inside, 1, "ms");
   record.number("suspension-outside", 1000 * outside, 2, "ms");
   record.number("suspension-rate", 1 / limit, 4, "Hz");
-  const double at_60 = measure::spectral_radius(euler, suspension, h);
+  const double at_60 = measure::spectral_radius(euler, suspension, frame);
   record.number("suspension-at-60", std::pow(at_60, 60), 3);
   measure::exact_path(record, "suspension-exact", suspension, 1.5);
 
@@ -147,28 +138,23 @@ void stiffness(Record& record) {
 }
 
 void drag(Record& record) {
-  const scenes::LinearDrag<> leaf{.c = 2};
   for (const double ch : {0.5, 1.5, 2.1}) {
     const std::string name = "drag-" + std::to_string(std::lround(10 * ch));
     measure::path(record, name, euler, leaf, ch / leaf.c, 9);
   }
   record.number("terminal-speed", leaf.g / leaf.c, 4, "m/s");
-  const auto end = measure::after(euler, leaf, leaf.start(), h, 60 * 60);
+  const auto end = measure::after(euler, leaf, leaf.start(), frame, 60 * 60);
   record.number("terminal-speed-euler", -end.v, 4, "m/s");
 
-  // [parachute]
-  const scenes::QuadraticDrag<> parachute{.k = 9.81 / (5 * 5)};
-  State<double> diver{0, -50};
+  const State<double> diver{0, diving};
   record.number("diver-after-one-step", measure::after(euler, parachute, diver, 0.1, 1).v, 3,
                 "m/s");
-  // [parachute]
-  record.number("diver-at-60", -measure::after(euler, parachute, diver, h, 1).v, 3, "m/s");
-  record.number("diver-true", -measure::after(euler, parachute, diver, h / 1e5, 100'000).v, 3,
+  record.number("diver-at-60", -measure::after(euler, parachute, diver, frame, 1).v, 3, "m/s");
+  record.number("diver-true", -measure::after(euler, parachute, diver, frame / 1e5, 100'000).v, 3,
                 "m/s");
 }
 
 void constant_force(Record& record) {
-  const scenes::Projectile<> jump{.start_velocity = {0, 5}};
   auto& table = record.table("jump", {{"h", "s"}, {"t", "s"}, {"error", "m"}});
   for (const int rate : {15, 30, 60}) {
     auto s = jump.start();

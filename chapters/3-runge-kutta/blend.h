@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
 #include "toys.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "integrate/rk4.h"
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
 #include "toys.h"
@@ -14,23 +15,23 @@
 template <class Step>
 double error_across(Step step, double rate) {
   const long all = std::lround(rocket_time * rate);
-  const auto end = measure::after(step, rocket, rocket.start(), 1 / rate, all);
-  return std::abs(end.x - rocket.exact(rocket_time).x);
+  const auto end = measure::after(step, off_beat_rocket, off_beat_rocket.start(), 1 / rate, all);
+  return std::abs(end.x - off_beat_rocket.exact(rocket_time).x);
 }
 
 /// How far RK4 is from that height across the burnout, and with one step cut there [m].
 inline std::array<double, 2> burnout_errors(double rate) {
-  const double step = 1 / rate, stop = rocket.burn_time;
+  const double step = 1 / rate, stop = off_beat_rocket.burn_time;
   // [cut]
   const scenes::Rocket<> engine_on{.burn_time = INFINITY};
-  const auto engine_off = [](double, double, double) { return -rocket.g; };
+  const auto engine_off = [](double, double, double) { return -off_beat_rocket.g; };
   const auto steps = long(std::floor(stop * rate));
   auto s = measure::after(measure::rk4, engine_on, engine_on.start(), step, steps);
   const double done = double(steps) * step;
   integrate::rk4(s.x, s.v, done, stop - done, engine_on);
   integrate::rk4(s.x, s.v, stop, rocket_time - stop, engine_off);
   // [cut]
-  return {error_across(measure::rk4, rate), std::abs(s.x - rocket.exact(rocket_time).x)};
+  return {error_across(measure::rk4, rate), std::abs(s.x - off_beat_rocket.exact(rocket_time).x)};
 }
 
 inline constexpr int slowest = 20, fastest = 240;  ///< rates at which RK4 meets Euler's method

@@ -11,21 +11,17 @@
 #include "blend.h"
 #include "burnout.h"
 #include "comet.h"
-#include "energy.h"
 #include "equal_cost.h"
-#include "limits.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
-#include "measure/linear_methods.h"
-#include "measure/methods_with_memory.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/stability.h"
 #include "measure/times.h"
 #include "rest.h"
-#include "scenes/linear_drag.h"
-#include "scenes/pendulum.h"
-#include "scenes/projectile.h"
+#include "rk4_energy.h"
 #include "single.h"
+#include "stability_limits.h"
 #include "toys.h"
 #include "wrong.h"
 
@@ -102,8 +98,8 @@ TEST_CASE("Moving with the old velocity gains half as much energy in a step as E
 }
 
 TEST_CASE("Moving with the old velocity, 60 steps a second go where 120 of Euler go") {
-  const double wrong = distance_after_ten_turns(old_velocity, h);
-  CHECK_THAT(distance_after_ten_turns(euler, h / 2), WithinAbs(wrong, 0.001));
+  const double wrong = distance_after_ten_turns(old_velocity, frame);
+  CHECK_THAT(distance_after_ten_turns(euler, frame / 2), WithinAbs(wrong, 0.001));
   CHECK(wrong > 12);
 }
 
@@ -123,7 +119,7 @@ TEST_CASE("A midpoint step of a second ends almost four times nearer to the dron
 
 TEST_CASE("The midpoint method keeps the drone within a millimetre of its circle for ten turns") {
   auto s = drone.start();
-  measure::run(midpoint, drone, s, h, 10 * turn,
+  measure::run(midpoint, drone, s, frame, 10 * turn,
                [](double, const auto& now) { CHECK_THAT(now.x.norm(), WithinAbs(10, 0.001)); });
 }
 
@@ -204,8 +200,8 @@ TEST_CASE("RK4 meets all eight conditions of order four") {
   for (int n = 0; n < 8; ++n) CHECK_THAT(sums[n], WithinAbs(wanted[n], 1e-14));
   auto s = ellipse.start(), same = s;
   for (int n = 0; n < 50; ++n) {
-    integrate::rk4(s.x, s.v, n * h, h, ellipse);
-    wrong::step_by(rk, same.x, same.v, n * h, h, ellipse);
+    integrate::rk4(s.x, s.v, n * frame, frame, ellipse);
+    wrong::step_by(rk, same.x, same.v, n * frame, frame, ellipse);
   }
   CHECK((s.x - same.x).norm() < 1e-11);
 }
@@ -218,8 +214,8 @@ TEST_CASE("RK4 has order four on a circle, an ellipse, a parachute and a rocket"
 }
 
 TEST_CASE("A step asks for the acceleration twice with midpoint and four times with RK4") {
-  CHECK(measure::evaluations_per_step(midpoint, drone, h) == 2);
-  CHECK(measure::evaluations_per_step(rk4, drone, h) == 4);
+  CHECK(measure::evaluations_per_step(midpoint, drone, frame) == 2);
+  CHECK(measure::evaluations_per_step(rk4, drone, frame) == 4);
 }
 
 TEST_CASE("In steps of a second RK4 keeps the drone within 13 cm of its circle for a turn") {
@@ -243,7 +239,7 @@ TEST_CASE(
     "On sixteen evaluations a second RK4 keeps the circle to a centimetre, and nobody the "
     "ellipse") {
   const auto off = [](auto step, const auto& scene) {
-    const double rate = price / double(measure::evaluations_per_step(step, scene, h));
+    const double rate = price / double(measure::evaluations_per_step(step, scene, frame));
     return measure::largest_error(step, scene, 1 / rate, std::lround(time_for_them * rate))
         .position;
   };
@@ -276,17 +272,17 @@ TEST_CASE("Across a burnout at 60 Hz RK4 is further off than Euler, as at a thir
     double x = 0, v = 0;
     for (int n = 0; n < 6 * rate; ++n) {
       if (by_rk4) {
-        integrate::rk4(x, v, n * step, step, rocket);
+        integrate::rk4(x, v, n * step, step, off_beat_rocket);
       } else {
-        integrate::euler(x, v, n * step, step, rocket);
+        integrate::euler(x, v, n * step, step, off_beat_rocket);
       }
     }
     return x;
   };
-  const double step = rocket.burn_time / 1000, coasting = 6 - rocket.burn_time;
+  const double step = off_beat_rocket.burn_time / 1000, coasting = 6 - off_beat_rocket.burn_time;
   double x = 0, v = 0;
   for (int n = 0; n < 1000; ++n) integrate::rk4(x, v, n * step, step, engine_on);
-  const double truth = x + coasting * v - rocket.g * coasting * coasting / 2;
+  const double truth = x + coasting * v - off_beat_rocket.g * coasting * coasting / 2;
   CHECK_THAT(end(true, 60) - truth, WithinAbs(0.268, 0.001));
   CHECK_THAT(end(false, 60) - truth, WithinAbs(-0.237, 0.001));
   int worse = 0;
@@ -315,14 +311,14 @@ TEST_CASE("Every step of an undamped spring multiplies the energy by what the fo
 }
 
 TEST_CASE("In a day RK4 takes less than a millionth of the drone's energy") {
-  const double lost = -measure::drift(rk4, drone, h, 24L * 3600 * 60, drone_energy).last;
-  CHECK_THAT(lost, WithinRel(24 * 3600 * 60 * std::pow(h * drone.omega, 6) / 72, 0.01));
+  const double lost = -measure::drift(rk4, drone, frame, 24L * 3600 * 60, drone_energy).last;
+  CHECK_THAT(lost, WithinRel(24 * 3600 * 60 * std::pow(frame * drone.omega, 6) / 72, 0.01));
   CHECK(lost < 1e-6);
 }
 
 TEST_CASE("In one minute at 60 Hz RK4 takes a quarter of the energy at four swings a second") {
-  CHECK_THAT(left_after(3600, h * swinging(4).omega), WithinAbs(0.77, 0.005));
-  CHECK(left_after(3600, h * swinging(8).omega) < 1e-4);
+  CHECK_THAT(left_after(3600, frame * swinging(4).omega), WithinAbs(0.77, 0.005));
+  CHECK(left_after(3600, frame * swinging(8).omega) < 1e-4);
 }
 
 TEST_CASE("In one minute RK4 takes half a per cent from two swings a second, and all from eight") {
@@ -446,11 +442,10 @@ TEST_CASE("The limits found by running are those of the polynomials") {
 }
 
 TEST_CASE("Under a constant force midpoint and RK4 are exact, whatever the step") {
-  const scenes::Projectile<> jump{.start_velocity = {3, 5}};
-  for (const double step : {h, 0.1, 1.0}) {
-    const auto truth = jump.exact(100 * step);
-    for (const auto& end : {measure::after(midpoint, jump, jump.start(), step, 100),
-                            measure::after(rk4, jump, jump.start(), step, 100)}) {
+  for (const double step : {frame, 0.1, 1.0}) {
+    const auto truth = running_jump.exact(100 * step);
+    for (const auto& end : {measure::after(midpoint, running_jump, running_jump.start(), step, 100),
+                            measure::after(rk4, running_jump, running_jump.start(), step, 100)}) {
       CHECK((end.x - truth.x).norm() < 1e-12 * truth.x.norm());
       CHECK((end.v - truth.v).norm() < 1e-12 * truth.v.norm());
     }
@@ -458,22 +453,21 @@ TEST_CASE("Under a constant force midpoint and RK4 are exact, whatever the step"
 }
 
 TEST_CASE("RK4's terminal speed in linear drag is right to rounding") {
-  const scenes::LinearDrag<> leaf{.c = 2};
-  for (const double step : {h, 0.1, 0.5, 1.3}) {
+  for (const double step : {frame, 0.1, 0.5, 1.3}) {
     CHECK_THAT(-measure::after(rk4, leaf, leaf.start(), step, 2000).v,
                WithinRel(leaf.terminal_speed(), 1e-12));
   }
 }
 
 TEST_CASE("One matrix takes the steps of RK4 to rounding and never asks for the acceleration") {
-  for (const double step : {h, 0.05}) {
+  for (const double step : {frame, 0.05}) {
     const auto folded =
         measure::after(measure::rk4_linear, suspension, suspension.start(), step, 60);
     const auto plain = measure::after(rk4, suspension, suspension.start(), step, 60);
     CHECK_THAT(folded.x, WithinAbs(plain.x, 1e-15));
     CHECK_THAT(folded.v, WithinAbs(plain.v, 1e-13));
   }
-  CHECK(measure::evaluations_per_step(measure::rk4_linear, suspension, h) == 0);
+  CHECK(measure::evaluations_per_step(measure::rk4_linear, suspension, frame) == 0);
 }
 
 TEST_CASE("The exact step of a spring folds into four numbers as well") {
@@ -548,18 +542,18 @@ TEST_CASE("One step of RK4 against its formula tells every bug of the table") {
 
 TEST_CASE("Dormand-Prince has order five for six evaluations") {
   check_order(measure::dopri5, drone, 1.0, 8, 5);
-  CHECK(measure::evaluations_per_step(measure::dopri5, drone, h) == 6);
+  CHECK(measure::evaluations_per_step(measure::dopri5, drone, frame) == 6);
 }
 
 TEST_CASE("The comet takes RK4 more than a hundred times the evaluations of an adaptive step") {
   const Passage smooth = pass(1);
-  const long rate = 25 * smooth.total() / long(year);  // a hundred times as many evaluations
+  const long rate = 25 * smooth.total() / long(comet_year);  // a hundred times as many evaluations
   CHECK(error_of_equal_steps(rate) > smooth.error);
   CHECK(error_of_equal_steps(2 * rate) < smooth.error);
 }
 
 TEST_CASE("Sixty equal steps a second throw the comet out") {
-  const auto end = measure::after(rk4, comet, comet.exact(-year / 2), h, 1200);
+  const auto end = measure::after(rk4, comet, comet.exact(-comet_year / 2), frame, 1200);
   CHECK(comet.energy(end.x, end.v) > 0);
   CHECK(comet.energy(comet.start().x, comet.start().v) < 0);
 }
@@ -585,7 +579,7 @@ TEST_CASE("With an adaptive step, players with other frames get another comet") 
   CHECK(apart > tolerance);
   CHECK(apart < 10 * tolerance);
   // Far more than rounding, which moves the start by the last bit.
-  auto nudged = comet.exact(-year / 2);
+  auto nudged = comet.exact(-comet_year / 2);
   nudged.x[0] = std::nextafter(nudged.x[0], 0);
   CHECK(apart > 100 * (sixty.end.x - pass(1200, nudged).end.x).norm());
 }
@@ -594,7 +588,7 @@ TEST_CASE("In steps of one length, players with other frames get the same comet 
   const auto sixty = end_of_fixed_steps(60), fast = end_of_fixed_steps(144);
   CHECK(sixty.x == fast.x);
   CHECK(sixty.v == fast.v);
-  CHECK((sixty.x - comet.exact(year / 2).x).norm() < 0.01);
+  CHECK((sixty.x - comet.exact(comet_year / 2).x).norm() < 0.01);
 }
 
 TEST_CASE("Midpoint and Heun do the same to a spring") {
@@ -625,7 +619,7 @@ TEST_CASE("Folded into one matrix, a step of RK4 takes less than a seventh of th
 TEST_CASE("A spring left alone is a denormal number after six minutes, and still after three hours") {
   CHECK_THAT(comes_to_rest() / 60, WithinAbs(6, 0.2));
   auto s = at_rest.start();
-  s = measure::after(rk4, at_rest, s, h, 3 * 3600 * 60);
+  s = measure::after(rk4, at_rest, s, frame, 3 * 3600 * 60);
   CHECK(std::fpclassify(s.x) == FP_SUBNORMAL);
   CHECK(std::fpclassify(s.v) == FP_SUBNORMAL);
 }

@@ -4,25 +4,14 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "../cast.h"
 #include "frames/fixed_step.h"
 #include "integrate/dopri5.h"
 #include "measure/cost.h"
+#include "measure/methods.h"
 #include "measure/run.h"
-#include "scenes/orbit.h"
-
-// [comet]
-inline constexpr double year = 20;  ///< of the comet [s]
-
-/// Comes round once in twenty seconds, on an ellipse 200 m from end to end that is 3 m from its sun
-/// at one.
-inline const scenes::Orbit<> comet{
-    .eccentricity = 0.97,
-    .semi_major = 100,
-    .mu = 1e6 * (2 * std::numbers::pi / year) * (2 * std::numbers::pi / year)};
-// [comet]
 
 // [tolerance]
 inline constexpr double tolerance = 1e-6;  ///< largest estimate of a step's error [m] or [m/s]
@@ -37,7 +26,7 @@ struct Passage {
   /// Evaluations of the acceleration in all frames.
   long total() const {
     long sum = 0;
-    for (const long frame : evaluations) sum += frame;
+    for (const long asked : evaluations) sum += asked;
     return sum;
   }
   /// Evaluations of the acceleration in the dearest frame.
@@ -49,41 +38,42 @@ struct Passage {
 /// Follows the comet for a year, from its far end past the sun and back, in equal frames.
 /// @param frames  how many; in each, Dormand-Prince takes the steps that it needs
 /// @param s  where the comet starts
-inline Passage pass(long frames, scenes::State<scenes::Orbit<>::Vec> s = comet.exact(-year / 2)) {
+inline Passage pass(long frames,
+                    scenes::State<scenes::Orbit<>::Vec> s = comet.exact(-comet_year / 2)) {
   const measure::Counted counted{comet};
-  const double frame = year / double(frames);
+  const double length = comet_year / double(frames);
   Passage passage;
-  double next = frame;
+  double next = length;
   const auto size = [](const auto& error) { return error.norm(); };
   for (long n = 0; n < frames; ++n) {
-    const double t = double(n) * frame;
+    const double t = double(n) * length;
     const long before = counted.evaluations;
     // [frame]
     const bool there =
-        integrate::dopri5_adaptive(s.x, s.v, t, frame, next, counted, size, tolerance);
+        integrate::dopri5_adaptive(s.x, s.v, t, length, next, counted, size, tolerance);
     // [frame]
     passage.evaluations.push_back(there ? counted.evaluations - before : -1);
   }
   passage.end = s;
-  passage.error = (s.x - comet.exact(year / 2).x).norm();
+  passage.error = (s.x - comet.exact(comet_year / 2).x).norm();
   return passage;
 }
 
 /// Where RK4 leaves the comet after the same year, measured from where it should be [m].
 /// @param rate  steps per second
 inline double error_of_equal_steps(long rate) {
-  const auto end = measure::after(measure::rk4, comet, comet.exact(-year / 2), 1.0 / double(rate),
-                                  std::lround(year * double(rate)));
-  return (end.x - comet.exact(year / 2).x).norm();
+  const auto end = measure::after(measure::rk4, comet, comet.exact(-comet_year / 2),
+                                  1.0 / double(rate), std::lround(comet_year * double(rate)));
+  return (end.x - comet.exact(comet_year / 2).x).norm();
 }
 
 /// Where RK4 leaves the comet after the same year, in steps of a thousandth of a second out of
 /// equal frames.
 /// @param frames  frames per second
 inline scenes::State<scenes::Orbit<>::Vec> end_of_fixed_steps(long frames) {
-  auto s = comet.exact(-year / 2);
+  auto s = comet.exact(-comet_year / 2);
   frames::FixedStep<> clock{.h = 1.0 / 1000};
-  const long steps = std::lround(year / clock.h);
+  const long steps = std::lround(comet_year / clock.h);
   while (clock.steps < steps) {
     clock.frame(1.0 / double(frames), [&](double t) {
       if (clock.steps <= steps) measure::rk4(s.x, s.v, t, clock.h, comet);
@@ -94,8 +84,8 @@ inline scenes::State<scenes::Orbit<>::Vec> end_of_fixed_steps(long frames) {
 
 /// The longest step at the comet's far end that stays within the tolerance [s].
 inline double longest_step() {
-  const auto far = comet.exact(-year / 2);
-  double good = 1e-3, too_long = year / 2;
+  const auto far = comet.exact(-comet_year / 2);
+  double good = 1e-3, too_long = comet_year / 2;
   for (int halving = 0; halving < 40; ++halving) {
     const double step = (good + too_long) / 2;
     auto s = far;
@@ -117,7 +107,7 @@ inline void comet_passes(measure::Record& record) {
   record.number("comet-longest", longest_step(), 2, "s");
   long rate = 60;
   while (error_of_equal_steps(rate) > smooth.error) rate += 60;
-  record.number("comet-rk4", double(4 * rate) * year, 2);
+  record.number("comet-rk4", double(4 * rate) * comet_year, 2);
   record.number("comet-rk4-rate", double(rate), measure::whole);
   record.number("comet-rk4-60", error_of_equal_steps(60), 2, "m");
   record.number("comet-apart", 1e6 * (framed.end.x - pass(2880).end.x).norm(), 2, "µm");

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "measure/evaluations.h"
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "toys.h"
 
@@ -17,7 +18,7 @@ template <class Step>
 void equal_cost(measure::Record& record, const std::string& name, Step step) {
   auto& table = record.table(
       name, {{"circle x", "m"}, {"circle y", "m"}, {"ellipse x", "m"}, {"ellipse y", "m"}});
-  const double step_size = double(measure::evaluations_per_step(step, drone, h)) / price;
+  const double step_size = double(measure::evaluations_per_step(step, drone, frame)) / price;
   auto round = drone.start(), long_one = ellipse.start();
   const auto steps = std::lround(time_for_them / step_size);
   for (long n = 0; n <= steps; ++n) {

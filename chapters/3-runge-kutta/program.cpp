@@ -7,16 +7,16 @@
 #include "blend.h"
 #include "burnout.h"
 #include "comet.h"
-#include "energy.h"
 #include "equal_cost.h"
-#include "limits.h"
 #include "measure/fewest_steps.h"
-#include "measure/linear_methods.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/path.h"
 #include "measure/times.h"
 #include "rest.h"
+#include "rk4_energy.h"
 #include "single.h"
+#include "stability_limits.h"
 #include "toys.h"
 #include "wrong.h"
 
@@ -39,16 +39,16 @@ void first_try(Record& record) {
         .x.norm();
   };
   for (int t = 0; t <= 80; ++t) {
-    table.add({double(t), distance(euler, h, t), distance(wrong::old_velocity, h, t),
-               distance(euler, h / 2, t), distance(midpoint, h, t)});
+    table.add({double(t), distance(euler, frame, t), distance(wrong::old_velocity, frame, t),
+               distance(euler, frame / 2, t), distance(midpoint, frame, t)});
   }
   const auto& end = table.rows.back();
   record.number("euler-10", end[1].value, 4, "m");
   record.number("old-10", end[2].value, 4, "m");
   record.number("euler-120-10", end[3].value, 4, "m");
   record.number("midpoint-10", 1000 * (end[4].value - 10), 2, "mm");
-  record.number("rate", 1 / h, whole, "Hz");
-  record.number("rate-twice", 2 / h, whole, "Hz");
+  record.number("rate", 1 / frame, whole, "Hz");
+  record.number("rate-twice", 2 / frame, whole, "Hz");
   record.number("circle", drone.radius, 2, "m");
 
   const scenes::Circle<> demo{.omega = 2 * std::numbers::pi / 4};
@@ -143,11 +143,11 @@ void large_steps(Record& record) {
 void matrix(Record& record) {
   // [matrix]
   const double k = suspension.omega * suspension.omega, c = suspension.damping();
-  const auto folded = integrate::rk4_linear_start(k, c, h);
+  const auto folded = integrate::rk4_linear_start(k, c, frame);
   double x = suspension.x0, v = suspension.v0;
   for (int n = 0; n < 60; ++n) integrate::rk4_linear(x, v, folded);
   // [matrix]
-  const auto plain = measure::after(rk4, suspension, suspension.start(), h, 60);
+  const auto plain = measure::after(rk4, suspension, suspension.start(), frame, 60);
   record.number("matrix-apart", std::abs(x - plain.x), 1, "m");
 
   auto& speed = record.table("speed", {{"a step of"}, {"swinging", "ns"}, {"at rest", "ns"}});
@@ -175,7 +175,7 @@ void bugs(Record& record) {
        {wrong::Bug{"none", {}}, wrong::fourth_looks_too_soon, wrong::third_is_second,
         wrong::stale_velocities, wrong::equal_weights, wrong::stopped_clock}) {
     const auto method = wrong::method_of(bug.stages);
-    table.add({bug.what, 1e6 * measure::largest_error(method, drone, h, turn).position,
+    table.add({bug.what, 1e6 * measure::largest_error(method, drone, frame, turn).position,
                order(method, drone, 0.25, 8), order(method, parachute, 1.0 / 32, 2),
                order(method, engine_on, 0.25, 4)});
   }

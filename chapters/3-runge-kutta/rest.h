@@ -4,7 +4,7 @@
 #pragma once
 #include <cmath>
 
-#include "measure/linear_methods.h"
+#include "measure/methods.h"
 #include "measure/run.h"
 #include "toys.h"
 
@@ -13,8 +13,9 @@
 inline double comes_to_rest() {
   auto s = suspension.start();
   long n = 0;
-  while (std::fpclassify(s.x) == FP_NORMAL) measure::rk4(s.x, s.v, double(n++) * h, h, suspension);
-  return double(n) * h;
+  while (std::fpclassify(s.x) == FP_NORMAL)
+    measure::rk4(s.x, s.v, double(n++) * frame, frame, suspension);
+  return double(n) * frame;
 }
 
 /// The suspension some time after that.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
 #include "scenes/circle.h"

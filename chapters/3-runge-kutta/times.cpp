@@ -5,14 +5,15 @@
 #include "integrate/rk4_linear.h"
 #include "integrate/spring_exact.h"
 #include "measure/cost.h"
+#include "measure/methods.h"
 #include "rest.h"
 
 namespace {
 
 integrate::Rk4Linear<double> exact_folded() {
   double xx = 1, vx = 0, xv = 0, vv = 1;
-  integrate::spring_exact(xx, vx, h, suspension.omega, suspension.zeta);
-  integrate::spring_exact(xv, vv, h, suspension.omega, suspension.zeta);
+  integrate::spring_exact(xx, vx, frame, suspension.omega, suspension.zeta);
+  integrate::spring_exact(xv, vv, frame, suspension.omega, suspension.zeta);
   return {xx, xv, vx, vv};
 }
 
@@ -20,13 +21,13 @@ integrate::Rk4Linear<double> exact_folded() {
 
 void add_spring_times(std::vector<measure::Timed>& all) {
   const auto add = [&](const char* name, auto step, const scenes::Spring<>& scene) {
-    all.push_back({name, [step, scene] { return measure::seconds_per_step(step, scene, h); }});
+    all.push_back({name, [step, scene] { return measure::seconds_per_step(step, scene, frame); }});
   };
   const auto by = [](const integrate::Rk4Linear<double>& folded) {
     return [folded](auto& x, auto& v, auto, auto, auto&&) { integrate::rk4_linear(x, v, folded); };
   };
   const double k = suspension.omega * suspension.omega;
-  const auto folded = by(integrate::rk4_linear_start(k, suspension.damping(), h));
+  const auto folded = by(integrate::rk4_linear_start(k, suspension.damping(), frame));
   add("spring/RK4", measure::rk4, suspension);
   add("spring/RK4 folded", folded, suspension);
   add("spring/exact folded", by(exact_folded()), suspension);

@@ -2,10 +2,14 @@
 /// @file
 /// BDF2 on the springs of chapter 4: backward Euler that remembers one step more.
 #pragma once
-#include "bar.h"
+#include "../cast.h"
 #include "integrate/backward_euler_spring.h"
-#include "scenes/spring.h"
 #include "scenes/state.h"
+
+/// What one step of backward Euler leaves of the energy of an undamped spring.
+constexpr double left_in_a_step(double homega) {
+  return 1 / (1 + homega * homega);
+}
 
 /// One step of BDF2 on a damped spring.
 /// @param s  the state, advanced in place

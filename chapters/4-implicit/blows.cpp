@@ -12,8 +12,9 @@
 
 void a_second(measure::Record& record) {
   auto& table = record.table("second", {{"t", "s"}, {"chain"}, {"rope"}, {"cloth"}, {"1 Hz"}});
-  const auto c = shares(chain, gentle, 60, solved_once), r = shares(rope, gentle, 60, solved_once);
-  const auto cl = shares(cloth, gentle, 60, solved_once);
+  const auto c = shares(steel_chain, gentle, 60, solved_once),
+             r = shares(steel_rope, gentle, 60, solved_once);
+  const auto cl = shares(steel_cloth, gentle, 60, solved_once);
   for (std::size_t n = 0; n <= 60; ++n) {
     const double left = std::pow(left_in_a_step(frame * swinging(1).omega), double(n));
     table.add({frame * double(n), c[n], r[n], cl[n], left});
@@ -25,8 +26,8 @@ void a_second(measure::Record& record) {
     record.number("bdf2-" + std::to_string(times) + "hz", 100 * left_by_bdf2(swinging(times).omega),
                   2, "%");
   }
-  record.number("bdf2-cloth", 100 * shares(cloth, gentle, 60, bdf2_once()).back(), 2, "%");
-  record.number("bdf2-rope", 100 * shares(rope, gentle, 60, bdf2_once()).back(), 2, "%");
+  record.number("bdf2-cloth", 100 * shares(steel_cloth, gentle, 60, bdf2_once()).back(), 2, "%");
+  record.number("bdf2-rope", 100 * shares(steel_rope, gentle, 60, bdf2_once()).back(), 2, "%");
   record.number("bdf2-suspension", 100 * left_by_bdf2(suspension.omega), 2, "%");
   const auto left = [](const scenes::Spring<>& spring) {
     return 100 * std::pow(left_in_a_step(frame * spring.omega), 60);
@@ -39,17 +40,18 @@ void a_second(measure::Record& record) {
 void hard_blow(measure::Record& record) {
   auto& blow = record.table(
       "blow", {{"t", "s"}, {"one solve"}, {"to the end"}, {"trapezoid"}, {"trapezoid end"}});
-  const auto once = shares(rope, hard, 60, solved_once), end = shares(rope, hard, 60, to_the_end);
-  const auto trap = shares(rope, hard, 60, trapezoid_once);
-  const auto trap_end = shares(rope, hard, 60, trapezoid_to_the_end);
+  const auto once = shares(steel_rope, hard, 60, solved_once),
+             end = shares(steel_rope, hard, 60, to_the_end);
+  const auto trap = shares(steel_rope, hard, 60, trapezoid_once);
+  const auto trap_end = shares(steel_rope, hard, 60, trapezoid_to_the_end);
   for (std::size_t n = 0; n <= 60; ++n) {
     blow.add({frame * double(n), once[n], end[n], trap[n], trap_end[n]});
   }
   record.number("blow-once", *std::max_element(once.begin(), once.end()), 3);
   record.number("blow-end", end[60], 2);
   record.number("blow-trapezoid", trap[60], 2);
-  record.number("trapezoid-solves", solves_of_trapezoid(rope, hard, 60), 2);
-  const auto cloth_trap = shares(cloth, hard, 60, trapezoid_once);
+  record.number("trapezoid-solves", solves_of_trapezoid(steel_rope, hard, 60), 2);
+  const auto cloth_trap = shares(steel_cloth, hard, 60, trapezoid_once);
   record.number("blow-trapezoid-cloth", cloth_trap.back(), 2);
 }
 
@@ -59,8 +61,8 @@ void newton(measure::Record& record) {
                                         {"rope, gentle", "m/s", 2},
                                         {"rope, hard", "m/s", 2},
                                         {"cloth, hard", "m/s", 2}});
-  const std::vector<double> all[] = {changes_of_parachute(), changes(rope, gentle),
-                                     changes(rope, hard), changes(cloth, hard)};
+  const std::vector<double> all[] = {changes_of_parachute(), changes(steel_rope, gentle),
+                                     changes(steel_rope, hard), changes(steel_cloth, hard)};
   for (std::size_t n = 0; n < all[3].size(); ++n) {
     std::vector<measure::Cell> row{double(n + 1)};
     for (const auto& one : all) row.push_back(n < one.size() ? one[n] : NAN);

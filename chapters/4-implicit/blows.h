@@ -4,11 +4,11 @@
 #pragma once
 #include <optional>
 
-#include "bar.h"
+#include "../cast.h"
 #include "bdf2_spring.h"
 #include "integrate/trapezoid.h"
 #include "measure/record.h"
-#include "struck.h"
+#include "struck_nets.h"
 
 /// One solve of the trapezoid rule.
 inline constexpr auto trapezoid_once = [](Struck& s, const auto& scene, auto& system) {

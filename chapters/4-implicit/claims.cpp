@@ -11,12 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "bar.h"
+#include "../cast.h"
 #include "bdf2_spring.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
-#include "measure/implicit_methods.h"
-#include "measure/linear_methods.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/stability.h"
 #include "parachute.h"
@@ -309,7 +308,6 @@ TEST_CASE("On drag backward Euler errs as far as Euler, to the other side") {
 }
 
 TEST_CASE("Backward Euler's terminal speed in linear drag is right to rounding") {
-  const LinearDrag<> leaf{.c = 2};
   for (const double step : {frame, 0.1, 1.0, 10.0}) {
     CHECK_THAT(-measure::after(backward_euler, leaf, leaf.start(), step, 3000).v,
                WithinRel(leaf.terminal_speed(), 1e-12));
@@ -317,14 +315,14 @@ TEST_CASE("Backward Euler's terminal speed in linear drag is right to rounding")
 }
 
 TEST_CASE("Under a constant force backward Euler takes the steps of symplectic Euler") {
-  const LinearDrag<> jump{.c = 0, .v0 = 5};
+  const LinearDrag<> ball{.c = 0, .v0 = 5};
   for (const double step : {frame, 0.1, 1.0}) {
-    const auto end = measure::after(backward_euler, jump, jump.start(), step, 100);
-    const auto same = measure::after(symplectic_euler, jump, jump.start(), step, 100);
+    const auto end = measure::after(backward_euler, ball, ball.start(), step, 100);
+    const auto same = measure::after(symplectic_euler, ball, ball.start(), step, 100);
     CHECK(end.x == same.x);
     CHECK(end.v == same.v);
     const double t = 100 * step;
-    CHECK_THAT(end.x - jump.exact(t).x, WithinRel(-jump.g * step * t / 2, 1e-9));
+    CHECK_THAT(end.x - ball.exact(t).x, WithinRel(-ball.g * step * t / 2, 1e-9));
   }
 }
 

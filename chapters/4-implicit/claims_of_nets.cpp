@@ -13,11 +13,10 @@
 
 #include "bdf2_spring.h"
 #include "blows.h"
-#include "hanging.h"
 #include "iterated.h"
+#include "matrix_costs.h"
 #include "slide.h"
-#include "struck.h"
-#include "work.h"
+#include "struck_nets.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -39,9 +38,9 @@ double cloth_saving(int side) {
 
 /// The largest size of any position after a second of a chain in substeps of symplectic Euler.
 double chain_after(int substeps) {
-  Struck s = struck(chain, gentle);
+  Struck s = struck(steel_chain, gentle);
   const double step = frame / substeps;
-  for (int n = 0; n < 60 * substeps; ++n) symplectic_euler(s.x, s.v, 0.0, step, chain);
+  for (int n = 0; n < 60 * substeps; ++n) symplectic_euler(s.x, s.v, 0.0, step, steel_chain);
   return s.x.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
@@ -59,17 +58,17 @@ TEST_CASE("The talk's linear system takes the step of half as many unknowns on a
 }
 
 TEST_CASE("One solve ends where the slope of the end leads back to the start, on a chain") {
-  const Struck start = struck(chain, gentle);
+  const Struck start = struck(steel_chain, gentle);
   Struck s = start;
-  auto system = system_of(chain);
-  REQUIRE(integrate::backward_euler(s.x, s.v, 0.0, frame, chain, system));
-  const Eigen::VectorXd back = s.v - frame * chain(s.x, s.v, 0.0);
+  auto system = system_of(steel_chain);
+  REQUIRE(integrate::backward_euler(s.x, s.v, 0.0, frame, steel_chain, system));
+  const Eigen::VectorXd back = s.v - frame * steel_chain(s.x, s.v, 0.0);
   CHECK((back - start.v).cwiseAbs().maxCoeff() < 1e4 * rounding * gentle);
 }
 
 TEST_CASE("Of the matrix of a chain three diagonals are not zero, and of its inverse all") {
-  const Sparse matrix = step_matrix_of(chain);
-  CHECK(matrix.nonZeros() == 3 * chain.count - 2);
+  const Sparse matrix = step_matrix_of(steel_chain);
+  CHECK(matrix.nonZeros() == 3 * steel_chain.count - 2);
   const Eigen::MatrixXd inverse = Eigen::MatrixXd(matrix).inverse();
   CHECK((inverse.array() > 0).all());
 }
@@ -95,40 +94,42 @@ TEST_CASE("The matrix of cloth has 27 entries in a row at most, at any size") {
 }
 
 TEST_CASE("Fifty substeps hold the chain, and 49 lose it") {
-  CHECK(substeps_for(chain) == 50);
+  CHECK(substeps_for(steel_chain) == 50);
   CHECK(chain_after(50) < 0.1);
   CHECK_FALSE(chain_after(49) < 1e6);  // nor is it a number
 }
 
 TEST_CASE("The fastest motion of the chain has twice the h omega of its springs") {
-  CHECK_THAT(frame * std::sqrt(k / mass), WithinRel(50, 1e-12));
+  CHECK_THAT(frame * std::sqrt(steel_k / bead_mass), WithinRel(50, 1e-12));
   // Neighbours against neighbours, at a place far from both ends.
-  Eigen::VectorXd x(chain.count);
-  for (int i = 0; i < chain.count; ++i) x[i] = chain.start().x[i] + (i % 2 == 0 ? 1e-3 : -1e-3);
-  const Eigen::VectorXd a = chain(x, chain.start().v, 0.0);
+  Eigen::VectorXd x(steel_chain.count);
+  for (int i = 0; i < steel_chain.count; ++i)
+    x[i] = steel_chain.start().x[i] + (i % 2 == 0 ? 1e-3 : -1e-3);
+  const Eigen::VectorXd a = steel_chain(x, steel_chain.start().v, 0.0);
   CHECK_THAT(frame * std::sqrt(-a[50] / 1e-3), WithinRel(100, 1e-9));
-  CHECK_THAT(frame * fastest(chain), WithinRel(100, 0.001));
+  CHECK_THAT(frame * fastest(steel_chain), WithinRel(100, 0.001));
 }
 
 TEST_CASE(
     "In 50 substeps the chain has up to 59 times its energy, and in 81 at most a fifth more") {
-  CHECK_THAT(most_energy(chain, 50), WithinAbs(59, 0.5));
-  CHECK(most_energy(chain, 80) > 1.2);
-  CHECK(most_energy(chain, 81) < 1.2);
-  CHECK_THAT(most_energy(rope, 50), WithinAbs(2.2, 0.05));
-  CHECK(most_energy(rope, 56) > 1.2);
-  CHECK(most_energy(rope, 57) < 1.2);
-  CHECK_THAT(most_energy(cloth, 68), WithinAbs(1.9, 0.05));
-  CHECK(most_energy(cloth, 90) > 1.2);
-  CHECK(most_energy(cloth, 91) < 1.2);
+  CHECK_THAT(most_energy(steel_chain, 50), WithinAbs(59, 0.5));
+  CHECK(most_energy(steel_chain, 80) > 1.2);
+  CHECK(most_energy(steel_chain, 81) < 1.2);
+  CHECK_THAT(most_energy(steel_rope, 50), WithinAbs(2.2, 0.05));
+  CHECK(most_energy(steel_rope, 56) > 1.2);
+  CHECK(most_energy(steel_rope, 57) < 1.2);
+  CHECK_THAT(most_energy(steel_cloth, 68), WithinAbs(1.9, 0.05));
+  CHECK(most_energy(steel_cloth, 90) > 1.2);
+  CHECK(most_energy(steel_cloth, 91) < 1.2);
   // In many substeps there is nothing to gain: it is the method that puts the energy in.
-  for (const double most : {most_energy(chain, 400), most_energy(rope, 400)}) CHECK(most < 1.01);
+  for (const double most : {most_energy(steel_chain, 400), most_energy(steel_rope, 400)})
+    CHECK(most < 1.01);
 }
 
 TEST_CASE("With its velocities as they are stored the chain shows 117 times its energy") {
-  CHECK_THAT(most_energy(chain, 50, 0), WithinAbs(117, 0.5));
-  CHECK(most_energy(chain, 177, 0) > 1.2);
-  CHECK(most_energy(chain, 178, 0) < 1.2);
+  CHECK_THAT(most_energy(steel_chain, 50, 0), WithinAbs(117, 0.5));
+  CHECK(most_energy(steel_chain, 177, 0) > 1.2);
+  CHECK(most_energy(steel_chain, 178, 0) < 1.2);
 }
 
 TEST_CASE(
@@ -146,10 +147,10 @@ TEST_CASE(
 }
 
 TEST_CASE("Four times the stiffness takes twice the substeps and the same work to solve") {
-  auto stiffer = chain;
+  auto stiffer = steel_chain;
   stiffer.k *= 4;
-  CHECK(substeps_for(stiffer) == 2 * substeps_for(chain));
-  auto counted = chain_of<Tallied>(chain.count), four_times = counted;
+  CHECK(substeps_for(stiffer) == 2 * substeps_for(steel_chain));
+  auto counted = chain_of<Tallied>(steel_chain.count), four_times = counted;
   four_times.k *= 4;
   CHECK(work_of_step(four_times) == work_of_step(counted));
 }
@@ -191,41 +192,41 @@ TEST_CASE("Cloth of 10 x 10 is cheaper solved, of 18 x 18 as cheap, of 32 x 32 d
 
 TEST_CASE(
     "A second of BDF2 leaves a struck cloth twice what backward Euler does, and a chain nothing") {
-  const auto of_cloth = shares(cloth, gentle, 60, bdf2_once());
-  const auto by_backward_euler = shares(cloth, gentle, 60, solved_once);
+  const auto of_cloth = shares(steel_cloth, gentle, 60, bdf2_once());
+  const auto by_backward_euler = shares(steel_cloth, gentle, 60, solved_once);
   REQUIRE(of_cloth.size() == 61);
   CHECK_THAT(of_cloth.back() / by_backward_euler.back(), WithinAbs(2, 0.3));
-  CHECK_THAT(shares(rope, gentle, 60, bdf2_once()).back(), WithinAbs(0.71, 0.01));
-  CHECK(shares(chain, gentle, 60, bdf2_once()).back() < 1e-3);
+  CHECK_THAT(shares(steel_rope, gentle, 60, bdf2_once()).back(), WithinAbs(0.71, 0.01));
+  CHECK(shares(steel_chain, gentle, 60, bdf2_once()).back() < 1e-3);
 }
 
 TEST_CASE("A second after a gentle blow the rope has two thirds of its energy, the chain none") {
   const auto left = [](const auto& scene) { return shares(scene, gentle, 60, solved_once).back(); };
-  CHECK(left(chain) < 1e-12);
-  CHECK_THAT(left(rope), WithinAbs(0.68, 0.01));
-  CHECK_THAT(left(cloth), WithinAbs(0.085, 0.005));
+  CHECK(left(steel_chain) < 1e-12);
+  CHECK_THAT(left(steel_rope), WithinAbs(0.68, 0.01));
+  CHECK_THAT(left(steel_cloth), WithinAbs(0.085, 0.005));
 }
 
 TEST_CASE("In a hundred substeps a frame the rope keeps its energy to four per cent for a second") {
-  REQUIRE(rope.count == 36);
-  Struck s = struck(rope, gentle);
-  const double first = rope.energy(s.x, s.v), step = frame / 100;
+  REQUIRE(steel_rope.count == 36);
+  Struck s = struck(steel_rope, gentle);
+  const double first = steel_rope.energy(s.x, s.v), step = frame / 100;
   double least = first, most = first;
   for (int n = 0; n < 60 * 100; ++n) {
-    symplectic_euler(s.x, s.v, 0.0, step, rope);
+    symplectic_euler(s.x, s.v, 0.0, step, steel_rope);
     // Half a kick later the velocity belongs to the time of the position.
-    const Eigen::VectorXd now = s.v + step / 2 * rope(s.x, s.v, 0.0);
-    least = std::min(least, rope.energy(s.x, now));
-    most = std::max(most, rope.energy(s.x, now));
+    const Eigen::VectorXd now = s.v + step / 2 * steel_rope(s.x, s.v, 0.0);
+    least = std::min(least, steel_rope.energy(s.x, now));
+    most = std::max(most, steel_rope.energy(s.x, now));
   }
   CHECK(least > 0.96 * first);
   CHECK(most < 1.04 * first);
 }
 
 TEST_CASE("A rope takes five or six of Newton's iterations, cloth after a hard blow eighteen") {
-  CHECK(changes(rope, gentle).size() == 5);
-  CHECK(changes(rope, hard).size() == 6);
-  CHECK(changes(cloth, hard).size() == 18);
+  CHECK(changes(steel_rope, gentle).size() == 5);
+  CHECK(changes(steel_rope, hard).size() == 6);
+  CHECK(changes(steel_cloth, hard).size() == 18);
 }
 
 TEST_CASE(
@@ -260,31 +261,32 @@ TEST_CASE(
     "After a gentle blow most springs of the rope end their step compressed, after a hard one "
     "none") {
   const auto compressed = [](double speed) {
-    Struck s = struck(rope, speed);
-    auto system = system_of(rope);
-    REQUIRE(to_the_end(s, rope, system));
+    Struck s = struck(steel_rope, speed);
+    auto system = system_of(steel_rope);
+    REQUIRE(to_the_end(s, steel_rope, system));
     int count = 0;
-    for (int i = 1; i < rope.count; ++i) {
-      count += (s.x.segment<3>(3 * i) - s.x.segment<3>(3 * i - 3)).norm() < rope.length / (rope.count - 1);
+    for (int i = 1; i < steel_rope.count; ++i) {
+      count += (s.x.segment<3>(3 * i) - s.x.segment<3>(3 * i - 3)).norm() <
+               steel_rope.length / (steel_rope.count - 1);
     }
     return count;
   };
-  CHECK(compressed(gentle) > rope.count / 2);
+  CHECK(compressed(gentle) > steel_rope.count / 2);
   CHECK(compressed(hard) == 0);
 }
 
 TEST_CASE("On cloth the matrix is not quite the derivative, and each iteration gains a factor") {
-  const auto found = changes(cloth, hard);
+  const auto found = changes(steel_cloth, hard);
   for (std::size_t n = 10; n < 17; ++n) {
     CHECK_THAT(found[n] / found[n - 1], WithinAbs(0.28, 0.02));
   }
 }
 
 TEST_CASE("After a hard blow one solve a step lifts the rope's energy by half, Newton by nothing") {
-  const auto once = shares(rope, hard, 60, solved_once);
+  const auto once = shares(steel_rope, hard, 60, solved_once);
   REQUIRE(once.size() == 61);
   CHECK_THAT(*std::max_element(once.begin(), once.end()), WithinAbs(1.57, 0.02));
-  const auto end = shares(rope, hard, 60, to_the_end);
+  const auto end = shares(steel_rope, hard, 60, to_the_end);
   REQUIRE(end.size() == 61);
   for (std::size_t n = 1; n < end.size(); ++n) CHECK(end[n] < end[n - 1]);
   CHECK_THAT(end.back(), WithinAbs(0.47, 0.01));
@@ -293,24 +295,24 @@ TEST_CASE("After a hard blow one solve a step lifts the rope's energy by half, N
 TEST_CASE(
     "With one solve a step the trapezoid rule lifts the rope's energy 19 times, cloth's a "
     "million times") {
-  const auto of_rope = shares(rope, hard, 60, trapezoid_once);
+  const auto of_rope = shares(steel_rope, hard, 60, trapezoid_once);
   REQUIRE(of_rope.size() == 61);
   CHECK_THAT(of_rope.back(), WithinAbs(19, 1));
-  CHECK(shares(cloth, hard, 60, trapezoid_once).back() > 1e6);
+  CHECK(shares(steel_cloth, hard, 60, trapezoid_once).back() > 1e6);
 }
 
 TEST_CASE("Solved to the end the trapezoid rule keeps the rope's energy within a fifth") {
-  const auto left = shares(rope, hard, 60, trapezoid_to_the_end);
+  const auto left = shares(steel_rope, hard, 60, trapezoid_to_the_end);
   REQUIRE(left.size() == 61);
   for (const double share : left) CHECK_THAT(share, WithinAbs(0.9, 0.11));
 }
 
 TEST_CASE("After a hard blow the trapezoid rule takes 23 solves a step to its end") {
-  CHECK_THAT(solves_of_trapezoid(rope, hard, 60), WithinAbs(23, 1));
+  CHECK_THAT(solves_of_trapezoid(steel_rope, hard, 60), WithinAbs(23, 1));
 }
 
 TEST_CASE("Closed to a ring a chain of 108 has twice the entries in its factor") {
-  Sparse matrix = step_matrix_of(chain);
+  Sparse matrix = step_matrix_of(steel_chain);
   matrix.coeffRef(0, 107) = matrix.coeffRef(107, 0) = matrix.coeff(0, 1);
   CHECK(factor_of(matrix).nonZeros() == 2 * 108 - 3);
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "work.h"
+#include "matrix_costs.h"
 
 Iterated by_conjugate_gradients(const scenes::Cloth<>& scene, double residual) {
   Struck s = struck(scene, gentle);
@@ -43,11 +43,11 @@ void fairer(measure::Record& record) {
     record.number(name + "-fifth", enough, measure::whole);
     record.number(name + "-fair", enough * work_of_substep(tallied) / work_of_step(tallied), 2);
   };
-  compare("chain", chain, chain_of<Tallied>(chain.count));
-  compare("rope", rope, rope_of<Tallied>(rope.count));
-  compare("cloth", cloth, cloth_of<Tallied>(cloth.side));
-  record.number("chain-stored", most_energy(chain, substeps_for(chain), 0), 3);
-  record.number("cloth-substeps", substeps_for(cloth), measure::whole);
+  compare("chain", steel_chain, chain_of<Tallied>(steel_chain.count));
+  compare("rope", steel_rope, rope_of<Tallied>(steel_rope.count));
+  compare("cloth", steel_cloth, cloth_of<Tallied>(steel_cloth.side));
+  record.number("chain-stored", most_energy(steel_chain, substeps_for(steel_chain), 0), 3);
+  record.number("cloth-substeps", substeps_for(steel_cloth), measure::whole);
   const auto loose = by_conjugate_gradients(cloth_of(18), 1e-2);
   const auto tight = by_conjugate_gradients(cloth_of(18), 1e-3);
   record.number("cg-loose", loose.iterations, 2);

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "matrix_costs.h"
 #include "measure/record.h"
-#include "struck.h"
+#include "struck_nets.h"
 #include "substeps.h"
-#include "work.h"
 
 /// What a second of backward Euler took and did, each step solved by conjugate gradients.
 struct Iterated {

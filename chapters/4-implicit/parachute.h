@@ -5,12 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "../cast.h"
 #include "integrate/backward_euler.h"
-#include "scenes/quadratic_drag.h"
 
-/// A parachute that opens at once, made for 5 m/s.
-inline constexpr scenes::QuadraticDrag<> parachute{.k = 9.81 / (5 * 5)};
-inline constexpr double diving = -50;  ///< her speed when it opens [m/s]
 inline constexpr double slow = 0.1;    ///< ten steps a second [s]
 
 // [solve]

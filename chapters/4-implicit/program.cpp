@@ -2,12 +2,12 @@
 // Chapter 4: implicit methods, from a bar that cannot be held to a body thrown into the air.
 #include <cmath>
 
-#include "bar.h"
+#include "../cast.h"
 #include "blows.h"
 #include "iterated.h"
+#include "matrix_costs.h"
 #include "measure/error.h"
-#include "measure/implicit_methods.h"
-#include "measure/linear_methods.h"
+#include "measure/methods.h"
 #include "measure/path.h"
 #include "measure/record.h"
 #include "measure/stability.h"
@@ -16,7 +16,6 @@
 #include "slide.h"
 #include "soft.h"
 #include "thrown.h"
-#include "work.h"
 
 using measure::backward_euler;
 using measure::backward_euler_spring;

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "bar.h"
+#include "../cast.h"
 #include "measure/record.h"
 #include "measure/stability.h"
 #include "scenes/spring.h"

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "integrate/symplectic_euler.h"
-#include "struck.h"
+#include "struck_nets.h"
 #include "tallied.h"
 
 /// Multiplications and the like in what `run` does.

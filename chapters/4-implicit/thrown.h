@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "bar.h"
-#include "measure/implicit_methods.h"
+#include "../cast.h"
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
 #include "scenes/state.h"

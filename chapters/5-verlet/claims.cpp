@@ -13,13 +13,14 @@
 #include "jitter_runs.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
+#include "measure/methods.h"
 #include "measure/stability.h"
 #include "rope_runs.h"
 #include "scenes/orbit.h"
 #include "scenes/pendulum.h"
-#include "starts.h"
 #include "toys.h"
-#include "turning_runs.h"
+#include "verlet_starts.h"
+#include "wheel_runs.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -97,11 +98,13 @@ struct OldDirection : Spoke {
 }  // namespace
 
 TEST_CASE("At 60 steps a second a rope of stiff springs is longer than 100 m after five frames") {
-  const auto s = measure::after(stormer_verlet, springs, springs.start(), frame, 5);
+  const auto s = measure::after(stormer_verlet, rope_of_springs, rope_of_springs.start(), frame, 5);
   CHECK(length_of(s.x) > 100);
-  const auto later = measure::after(stormer_verlet, springs, springs.start(), frame, 8);
+  const auto later =
+      measure::after(stormer_verlet, rope_of_springs, rope_of_springs.start(), frame, 8);
   CHECK_THAT(length_of(later.x), WithinRel(0.9 * 384.4e6, 0.1));  // of the way to the moon
-  const auto calm = measure::after(stormer_verlet, springs, springs.start(), frame / 6, 3600);
+  const auto calm =
+      measure::after(stormer_verlet, rope_of_springs, rope_of_springs.start(), frame / 6, 3600);
   CHECK(length_of(calm.x) < 2.2);
 }
 
@@ -133,7 +136,7 @@ TEST_CASE("After 42 frames a rope reaches beyond its two metres with one iterati
 TEST_CASE("The fastest motion of the stiff rope is 102 swings a second, of one of its springs 72") {
   CHECK_THAT(fastest_swing(), WithinAbs(102, 0.5));
   // Twenty equal masses held at one end: the formula for neighbours against neighbours.
-  const double root = std::sqrt(springs.k / springs.mass);
+  const double root = std::sqrt(rope_of_springs.k / rope_of_springs.mass);
   CHECK_THAT(fastest_swing() * 2 * std::numbers::pi,
              WithinRel(2 * root * std::sin(39 * std::numbers::pi / 82), 1e-6));
   // Two masses and one spring, by running them.
@@ -143,7 +146,7 @@ TEST_CASE("The fastest motion of the stiff rope is 102 swings a second, of one o
   for (int n = 0; n < 100'000; ++n) {
     const double before = x;
     integrate::symplectic_euler(x, v, 0.0, h, [](double place, double, double) {
-      return -springs.k * 2 * place / springs.mass;
+      return -rope_of_springs.k * 2 * place / rope_of_springs.mass;
     });
     swings += before < 0 && x >= 0;
   }
@@ -478,11 +481,13 @@ TEST_CASE("Eight steps of one iteration stretch a rope an eighth as far as one s
 TEST_CASE(
     "In six substeps a rope of links is as stiff as the springs that need six, within a third") {
   // By the weights below each: 1 + 2 + ... + 20 of them in all.
-  const double stretch_of_springs = 210 * springs.mass * springs.g / springs.k / springs.length;
+  const double stretch_of_springs =
+      210 * rope_of_springs.mass * rope_of_springs.g / rope_of_springs.k / rope_of_springs.length;
   CHECK_THAT(stretch_of_springs, WithinRel(0.01, 1e-12));
   CHECK_THAT(hanging(20, frame / 6, 1), WithinRel(stretch_of_springs, 1.0 / 3));
   const auto at = [](int substeps) {
-    const auto s = measure::after(stormer_verlet, springs, springs.start(), frame / substeps, 600);
+    const auto s = measure::after(stormer_verlet, rope_of_springs, rope_of_springs.start(),
+                                  frame / substeps, 600);
     return length_of(s.x);
   };
   CHECK(at(6) < 2.2);

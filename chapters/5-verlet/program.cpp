@@ -7,13 +7,14 @@
 #include "float_digits.h"
 #include "jitter_runs.h"
 #include "measure/energy.h"
+#include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/path.h"
 #include "measure/stability.h"
 #include "rope_runs.h"
-#include "starts.h"
 #include "toys.h"
-#include "turning_runs.h"
+#include "verlet_starts.h"
+#include "wheel_runs.h"
 
 using measure::leapfrog;
 using measure::Record;

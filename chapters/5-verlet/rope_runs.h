@@ -7,7 +7,7 @@
 #include <string>
 
 #include "measure/eigenvalues.h"
-#include "measure/methods_with_memory.h"
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
 #include "rope_in_frames.h"
@@ -24,37 +24,41 @@ inline double length_of(const Eigen::VectorXd& x) {
 
 /// The frequency of the fastest motion of the rope of springs, which is along it [1/s].
 inline double fastest_swing() {
-  const auto s = springs.start();
+  const auto s = rope_of_springs.start();
   const auto size = s.x.size();
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(size, size);
-  springs.jacobian(s.x, s.v, 0.0, [&](int i, int j, double dadx, double) { slopes(i, j) += dadx; });
+  rope_of_springs.jacobian(s.x, s.v, 0.0,
+                           [&](int i, int j, double dadx, double) { slopes(i, j) += dadx; });
   return std::sqrt(measure::largest_eigenvalue(slopes)) / (2 * std::numbers::pi);
 }
 
 inline void burst(measure::Record& record) {
   auto& table = record.table("burst", {{"frame", "", measure::whole}, {"springs", "m"}});
-  auto s = springs.start();
+  auto s = rope_of_springs.start();
   // [burst]
   const auto keep = [&](double t, const auto& now) {
     table.add({std::round(60 * t), length_of(now.x)});
   };
-  measure::run(measure::stormer_verlet, springs, s, frame, 8, keep);
+  measure::run(measure::stormer_verlet, rope_of_springs, s, frame, 8, keep);
   // [burst]
   record.number("burst-rate", 1 / frame, measure::whole, "Hz");
   record.number("calm-rate", 6 / frame, measure::whole, "Hz");
-  record.number("burst-pair", std::sqrt(2 * springs.k / springs.mass) / (2 * std::numbers::pi), 2);
+  record.number("burst-pair",
+                std::sqrt(2 * rope_of_springs.k / rope_of_springs.mass) / (2 * std::numbers::pi),
+                2);
   record.number("burst-fastest", fastest_swing(), 3);
   record.number("burst-5", table.rows[5][1].value, 2, "m");
   auto& calm =
       record.table("calm", {{"frame", "", measure::whole}, {"springs", "m"}, {"links", "m"}});
   Rope rope = two_metres(20, {1, 0});
-  s = springs.start();
-  measure::run(measure::stormer_verlet, springs, s, frame / 6, 360, [&](double t, const auto& now) {
-    const double frames = 60 * t;
-    if (std::abs(frames - std::round(frames)) > 0.01) return;
-    calm.add({std::round(frames), length_of(now.x), 2 * (1 + stretch(rope))});
-    rope.step(frame, 8);
-  });
+  s = rope_of_springs.start();
+  measure::run(measure::stormer_verlet, rope_of_springs, s, frame / 6, 360,
+               [&](double t, const auto& now) {
+                 const double frames = 60 * t;
+                 if (std::abs(frames - std::round(frames)) > 0.01) return;
+                 calm.add({std::round(frames), length_of(now.x), 2 * (1 + stretch(rope))});
+                 rope.step(frame, 8);
+               });
 }
 
 inline void ropes(measure::Record& record) {

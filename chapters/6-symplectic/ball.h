@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
 #include "scenes/linear_drag.h"

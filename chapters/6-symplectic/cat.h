@@ -7,11 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "../cast.h"
 #include "measure/run.h"
-#include "scenes/pendulum.h"
 
-/// A wrecking ball on a chain, which swings once in about 2 pi seconds.
-inline constexpr scenes::Pendulum<> wrecking_ball{.length = 9.81};
 inline constexpr double cat_step = 0.25;  ///< [s]
 inline constexpr long cat_steps = 18;     ///< from one end of its swing to the other and on
 

@@ -7,7 +7,7 @@
 #include "cat.h"
 #include "integrate/symplectic_euler.h"
 #include "measure/record.h"
-#include "measure/registry.h"
+#include "measure/compiled.h"
 
 inline void cats(measure::Record& record) {
   auto& shears = record.table("shears", {{"x"}, {"v"}, {"kicked v"}, {"drifted x"}});

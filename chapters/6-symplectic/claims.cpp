@@ -14,15 +14,13 @@
 #include "drag.h"
 #include "measure/cost.h"
 #include "measure/energy.h"
-#include "measure/implicit_methods.h"
 #include "measure/methods.h"
-#include "measure/methods_with_memory.h"
 #include "measure/order.h"
 #include "pair.h"
 #include "planets.h"
+#include "precession.h"
 #include "scenes/projectile.h"
 #include "shadow.h"
-#include "turning.h"
 #include "uneven.h"
 
 using Catch::Matchers::WithinAbs;
@@ -147,24 +145,26 @@ TEST_CASE("Drag takes from every area the share c h that it should") {
 
 TEST_CASE("Symplectic Euler keeps the shadow energy of a spring to rounding") {
   for (const double h : {frame, 0.05, 0.09}) {
-    const auto shadow = shadow_energy(suspension, h);
-    CHECK(measure::drift(symplectic_euler, suspension, h, 100'000, shadow).largest < 1e-11);
-    const auto other = shadow_energy(suspension, -h);
-    CHECK(measure::drift(position_first, suspension, h, 100'000, other).largest < 1e-11);
+    const auto shadow = shadow_energy(undamped_suspension, h);
+    CHECK(measure::drift(symplectic_euler, undamped_suspension, h, 100'000, shadow).largest <
+          1e-11);
+    const auto other = shadow_energy(undamped_suspension, -h);
+    CHECK(measure::drift(position_first, undamped_suspension, h, 100'000, other).largest < 1e-11);
   }
 }
 
 TEST_CASE("A spring's energy stays between 1 / (1 + h omega / 2) and 1 / (1 - h omega / 2)") {
   for (const State<double> start : {State<double>{0.1, 0}, State<double>{0, 2}}) {
     for (const double homega : {0.1, 1.0 / 3, 1.5}) {
-      const double h = homega / suspension.omega;
-      const double full = suspension.energy(start.x, start.v);
+      const double h = homega / undamped_suspension.omega;
+      const double full = undamped_suspension.energy(start.x, start.v);
       double least = INFINITY, most = 0;
       auto s = start;
-      measure::run(symplectic_euler, suspension, s, h, 100'000, [&](double, const auto& now) {
-        least = std::min(least, suspension.energy(now.x, now.v) / full);
-        most = std::max(most, suspension.energy(now.x, now.v) / full);
-      });
+      measure::run(symplectic_euler, undamped_suspension, s, h, 100'000,
+                   [&](double, const auto& now) {
+                     least = std::min(least, undamped_suspension.energy(now.x, now.v) / full);
+                     most = std::max(most, undamped_suspension.energy(now.x, now.v) / full);
+                   });
       CHECK_THAT(least, WithinRel(1 / (1 + homega / 2), 1e-3));
       CHECK_THAT(most, WithinRel(1 / (1 - homega / 2), 1e-3));
       CHECK(least > (1 - 1e-11) / (1 + homega / 2));
@@ -174,18 +174,19 @@ TEST_CASE("A spring's energy stays between 1 / (1 + h omega / 2) and 1 / (1 - h 
 }
 
 TEST_CASE("After an hour without a damper a spring swings as far as in its first second") {
-  auto s = measure::after(symplectic_euler, suspension, suspension.start(), frame, 3600 * 60);
-  Spring<> later = suspension;
+  auto s = measure::after(symplectic_euler, undamped_suspension, undamped_suspension.start(), frame,
+                          3600 * 60);
+  Spring<> later = undamped_suspension;
   later.x0 = s.x, later.v0 = s.v;
-  CHECK_THAT(swing(later, frame, 60), WithinRel(swing(suspension, frame, 60), 0.02));
+  CHECK_THAT(swing(later, frame, 60), WithinRel(swing(undamped_suspension, frame, 60), 0.02));
 }
 
 TEST_CASE("Uneven steps of symplectic Euler swing a spring a million times too far in an hour") {
   for (unsigned seed = 1; seed <= 8; ++seed) {
     INFO(seed);
-    CHECK(uneven_swings(0.5, seed, 3600 * 60).symplectic_euler > 1e6 * suspension.x0);
+    CHECK(uneven_swings(0.5, seed, 3600 * 60).symplectic_euler > 1e6 * undamped_suspension.x0);
   }
-  CHECK(uneven_swings(0, 1, 3600 * 60).symplectic_euler < 1.02 * suspension.x0);
+  CHECK(uneven_swings(0, 1, 3600 * 60).symplectic_euler < 1.02 * undamped_suspension.x0);
 }
 
 TEST_CASE("Every step keeps areas, also where steps are uneven") {
@@ -194,8 +195,8 @@ TEST_CASE("Every step keeps areas, also where steps are uneven") {
   const double before = area(points);
   for (int n = 0; n < 600; ++n) {
     const double h = uneven.next();
-    CHECK(h * suspension.omega <= 0.5);
-    for (auto& point : points) symplectic_euler(point.x, point.v, 0.0, h, suspension);
+    CHECK(h * undamped_suspension.omega <= 0.5);
+    for (auto& point : points) symplectic_euler(point.x, point.v, 0.0, h, undamped_suspension);
   }
   CHECK_THAT(area(points), WithinRel(before, 1e-9));
 }
@@ -205,10 +206,10 @@ TEST_CASE("On eight runs of uneven steps velocity Verlet's spring swings less th
   for (unsigned seed = 1; seed <= 8; ++seed) {
     INFO(seed);
     const double far = uneven_swings(0.5, seed, 3600 * 60).velocity_verlet;
-    CHECK(far < 10 * suspension.x0);
+    CHECK(far < 10 * undamped_suspension.x0);
     most = std::max(most, far);
   }
-  CHECK(most > 2 * suspension.x0);  // it drifts, too
+  CHECK(most > 2 * undamped_suspension.x0);  // it drifts, too
 }
 
 TEST_CASE("Symplectic Euler holds an undamped spring while h omega is less than two") {
@@ -221,7 +222,8 @@ TEST_CASE("Symplectic Euler loses an undamped spring when h omega is more than t
 
 TEST_CASE("At h omega = 1.9 a spring swings 3.2 times as far as it should, at 1.99 ten times") {
   const auto times = [](double homega) {
-    return swing(suspension, homega / suspension.omega, 100'000) / suspension.x0;
+    return swing(undamped_suspension, homega / undamped_suspension.omega, 100'000) /
+           undamped_suspension.x0;
   };
   CHECK_THAT(times(1.9), WithinAbs(3.2, 0.01));
   CHECK_THAT(times(1.99), WithinAbs(10, 0.02));
@@ -278,11 +280,11 @@ TEST_CASE("On the drone RK4 is ten thousand times as accurate at the same price"
 }
 
 TEST_CASE("Under a constant force symplectic Euler errs as far as Euler, to the other side") {
-  const scenes::Projectile<> jump{.start_velocity = {3, 5}};
   for (const double h : {frame, 0.1, 1.0}) {
     const double t = 100 * h;
     const auto error = [&](auto step) {
-      return measure::after(step, jump, jump.start(), h, 100).x.y() - jump.exact(t).x.y();
+      return measure::after(step, running_jump, running_jump.start(), h, 100).x.y() -
+             running_jump.exact(t).x.y();
     };
     CHECK_THAT(error(euler), WithinRel(9.81 * h * t / 2, 1e-9));
     CHECK_THAT(error(symplectic_euler), WithinRel(-9.81 * h * t / 2, 1e-9));
@@ -290,12 +292,11 @@ TEST_CASE("Under a constant force symplectic Euler errs as far as Euler, to the 
 }
 
 TEST_CASE("Started half a kick back, symplectic Euler follows a jump exactly") {
-  const scenes::Projectile<> jump{.start_velocity = {3, 5}};
   for (const double h : {frame, 0.1, 1.0}) {
-    auto s = jump.start();
-    s.v = s.v - h / 2 * jump(s.x, s.v, 0.0);
-    s = measure::after(symplectic_euler, jump, s, h, 100);
-    CHECK((s.x - jump.exact(100 * h).x).norm() < 1e-12 * s.x.norm());
+    auto s = running_jump.start();
+    s.v = s.v - h / 2 * running_jump(s.x, s.v, 0.0);
+    s = measure::after(symplectic_euler, running_jump, s, h, 100);
+    CHECK((s.x - running_jump.exact(100 * h).x).norm() < 1e-12 * s.x.norm());
   }
 }
 
@@ -586,19 +587,20 @@ TEST_CASE("Yoshida has order four on an undamped spring and order two on a dampe
 TEST_CASE("Over one second of a spring RK4 is ahead of Yoshida at the same price") {
   for (const int price : {240, 960, 3840}) {
     const double rk4 =
-        measure::largest_error(method::rk4, suspension, 4.0 / price, price / 4).position;
+        measure::largest_error(method::rk4, undamped_suspension, 4.0 / price, price / 4).position;
     const double yoshida =
-        measure::largest_error(method::yoshida4, suspension, 3.0 / price, price / 3).position;
+        measure::largest_error(method::yoshida4, undamped_suspension, 3.0 / price, price / 3)
+            .position;
     CHECK(rk4 < 0.5 * yoshida);
     CHECK(rk4 > 0.3 * yoshida);
   }
 }
 
 TEST_CASE("Under drag Yoshida is ten times worse than velocity Verlet at the same price") {
-  const Spring<> damped{.omega = 20, .zeta = 0.1, .x0 = 0.1};
   const double verlet =
-      measure::largest_error(method::velocity_verlet, damped, 1.0 / 960, 960).position;
-  const double yoshida = measure::largest_error(method::yoshida4, damped, 1.0 / 320, 320).position;
+      measure::largest_error(method::velocity_verlet, suspension, 1.0 / 960, 960).position;
+  const double yoshida =
+      measure::largest_error(method::yoshida4, suspension, 1.0 / 320, 320).position;
   CHECK(yoshida > 10 * verlet);
   CHECK(yoshida < 20 * verlet);
 }
@@ -712,8 +714,7 @@ TEST_CASE("Half a kick back at the start brings Jupiter six times closer to its 
 
 TEST_CASE("A critically damped camera of 12 per second needs 14.5 steps a second, or 2.5 divided") {
   const auto rate = [](auto step) {
-    const Spring<> camera{.omega = 12, .zeta = 1};
-    return 1 / measure::stability_limit(step, camera, 1e-6, 1);
+    return 1 / measure::stability_limit(step, Spring<>{.omega = 12, .zeta = 1}, 1e-6, 1);
   };
   CHECK_THAT(rate(symplectic_euler), WithinAbs(14.5, 0.05));
   CHECK_THAT(rate(method::linear_damping_implicit_last), WithinAbs(2.5, 0.05));

@@ -5,13 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "../cast.h"
 #include "measure/record.h"
-#include "measure/registry.h"
+#include "measure/compiled.h"
 #include "measure/stability.h"
-#include "scenes/linear_drag.h"
-#include "scenes/spring.h"
-
-inline constexpr scenes::LinearDrag<> leaf{.c = 2};
 
 /// One way to brake within a step of symplectic Euler.
 struct Way {
@@ -55,8 +52,8 @@ inline void six_ways(measure::Record& record) {
                                       {"at 20 Hz", "m/s", 5},
                                       {"limit at ζ = 1", "", 4}});
   for (const auto& [name, formula, method] : ways) {
-    table.add({name, formula, end_speed(method, 1.0 / 60), end_speed(method, 1.0 / 20),
-               limit(method, 1)});
+    table.add(
+        {name, formula, end_speed(method, frame), end_speed(method, 1.0 / 20), limit(method, 1)});
   }
 
   const auto tenth = [&](const char* name, const measure::Method& method) {
@@ -93,7 +90,6 @@ inline void damped_limits(measure::Record& record) {
   }
   record.number("camera", limit(method::symplectic_euler, 1), 2);
   record.number("camera-divided", limit(method::linear_damping_implicit_last, 1), 2);
-  constexpr scenes::Spring<> door{.omega = 10, .zeta = 5};
   record.number("door-euler", 1000 * measure::stability_limit(method::euler, door, 1e-6, 1), 3,
                 "ms");
   record.number("door-symplectic",

@@ -9,16 +9,16 @@
 #include <string>
 #include <vector>
 
+#include "../cast_of_many.h"
 #include "measure/record.h"
-#include "measure/registry.h"
+#include "measure/compiled.h"
 #include "measure/run.h"
-#include "scenes/outer_solar_system.h"
 
 /// The outer solar system with all its unknowns in one column, as the implicit methods want it.
 struct Planets {
   using System = scenes::OuterSolarSystem<>;
   using Vec = Eigen::VectorXd;
-  System system;
+  System system = outer_planets;
 
   static Vec column(const System::Vec& x) { return x.reshaped(); }
   static System::Vec bodies(const Vec& x) { return x.reshaped(3, System::bodies); }

@@ -12,14 +12,13 @@
 #include "drag.h"
 #include "measure/energy.h"
 #include "measure/methods.h"
-#include "measure/methods_with_memory.h"
 #include "measure/order.h"
 #include "measure/path.h"
 #include "measure/stability.h"
 #include "pair.h"
 #include "planets.h"
+#include "precession.h"
 #include "shadow.h"
-#include "turning.h"
 #include "uneven.h"
 
 using measure::euler;
@@ -52,49 +51,52 @@ void an_hour(Record& record) {
 }
 
 void shadow(Record& record) {
-  const auto energy = [](double x, double v) { return suspension.energy(x, v); };
-  const auto shadow = shadow_energy(suspension, frame);
-  const double full = energy(suspension.x0, 0);
+  const auto energy = [](double x, double v) { return undamped_suspension.energy(x, v); };
+  const auto shadow = shadow_energy(undamped_suspension, frame);
+  const double full = energy(undamped_suspension.x0, 0);
   auto& wobble = record.table("wobble", {{"t", "s"}, {"Euler"}, {"symplectic Euler"}, {"shadow"}});
-  auto s = suspension.start(), grown = suspension.start();
+  auto s = undamped_suspension.start(), grown = undamped_suspension.start();
   for (int n = 0; n <= 60; ++n) {
     wobble.add({n * frame, energy(grown.x, grown.v) / full, energy(s.x, s.v) / full,
                 shadow(s.x, s.v) / full});
-    euler(grown.x, grown.v, 0.0, frame, suspension);
-    symplectic_euler(s.x, s.v, 0.0, frame, suspension);
+    euler(grown.x, grown.v, 0.0, frame, undamped_suspension);
+    symplectic_euler(s.x, s.v, 0.0, frame, undamped_suspension);
   }
   double least = 1, most = 1;
-  measure::run(symplectic_euler, suspension, s, frame, 60'000, [&](double, const auto& now) {
-    least = std::min(least, energy(now.x, now.v) / full);
-    most = std::max(most, energy(now.x, now.v) / full);
-  });
+  measure::run(symplectic_euler, undamped_suspension, s, frame, 60'000,
+               [&](double, const auto& now) {
+                 least = std::min(least, energy(now.x, now.v) / full);
+                 most = std::max(most, energy(now.x, now.v) / full);
+               });
   record.number("wobble-least", 100 * least, 3, "%");
   record.number("wobble-most", 100 * most, 3, "%");
 
-  measure::path(record, "ellipse", symplectic_euler, suspension, 2 * frame, 1.5);
-  measure::path(record, "ellipse-twin", measure::symplectic_euler_position_first, suspension,
-                2 * frame, 1.5);
+  measure::path(record, "ellipse", symplectic_euler, undamped_suspension, 2 * frame, 1.5);
+  measure::path(record, "ellipse-twin", measure::symplectic_euler_position_first,
+                undamped_suspension, 2 * frame, 1.5);
   for (const int percent : {67, 150, 190, 210}) {
-    measure::path(record, "opening-" + std::to_string(percent), symplectic_euler, suspension,
-                  percent / 100.0 / suspension.omega,
+    measure::path(record, "opening-" + std::to_string(percent), symplectic_euler,
+                  undamped_suspension, percent / 100.0 / undamped_suspension.omega,
                   percent > 200    ? 0.7
                   : percent == 190 ? 10
                                    : 6);
   }
-  record.number("limit", measure::stability_limit(symplectic_euler, suspension, 0.01, 1.0) * 1000,
+  record.number("limit",
+                measure::stability_limit(symplectic_euler, undamped_suspension, 0.01, 1.0) * 1000,
                 4, "ms");
 
   for (const double homega : {1.9, 1.99}) {
-    const double step = homega / suspension.omega;
+    const double step = homega / undamped_suspension.omega;
     record.number("swing-" + std::to_string(std::lround(100 * homega)),
-                  swing(suspension, step, 100'000) / suspension.x0, 2);
+                  swing(undamped_suspension, step, 100'000) / undamped_suspension.x0, 2);
   }
 
   const auto angle = std::arg(
-      measure::eigenvalues(measure::step_matrix(symplectic_euler, suspension, frame))[0]);
-  const double fast = std::abs(angle) / (frame * suspension.omega);
+      measure::eigenvalues(measure::step_matrix(symplectic_euler, undamped_suspension, frame))[0]);
+  const double fast = std::abs(angle) / (frame * undamped_suspension.omega);
   record.number("clock-fast", 100 * (fast - 1), 2, "%");
-  record.number("clock-minute", 60 * suspension.omega * (fast - 1) / (2 * std::numbers::pi), 2);
+  record.number("clock-minute",
+                60 * undamped_suspension.omega * (fast - 1) / (2 * std::numbers::pi), 2);
 }
 
 void half_a_kick(Record& record) {
@@ -118,7 +120,7 @@ void half_a_kick(Record& record) {
 /// The largest error of the suspension in a second, at a price per second.
 template <class Step>
 double error_of_a_second(Step step, double zeta, int evaluations, int evaluations_per_step) {
-  scenes::Spring<> spring = suspension;
+  scenes::Spring<> spring = undamped_suspension;
   spring.zeta = zeta;
   const long steps = evaluations / evaluations_per_step;
   return measure::largest_error(step, spring, 1.0 / double(steps), steps).position;

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What chapter 6 steps sixty times a second, and the energy that symplectic Euler keeps of it.
+/// The energy that symplectic Euler keeps, and how far it lets a spring swing.
 #pragma once
 #include <cmath>
-#include <numbers>
 #include <type_traits>
 
+#include "../cast.h"
+#include "measure/methods.h"
 #include "measure/run.h"
-#include "scenes/circle.h"
-#include "scenes/spring.h"
-
-inline constexpr double frame = 1.0 / 60;  ///< the step of the chapter [s]
-
-/// The drone of chapter 2: ten metres from its tower, once round in eight seconds.
-inline constexpr scenes::Circle<> drone{.omega = 2 * std::numbers::pi / 8, .radius = 10};
-
-/// The suspension of a toy car, three swings a second, without its damper.
-inline constexpr scenes::Spring<> suspension{.omega = 20, .zeta = 0, .x0 = 0.1};
 
 /// The farthest that a spring swings in a number of steps.
 inline double swing(const scenes::Spring<>& spring, double h, long steps) {

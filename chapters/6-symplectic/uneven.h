@@ -27,13 +27,13 @@ struct Swings {
 
 inline Swings uneven_swings(double share, unsigned seed, long steps) {
   UnevenSteps uneven{.share = share, .random = std::mt19937(seed)};
-  auto swapped = suspension.start(), verlet = suspension.start();
-  double a = integrate::velocity_verlet_start(verlet.x, verlet.v, 0.0, suspension);
+  auto swapped = undamped_suspension.start(), verlet = undamped_suspension.start();
+  double a = integrate::velocity_verlet_start(verlet.x, verlet.v, 0.0, undamped_suspension);
   Swings farthest;
   for (long n = 0; n < steps; ++n) {
     const double h = uneven.next();
-    integrate::symplectic_euler(swapped.x, swapped.v, 0.0, h, suspension);
-    integrate::velocity_verlet(verlet.x, verlet.v, a, 0.0, h, suspension);
+    integrate::symplectic_euler(swapped.x, swapped.v, 0.0, h, undamped_suspension);
+    integrate::velocity_verlet(verlet.x, verlet.v, a, 0.0, h, undamped_suspension);
     farthest.symplectic_euler = std::max(farthest.symplectic_euler, std::abs(swapped.x));
     farthest.velocity_verlet = std::max(farthest.velocity_verlet, std::abs(verlet.x));
   }

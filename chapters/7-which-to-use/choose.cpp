@@ -48,7 +48,7 @@ scenes::LinearDrag<> drag_of(const Parameters& p) {
 }
 
 Ball ball_of(const Parameters&) {
-  return jump;
+  return height_of_jump;
 }
 
 /// One scene that can be asked for.

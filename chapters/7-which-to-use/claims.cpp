@@ -5,20 +5,23 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "floor.h"
+#include "float_floor.h"
+#include "level_by_choice.h"
 #include "map.h"
 #include "measure/method_of.h"
+#include "measure/methods.h"
 #include "particles.h"
 #include "peers.h"
-#include "solved.h"
+#include "poster.h"
 #include "verdicts.h"
-#include "wall.h"
-#include "work.h"
+#include "work_precision.h"
 #include "your_spring.h"
 
 using Catch::Matchers::ContainsSubstring;
@@ -340,6 +343,21 @@ TEST_CASE("Just inside the limits of the map a spring stays, just outside it exp
   CHECK(checked == 34);
 }
 
+TEST_CASE("What has no map of its own has the limits of something that has") {
+  const auto limits = [](const Method& step) {
+    std::vector<long> rounded;
+    for (const double zeta : {0.0, 0.1, 0.5, 1.0, 2.0}) {
+      rounded.push_back(std::lround(1e6 * stable_until(step, zeta)));
+    }
+    return rounded;
+  };
+  for (const Method* entrant : entrants) {
+    INFO(entrant->name << ": give it a map, in chapters/7-which-to-use/map.h");
+    const auto same = [&](const Mapped& one) { return limits(one.method) == limits(*entrant); };
+    CHECK(std::any_of(std::begin(mapped), std::end(mapped), same));
+  }
+}
+
 TEST_CASE("The eigenvalues know the limits that the formulas give") {
   for (const double zeta : {0.2, 0.5, 1.0, 1.5}) {
     const double root = std::sqrt(1 + zeta * zeta);
@@ -405,8 +423,9 @@ TEST_CASE("One exact step of a second ends where sixty of a frame do") {
       measure::after(method::spring_exact, suspension, suspension.start(), frame, 60);
   CHECK_THAT(once.x, WithinAbs(often.x, 1e-15));
   CHECK_THAT(once.x, WithinAbs(suspension.exact(1).x, 1e-15));
-  const auto leap = measure::after(method::constant_acceleration, jump, jump.start(), 1.0, 1);
-  CHECK_THAT(leap.x, WithinAbs(jump.exact(1).x, 1e-15));
+  const auto leap =
+      measure::after(method::constant_acceleration, height_of_jump, height_of_jump.start(), 1.0, 1);
+  CHECK_THAT(leap.x, WithinAbs(height_of_jump.exact(1).x, 1e-15));
 }
 
 TEST_CASE("In float RK4's shuttle stays a tenth of a millimetre off, and more than 480 Hz hurt") {
@@ -598,7 +617,8 @@ TEST_CASE(
 
 TEST_CASE("Euler's jump is eight centimetres off, and the exact step asks as often") {
   CHECK_THAT(errors(euler)["jump"], WithinAbs(8.2, 0.05));
-  CHECK(price(method::constant_acceleration, jump, frame) == price(euler, jump, frame));
+  CHECK(price(method::constant_acceleration, height_of_jump, frame) ==
+        price(euler, height_of_jump, frame));
 }
 
 TEST_CASE("A swing twice a second to one per cent takes velocity Verlet 288 steps a second") {

@@ -6,22 +6,10 @@
 #include <vector>
 
 #include "measure/evaluations.h"
-#include "measure/registry.h"
+#include "measure/compiled.h"
 
 /// The methods that take any acceleration.
-inline constexpr const measure::Method* entrants[] = {&method::euler,
-                                                      &method::symplectic_euler,
-                                                      &method::leapfrog,
-                                                      &method::stormer_verlet,
-                                                      &method::velocity_verlet,
-                                                      &method::yoshida4,
-                                                      &method::midpoint,
-                                                      &method::heun,
-                                                      &method::rk4,
-                                                      &method::dopri5,
-                                                      &method::predicted_euler,
-                                                      &method::backward_euler,
-                                                      &method::trapezoid};
+inline constexpr auto entrants = measure::all_compiled(list::Contenders());
 
 /// The methods that a scene can be stepped with, those that take its linear damping apart among
 /// them.

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "floor.h"
+#include "float_floor.h"
 #include "level.h"
+#include "level_by_choice.h"
 #include "map.h"
 #include "particles.h"
 #include "peers.h"
-#include "solved.h"
+#include "poster.h"
 #include "verdicts.h"
-#include "wall.h"
-#include "work.h"
+#include "work_precision.h"
 #include "your_spring.h"
 
 using measure::Record;
@@ -44,7 +44,7 @@ void one_for_all_numbers(Record& record) {
                           double seconds, double unit, const char* of) {
     record.number(name, unit * off(method, scene, frame, seconds), 2, of);
   };
-  number("jump-euler", method::euler, jump, 1, 100, "cm");
+  number("jump-euler", method::euler, height_of_jump, 1, 100, "cm");
   number("suspension-euler", method::euler, suspension, 1, 100, "cm");
   number("lamp-euler", method::euler, lamp, 10, 1, "m");
   number("suspension-symplectic", method::symplectic_euler, suspension, 1, 100, "cm");

@@ -10,7 +10,7 @@
 #include "entrants.h"
 #include "level.h"
 #include "measure/cost.h"
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "particles.h"
 
 namespace {
@@ -43,31 +43,24 @@ measure::Timed best_of_five(const measure::Timed& timed) {
           }};
 }
 
-/// Adds a method of the list if it is one of the entrants. Timed are the headers' own functions,
-/// which the compiler sees through.
-template <class Listed>
-void add_if_entrant(std::vector<measure::Timed>& all) {
-  const auto same = [](const measure::Method* entrant) {
-    return entrant->function == Listed::function;
-  };
-  if (std::none_of(std::begin(entrants), std::end(entrants), same)) return;
-  const std::string name(Listed::name);
-  all.push_back(
-      {"shuttle/" + name, [] { return measure::seconds_per_step(Listed::step, shuttle, brief); }});
-  all.push_back({"512 shuttles/" + name, [] {
-                   return measure::seconds_per_step_of_many(Listed::step, shuttle, brief, 512);
-                 }});
-}
-
+/// Timed are the headers' own functions, which the compiler sees through.
 template <class... Listed>
 void add_entrants(std::vector<measure::Timed>& all, std::tuple<Listed...>) {
-  (add_if_entrant<Listed>(all), ...);
+  const auto add = [&all](auto method) {
+    const std::string name(method.name);
+    all.push_back(
+        {"shuttle/" + name, [method] { return measure::seconds_per_step(method, shuttle, brief); }});
+    all.push_back({"512 shuttles/" + name, [method] {
+                     return measure::seconds_per_step_of_many(method, shuttle, brief, 512);
+                   }});
+  };
+  (add(Listed()), ...);
 }
 
 }  // namespace
 
 void add_shuttle_times(std::vector<measure::Timed>& all) {
-  add_entrants(all, list::General());
+  add_entrants(all, list::Contenders());
 }
 
 void add_particle_times(std::vector<measure::Timed>& all) {

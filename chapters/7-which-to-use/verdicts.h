@@ -8,10 +8,8 @@
 #include "measure/energy.h"
 #include "measure/record.h"
 #include "measure/stability.h"
-#include "scenes/circle.h"
 
 // [kinds]
-inline constexpr scenes::Circle<> drone{.omega = eight_seconds, .radius = 10};
 inline constexpr scenes::LinearDrag<> skid{.c = 2, .g = 0, .v0 = 10};
 inline constexpr Ball toss{{.c = 0, .v0 = 10}};
 

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "../cast.h"
 #include "map.h"
 #include "measure/record.h"
 
-inline constexpr scenes::Spring<> camera{.omega = 40, .zeta = 1};
 inline constexpr double camera_step = 1.0 / 30;  ///< [s]
 inline constexpr long camera_steps = 30;
 

@@ -30,8 +30,8 @@ int main(int argc, char** argv) {
     follow(record, "race-symplectic-euler", measure::symplectic_euler);
 
     record.number("price", price, measure::whole);
-    record.number("turn", turn, 1, "s");
-    record.number("length", 2 * shuttle.semi_major, 2, "m");
+    record.number("turn", shuttle_turn, 1, "s");
+    record.number("length", 2 * race_shuttle.semi_major, 2, "m");
     const auto turned = [](auto step) {
       return ellipse_of(step, 0).direction() - ellipse_of(step, turns - 1).direction();
     };

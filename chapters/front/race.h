@@ -5,27 +5,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "../cast.h"
 #include "measure/cost.h"
-#include "measure/implicit_methods.h"
-#include "measure/methods_with_memory.h"
-#include "scenes/orbit.h"
+#include "measure/methods.h"
 
-inline constexpr double turn = 8;      ///< time of a turn [s]
 inline constexpr double price = 15;    ///< evaluations of the acceleration per second
 inline constexpr int turns = 20;       ///< length of the race
 inline constexpr double planet = 2;    ///< radius; who comes closer has crashed [m]
 inline constexpr double picture = 23;  ///< out to the far corner of the figure [m]
 
-/// Between 5 m and 15 m from the planet.
-inline constexpr scenes::Orbit<> shuttle{
-    .eccentricity = 0.5,
-    .semi_major = 10,
-    .mu = 1000 * (2 * std::numbers::pi / turn) * (2 * std::numbers::pi / turn)};
-
 /// How long a step may be that asks for the acceleration `rate` times a second [s].
 template <class Step>
 double affordable(const Step& step, double rate) {
-  return double(measure::evaluations_per_step(step, shuttle, 0.01)) / rate;
+  return double(measure::evaluations_per_step(step, race_shuttle, 0.01)) / rate;
 }
 
 /// Follows the shuttle until the race is over, or it has crashed.
@@ -35,13 +27,13 @@ double affordable(const Step& step, double rate) {
 template <class Step, class Observe>
 void race(const Step& step, double rate, Observe&& observe) {
   const double h = affordable(step, rate);
-  const auto start = shuttle.start();
-  auto kept = measure::start(step, start, h, shuttle);
+  const auto start = race_shuttle.start();
+  auto kept = measure::start(step, start, h, race_shuttle);
   auto s = start;
   observe(0.0, s);
-  for (long n = 0; n < std::lround(turns * turn / h) && s.x.norm() > planet; ++n) {
-    measure::advance(step, kept, double(n) * h, h, shuttle);
-    s = measure::seen(step, kept, double(n + 1) * h, h, shuttle);
+  for (long n = 0; n < std::lround(turns * shuttle_turn / h) && s.x.norm() > planet; ++n) {
+    measure::advance(step, kept, double(n) * h, h, race_shuttle);
+    s = measure::seen(step, kept, double(n + 1) * h, h, race_shuttle);
     observe(double(n + 1) * h, s);
   }
 }
@@ -60,14 +52,15 @@ struct Ellipse {
 /// The ellipse of one turn, the first being 0.
 template <class Step>
 Ellipse ellipse_of(const Step& step, int which) {
-  const long steps = std::lround(turn / affordable(step, price));
+  const long steps = std::lround(shuttle_turn / affordable(step, price));
   Ellipse mean;
   long n = 0;
   race(step, price, [&](double, const auto& s) {
     if (n++ / steps != which) return;
-    const double spin = shuttle.angular_momentum(s.x, s.v);
-    mean.semi_major -= shuttle.mu / (2 * shuttle.energy(s.x, s.v)) / double(steps);
-    mean.to_nearest += spin / shuttle.mu * Eigen::Vector2d(s.v.y(), -s.v.x()) - s.x / s.x.norm();
+    const double spin = race_shuttle.angular_momentum(s.x, s.v);
+    mean.semi_major -= race_shuttle.mu / (2 * race_shuttle.energy(s.x, s.v)) / double(steps);
+    mean.to_nearest +=
+        spin / race_shuttle.mu * Eigen::Vector2d(s.v.y(), -s.v.x()) - s.x / s.x.norm();
   });
   return mean;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Implicit Euler by a linear system: one solve, or Newton's method.
+/// Backward Euler, or implicit Euler, by a linear system: one solve, or Newton's method.
 ///
 /// @code
 /// const auto spring = [](double x, double v, double) { return -9 * x - v; };
@@ -28,13 +28,11 @@
 /// }
 /// @endcode
 #pragma once
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [step]
-/// One step of implicit Euler with a single solve: linearly implicit Euler.
+/// One step of backward (implicit) Euler with a single solve: linearly implicit Euler.
 ///
 /// Order 1, one evaluation of the acceleration and one solve, stable on drag for every h, on an
 /// undamped spring for every h. On a linear force it is implicit Euler itself. On any other it puts
@@ -55,14 +53,16 @@ namespace integrate {
 template <class Vec, class Time, class Real, class Acceleration, class Solve>
 [[nodiscard]] constexpr bool backward_euler(Vec& x, Vec& v, Time t, Real h,
                                             Acceleration&& acceleration, Solve&& solve) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
   constexpr bool solves =
       std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
   static_assert(solves, "solve must be callable as bool(x, v, t, p, q, change), change a Vec&");
-  if constexpr (fits && solves) {
+  if constexpr (calls && scales && solves) {
     // [move]
     const Vec x_end = x + h * v;
     Vec change = h * acceleration(x_end, v, t + h);
@@ -73,10 +73,8 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve>
     // [move]
   }
 }
-// [step]
 
-// [newton]
-/// One step of implicit Euler, solved by Newton's method to a tolerance.
+/// One step of backward (implicit) Euler, solved by Newton's method to a tolerance.
 ///
 /// Order 1, one evaluation of the acceleration and one solve for each iteration, stable on drag for
 /// every h, on an undamped spring for every h.
@@ -96,16 +94,18 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve, cl
 [[nodiscard]] constexpr int backward_euler_newton(Vec& x, Vec& v, Time t, Real h,
                                                   Acceleration&& acceleration, Solve&& solve,
                                                   Norm&& norm, Real tolerance) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
   constexpr bool solves =
       std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
   static_assert(solves, "solve must be callable as bool(x, v, t, p, q, change), change a Vec&");
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
-  if constexpr (fits && solves && measures) {
+  if constexpr (calls && scales && solves && measures) {
     // [newton-move]
     Vec v_end = v;
     for (int iteration = 1; iteration <= 50; ++iteration) {
@@ -123,6 +123,5 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve, cl
     // [newton-move]
   }
 }
-// [newton]
 
 }  // namespace integrate

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Implicit Euler on a damped spring, solved by hand.
+/// Backward Euler, or implicit Euler, on a damped spring, solved by hand.
 ///
 /// @code
 /// double x = 1, v = 0;
@@ -8,13 +8,11 @@
 /// for (int n = 0; n < 60; ++n) integrate::backward_euler_spring(x, v, 1 / 60.0, omega, zeta);
 /// @endcode
 #pragma once
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [step]
-/// One step of implicit Euler on a damped spring.
+/// One step of backward (implicit) Euler on a damped spring.
 ///
 /// Order 1, no evaluation of the acceleration, stable on drag for every h, on an undamped spring
 /// for every h. The spring is `x'' = -omega^2 x - 2 zeta omega x'`.
@@ -29,10 +27,11 @@ namespace integrate {
 /// @see Hairer and Wanner, Solving Ordinary Differential Equations II (1996), section IV.3
 template <class Vec, class Real>
 constexpr void backward_euler_spring(Vec& x, Vec& v, Real h, Real omega, Real zeta) {
-  constexpr bool fits =
-      std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && !std::is_integral_v<Real>;
-  static_assert(fits, "h * x must be a Vec; h, omega and zeta no integers");
-  if constexpr (fits) {
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h, omega and zeta must be no integers");
+  if constexpr (scales) {
     // [move]
     const Real angle = h * omega;
     const Real left = Real(1) / (Real(1) + Real(2) * zeta * angle + angle * angle);
@@ -41,6 +40,5 @@ constexpr void backward_euler_spring(Vec& x, Vec& v, Real h, Real omega, Real ze
     // [move]
   }
 }
-// [step]
 
 }  // namespace integrate

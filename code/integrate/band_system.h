@@ -31,7 +31,6 @@
 
 namespace integrate {
 
-// [system]
 /// A system whose unknowns have near neighbours only: a chain, a rope.
 ///
 /// Elimination without pivoting, in a time that grows with the number of unknowns and no faster.
@@ -129,6 +128,5 @@ class BandSystem {
   Jacobian jacobian_;
   Eigen::Matrix<Real, 2 * Width + 1, Eigen::Dynamic> rows_;  // a column holds a row, but for the 1
 };
-// [system]
 
 }  // namespace integrate

@@ -8,12 +8,10 @@
 /// for (int n = 0; n < 60; ++n) integrate::constant_acceleration(x, v, n / 60.0, 1 / 60.0, spring);
 /// @endcode
 #pragma once
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [step]
 /// One step as if the acceleration stayed what it is at the start of the step.
 ///
 /// Exact for any h under a constant force. Order 1 otherwise, one evaluation of the acceleration,
@@ -25,13 +23,17 @@ namespace integrate {
 /// @param h  step size [s]; a negative step goes back in time
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see Galileo, Discorsi (1638), third day, proposition II
+// [signature]
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void constant_acceleration(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  // [signature]
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [move]
     const Vec a = acceleration(x, v, t);
     x = x + h * v + (h * h / Real(2)) * a;
@@ -39,6 +41,5 @@ constexpr void constant_acceleration(Vec& x, Vec& v, Time t, Real h, Acceleratio
     // [move]
   }
 }
-// [step]
 
 }  // namespace integrate

@@ -28,7 +28,6 @@
 
 namespace integrate {
 
-// [system]
 /// A system whose matrix is stored whole: for a few unknowns, up to a hundred or so.
 ///
 /// The matrix need not be symmetric.
@@ -81,6 +80,5 @@ class DenseSystem {
   Eigen::Matrix<Real, Size, Size> matrix_;
   Eigen::PartialPivLU<Eigen::Matrix<Real, Size, Size>> solver_;
 };
-// [system]
 
 }  // namespace integrate

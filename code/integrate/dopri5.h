@@ -20,13 +20,11 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <type_traits>
 
 namespace integrate {
 
-// [weights]
 /// The weights of dopri5: each row makes a stage of the slopes before it. The last stage but one is
 /// the new state; the last row is what it differs by from a solution of order 4.
 inline constexpr double dopri5_weights[7][7] = {
@@ -40,7 +38,6 @@ inline constexpr double dopri5_weights[7][7] = {
 
 /// When the stages of dopri5 are evaluated, in parts of the step.
 inline constexpr double dopri5_times[6] = {1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
-// [weights]
 
 /// How far two solutions of dopri5, of order 5 and 4, are apart.
 template <class Vec>
@@ -49,7 +46,6 @@ struct Dopri5Error {
   Vec v;  ///< in velocity
 };
 
-// [start]
 /// The acceleration at the start, for dopri5 to begin with.
 ///
 /// @param x  position
@@ -58,13 +54,11 @@ struct Dopri5Error {
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 template <class Vec, class Time, class Acceleration>
 constexpr Vec dopri5_start(const Vec& x, const Vec& v, Time t, Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t)");
-  if constexpr (fits) return acceleration(x, v, t);
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  if constexpr (calls) return acceleration(x, v, t);
 }
-// [start]
 
-// [step]
 /// One step of the method of Dormand and Prince, of order 5, with an estimate of its error.
 ///
 /// Order 5, six evaluations of the acceleration, stable on drag while c*h < 3.306, on an undamped
@@ -81,11 +75,13 @@ constexpr Vec dopri5_start(const Vec& x, const Vec& v, Time t, Acceleration&& ac
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr Dopri5Error<Vec> dopri5(Vec& x, Vec& v, Vec& a, Time t, Real h,
                                   Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [move]
     Vec velocities[7] = {v, v, v, v, v, v, v};
     Vec accelerations[7] = {a, a, a, a, a, a, a};
@@ -108,9 +104,7 @@ constexpr Dopri5Error<Vec> dopri5(Vec& x, Vec& v, Vec& a, Time t, Real h,
     // [move]
   }
 }
-// [step]
 
-// [adaptive]
 /// Moves on by `duration` in as many steps of dopri5 as a tolerance asks for.
 ///
 /// For answers to compare with. In a frame it is the wrong tool: nobody knows what it will cost.
@@ -129,19 +123,20 @@ constexpr Dopri5Error<Vec> dopri5(Vec& x, Vec& v, Vec& a, Time t, Real h,
 template <class Vec, class Time, class Real, class Acceleration, class Norm>
 [[nodiscard]] bool dopri5_adaptive(Vec& x, Vec& v, Time t, Real duration, Real& h,
                                    Acceleration&& acceleration, Norm&& norm, Real tolerance) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
-  if constexpr (fits && measures) {
+  if constexpr (calls && scales && measures) {
     // By an integer, since -ffast-math takes every comparison for one of finite numbers.
     const auto finite = [](Real size) {
       const int exponent = std::ilogb(Real(1) + size);
       return exponent >= 0 && exponent < (std::numeric_limits<int>::max)();
     };
-    // [control]
     const Real length = std::abs(duration);
     if (!finite(length)) return false;
     const Real forward = duration < Real(0) ? Real(-1) : Real(1);
@@ -166,9 +161,7 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
     }
     x = x_now, v = v_now;
     return true;
-    // [control]
   }
 }
-// [adaptive]
 
 }  // namespace integrate

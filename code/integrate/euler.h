@@ -8,12 +8,10 @@
 /// for (int n = 0; n < 60; ++n) integrate::euler(x, v, n / 60.0, 1 / 60.0, spring);
 /// @endcode
 #pragma once
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [step]
 /// One step of Euler's method: position and velocity both move along the tangent at the start.
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag while c*h < 2, on a damped spring
@@ -26,13 +24,17 @@ namespace integrate {
 /// @param h  step size [s]; a negative step goes back in time
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see L. Euler, Institutionum calculi integralis, volume 1 (1768), chapter 7
+// [signature]
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  // [signature]
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [move]
     const Vec a = acceleration(x, v, t);
     x = x + h * v;
@@ -40,6 +42,5 @@ constexpr void euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration
     // [move]
   }
 }
-// [step]
 
 }  // namespace integrate

@@ -11,12 +11,10 @@
 /// v = integrate::leapfrog_velocity(x, v_half, 60 * h, h, spring);
 /// @endcode
 #pragma once
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [start]
 /// The velocity half a step before the start, for leapfrog to begin with.
 ///
 /// @param x  position
@@ -27,15 +25,15 @@ namespace integrate {
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr Vec leapfrog_start(const Vec& x, const Vec& v, Time t, Real h,
                              Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) return v + (h / Real(-2)) * acceleration(x, v, t);
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) return v + (h / Real(-2)) * acceleration(x, v, t);
 }
-// [start]
 
-// [velocity]
 /// The velocity at the time of the position; costs an evaluation of the acceleration.
 ///
 /// @param x  position
@@ -46,15 +44,15 @@ constexpr Vec leapfrog_start(const Vec& x, const Vec& v, Time t, Real h,
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr Vec leapfrog_velocity(const Vec& x, const Vec& v_half, Time t, Real h,
                                 Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) return v_half + (h / Real(2)) * acceleration(x, v_half, t);
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) return v_half + (h / Real(2)) * acceleration(x, v_half, t);
 }
-// [velocity]
 
-// [step]
 /// One step of leapfrog: the velocities live half a step before and after the positions.
 ///
 /// Order 2, 1 under drag, one evaluation of the acceleration, stable on drag while c*h < 2, on an
@@ -70,11 +68,13 @@ constexpr Vec leapfrog_velocity(const Vec& x, const Vec& v_half, Time t, Real h,
 /// Stormer-Verlet method, Acta Numerica 12 (2003)
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void leapfrog(Vec& x, Vec& v_half, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [move]
     const Vec a = acceleration(x, v_half, t);
     v_half = v_half + h * a;
@@ -82,6 +82,5 @@ constexpr void leapfrog(Vec& x, Vec& v_half, Time t, Real h, Acceleration&& acce
     // [move]
   }
 }
-// [step]
 
 }  // namespace integrate

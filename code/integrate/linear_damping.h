@@ -32,12 +32,10 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [explicit-last]
 /// Symplectic Euler with damping: the force, then the speed times 1 - c*h (PhysX, Jolt).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
@@ -52,21 +50,19 @@ namespace integrate {
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void linear_damping_explicit_last(Vec& x, Vec& v, Time t, Real h, Real c,
                                             Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
-    // [explicit-last-move]
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     const Vec a = acceleration(x, v, t);
     v = (std::max)(Real(0), Real(1) - c * h) * Vec(v + h * a);
     x = x + h * v;
-    // [explicit-last-move]
   }
 }
-// [explicit-last]
 
-// [explicit-first]
 /// Symplectic Euler with damping: the speed times 1 - c*h, then the force (Godot).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
@@ -81,21 +77,19 @@ constexpr void linear_damping_explicit_last(Vec& x, Vec& v, Time t, Real h, Real
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void linear_damping_explicit_first(Vec& x, Vec& v, Time t, Real h, Real c,
                                              Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
-    // [explicit-first-move]
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     const Vec a = acceleration(x, v, t);
     v = (std::max)(Real(0), Real(1) - c * h) * v + h * a;
     x = x + h * v;
-    // [explicit-first-move]
   }
 }
-// [explicit-first]
 
-// [implicit-last]
 /// Symplectic Euler with damping: the force, then the speed over 1 + c*h (solver2d, Box2D 2).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
@@ -110,11 +104,13 @@ constexpr void linear_damping_explicit_first(Vec& x, Vec& v, Time t, Real h, Rea
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void linear_damping_implicit_last(Vec& x, Vec& v, Time t, Real h, Real c,
                                             Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [implicit-last-move]
     const Vec a = acceleration(x, v, t);
     v = (Real(1) / (Real(1) + c * h)) * Vec(v + h * a);
@@ -122,9 +118,7 @@ constexpr void linear_damping_implicit_last(Vec& x, Vec& v, Time t, Real h, Real
     // [implicit-last-move]
   }
 }
-// [implicit-last]
 
-// [implicit-first]
 /// Symplectic Euler with damping: the speed over 1 + c*h, then the force (Box2D 3, Avian).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
@@ -139,21 +133,19 @@ constexpr void linear_damping_implicit_last(Vec& x, Vec& v, Time t, Real h, Real
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void linear_damping_implicit_first(Vec& x, Vec& v, Time t, Real h, Real c,
                                              Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
-    // [implicit-first-move]
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     const Vec a = acceleration(x, v, t);
     v = (Real(1) / (Real(1) + c * h)) * v + h * a;
     x = x + h * v;
-    // [implicit-first-move]
   }
 }
-// [implicit-first]
 
-// [exponential-last]
 /// Symplectic Euler with damping: the force, then the speed times exp(-c*h).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
@@ -168,21 +160,19 @@ constexpr void linear_damping_implicit_first(Vec& x, Vec& v, Time t, Real h, Rea
 template <class Vec, class Time, class Real, class Acceleration>
 void linear_damping_exponential_last(Vec& x, Vec& v, Time t, Real h, Real c,
                                      Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
-    // [exponential-last-move]
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     const Vec a = acceleration(x, v, t);
     v = std::exp(-c * h) * Vec(v + h * a);
     x = x + h * v;
-    // [exponential-last-move]
   }
 }
-// [exponential-last]
 
-// [exponential-first]
 /// Symplectic Euler with damping: the speed times exp(-c*h), then the force (Bullet, Chipmunk).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
@@ -197,21 +187,19 @@ void linear_damping_exponential_last(Vec& x, Vec& v, Time t, Real h, Real c,
 template <class Vec, class Time, class Real, class Acceleration>
 void linear_damping_exponential_first(Vec& x, Vec& v, Time t, Real h, Real c,
                                       Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
-    // [exponential-first-move]
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     const Vec a = acceleration(x, v, t);
     v = std::exp(-c * h) * v + h * a;
     x = x + h * v;
-    // [exponential-first-move]
   }
 }
-// [exponential-first]
 
-// [exact]
 /// Symplectic Euler with damping: the exact velocity of damping and a constant force together.
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
@@ -225,19 +213,18 @@ void linear_damping_exponential_first(Vec& x, Vec& v, Time t, Real h, Real c,
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
 template <class Vec, class Time, class Real, class Acceleration>
 void linear_damping_exact(Vec& x, Vec& v, Time t, Real h, Real c, Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
-    // [exact-move]
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     const Vec a = acceleration(x, v, t);
     const Real push = c * h == Real(0) ? h : -std::expm1(-c * h) / c;
     v = std::exp(-c * h) * v + push * a;
     x = x + h * v;
-    // [exact-move]
   }
 }
-// [exact]
 
 }  // namespace integrate

@@ -8,12 +8,10 @@
 /// for (int n = 0; n < 60; ++n) integrate::midpoint(x, v, n / 60.0, 1 / 60.0, spring);
 /// @endcode
 #pragma once
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [step]
 /// One step of the midpoint method: half a step of Euler's shows the slope for the whole step.
 ///
 /// Order 2, two evaluations of the acceleration, stable on drag while c*h < 2, never on an undamped
@@ -27,11 +25,13 @@ namespace integrate {
 /// @see C. Runge, Ueber die numerische Aufloesung von Differentialgleichungen (1895)
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void midpoint(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [move]
     const Vec x_middle = x + (h / Real(2)) * v;
     const Vec v_middle = v + (h / Real(2)) * acceleration(x, v, t);
@@ -40,6 +40,5 @@ constexpr void midpoint(Vec& x, Vec& v, Time t, Real h, Acceleration&& accelerat
     // [move]
   }
 }
-// [step]
 
 }  // namespace integrate

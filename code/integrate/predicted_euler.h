@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Implicit Euler by predictor and corrector, which is explicit after all.
+/// Backward Euler, or implicit Euler, by predictor and corrector, which is explicit after all.
 ///
 /// @code
 /// const auto spring = [](double x, double v, double) { return -9 * x - v; };
@@ -8,13 +8,11 @@
 /// for (int n = 0; n < 60; ++n) integrate::predicted_euler(x, v, n / 60.0, 1 / 60.0, spring, 2);
 /// @endcode
 #pragma once
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [step]
-/// One step of implicit Euler, its end found by Euler's method and then corrected.
+/// One step of backward (implicit) Euler, its end found by Euler's method and then corrected.
 ///
 /// Order 1, two evaluations of the acceleration with one correction (one more for each further
 /// one), stable on drag while c*h < 1, on an undamped spring while h*omega < 1. More corrections
@@ -31,11 +29,13 @@ namespace integrate {
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void predicted_euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration,
                                int corrections = 1) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [move]
     Vec x_end = x + h * v;
     Vec v_end = v + h * acceleration(x, v, t);
@@ -49,6 +49,5 @@ constexpr void predicted_euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& ac
     // [move]
   }
 }
-// [step]
 
 }  // namespace integrate

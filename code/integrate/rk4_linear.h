@@ -8,7 +8,6 @@
 /// for (int n = 0; n < 60; ++n) integrate::rk4_linear(x, v, step);
 /// @endcode
 #pragma once
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
@@ -23,7 +22,6 @@ struct Rk4Linear {
   Real vv;  ///< part of the old velocity in the new velocity
 };
 
-// [start]
 /// The matrix of one RK4 step of x'' = -k x - c x', worked out once for all steps of this length.
 ///
 /// With Z the matrix of the equation times h, it is 1 + Z + Z^2/2 + Z^3/6 + Z^4/24.
@@ -42,9 +40,7 @@ constexpr Rk4Linear<Real> rk4_linear_start(Real k, Real c, Real h) {
   }
   return sum;
 }
-// [start]
 
-// [step]
 /// One step of RK4 on a linear force, by its matrix.
 ///
 /// Order 4, no evaluation of the acceleration, stable on drag while c*h < 2.785, on an undamped
@@ -56,9 +52,10 @@ constexpr Rk4Linear<Real> rk4_linear_start(Real k, Real c, Real h) {
 /// @see W. Kutta, Beitrag zur naeherungsweisen Integration totaler Differentialgleichungen (1901)
 template <class Vec, class Real>
 constexpr void rk4_linear(Vec& x, Vec& v, const Rk4Linear<Real>& step) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec>;
-  static_assert(fits, "the matrix times x must be a Vec: make it with the number type of Vec");
-  if constexpr (fits) {
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(scales, "the matrix times x must be a Vec: make it with the number type of Vec");
+  if constexpr (scales) {
     // [move]
     const Vec x_start = x;
     x = step.xx * x_start + step.xv * v;
@@ -66,6 +63,5 @@ constexpr void rk4_linear(Vec& x, Vec& v, const Rk4Linear<Real>& step) {
     // [move]
   }
 }
-// [step]
 
 }  // namespace integrate

@@ -34,7 +34,6 @@
 
 namespace integrate {
 
-// [system]
 /// A system of many unknowns with few neighbours each, in no order: cloth.
 ///
 /// Sparse Cholesky, its symbolic part once for as long as the Jacobian adds the same entries in the
@@ -202,6 +201,5 @@ class SparseSystem {
   std::vector<Pair> pairs_;     // all places beside the diagonal
   const char* problem_ = "";
 };
-// [system]
 
 }  // namespace integrate

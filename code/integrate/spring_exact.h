@@ -21,12 +21,10 @@
 /// @endcode
 #pragma once
 #include <cmath>
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [step]
 /// A damped spring, moved on by any time without error.
 ///
 /// Exact for any h, no evaluation of the acceleration, stable on drag for every h, on an undamped
@@ -43,10 +41,11 @@ namespace integrate {
 /// @see L. D. Landau and E. M. Lifshitz, Mechanics (1976), section 25
 template <class Vec, class Real>
 void spring_exact(Vec& x, Vec& v, Real h, Real omega, Real zeta) {
-  constexpr bool fits =
-      std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && !std::is_integral_v<Real>;
-  static_assert(fits, "h * x must be a Vec; h, omega and zeta no integers");
-  if constexpr (fits) {
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h, omega and zeta must be no integers");
+  if constexpr (scales) {
     // [move]
     const bool swings = zeta < Real(1);
     const Real root = std::sqrt(std::abs((zeta - Real(1)) * (zeta + Real(1))));
@@ -66,6 +65,5 @@ void spring_exact(Vec& x, Vec& v, Real h, Real omega, Real zeta) {
     // [move]
   }
 }
-// [step]
 
 }  // namespace integrate

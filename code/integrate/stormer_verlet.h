@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Position Verlet: the next position from the last two.
+/// Position Verlet, or Stormer-Verlet: the next position from the last two.
 ///
 /// @code
 /// const auto spring = [](double x, double v, double) { return -9 * x - v; };
@@ -36,12 +36,10 @@
 /// v = integrate::stormer_verlet_velocity(x, x_previous, h_previous);
 /// @endcode
 #pragma once
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [velocity]
 /// The velocity of position Verlet: the last step's distance over its time.
 ///
 /// Order 1: it is the velocity of half a step ago.
@@ -51,18 +49,17 @@ namespace integrate {
 /// @param h  step size [s]
 template <class Vec, class Real>
 constexpr Vec stormer_verlet_velocity(const Vec& x, const Vec& x_previous, Real h) {
-  constexpr bool fits =
-      std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && !std::is_integral_v<Real>;
-  static_assert(fits, "h * x must be a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (scales) {
     // [velocity-move]
     return (Real(1) / h) * (x + Real(-1) * x_previous);
     // [velocity-move]
   }
 }
-// [velocity]
 
-// [better-velocity]
 /// The velocity of position Verlet, brought from half a step ago to now by the last acceleration.
 ///
 /// Order 2.
@@ -74,14 +71,13 @@ constexpr Vec stormer_verlet_velocity(const Vec& x, const Vec& x_previous, Real 
 template <class Vec, class Real>
 constexpr Vec stormer_verlet_carried_velocity(const Vec& x, const Vec& x_previous, const Vec& a,
                                               Real h) {
-  constexpr bool fits =
-      std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> && !std::is_integral_v<Real>;
-  static_assert(fits, "h * x must be a Vec; h no integer");
-  if constexpr (fits) return (Real(1) / h) * (x + Real(-1) * x_previous) + (h / Real(2)) * a;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (scales) return (Real(1) / h) * (x + Real(-1) * x_previous) + (h / Real(2)) * a;
 }
-// [better-velocity]
 
-// [start]
 /// The position one step before the start, for stormer_verlet and its variants to begin with.
 ///
 /// Right to h^3, as order 2 needs. With `x_previous = x` the order would be 1 from rest, else 0.
@@ -94,20 +90,20 @@ constexpr Vec stormer_verlet_carried_velocity(const Vec& x, const Vec& x_previou
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr Vec stormer_verlet_start(const Vec& x, const Vec& v, Time t, Real h,
                                    Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [start-move]
     return x + Real(-1) * h * v + (h * h / Real(2)) * acceleration(x, v, t);
     // [start-move]
   }
 }
-// [start]
 
-// [step]
-/// One step of position Verlet, whose drag sees the last step's distance over its time.
+/// One step of position Verlet (Stormer-Verlet); drag sees the last step's distance over its time.
 ///
 /// Order 2 in position, 1 in velocity and under drag, one evaluation of the acceleration, stable on
 /// drag while c*h < 2, on an undamped spring while h*omega < 2. The step must stay the same from
@@ -122,11 +118,13 @@ constexpr Vec stormer_verlet_start(const Vec& x, const Vec& v, Time t, Real h,
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void stormer_verlet(Vec& x, Vec& x_previous, Time t, Real h,
                               Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [move]
     const Vec v = stormer_verlet_velocity(x, x_previous, h);
     const Vec a = acceleration(x, v, t);
@@ -136,9 +134,7 @@ constexpr void stormer_verlet(Vec& x, Vec& x_previous, Time t, Real h,
     // [move]
   }
 }
-// [step]
 
-// [carried]
 /// One step of position Verlet that carries the acceleration, so that drag sees a velocity of now.
 ///
 /// Order 2, one evaluation of the acceleration, stable on drag while c*h < 1, on an undamped spring
@@ -154,11 +150,13 @@ constexpr void stormer_verlet(Vec& x, Vec& x_previous, Time t, Real h,
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void stormer_verlet_carried(Vec& x, Vec& x_previous, Vec& a, Time t, Real h,
                                       Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [carried-move]
     const Vec v = stormer_verlet_carried_velocity(x, x_previous, a, h);
     a = acceleration(x, v, t);
@@ -168,9 +166,7 @@ constexpr void stormer_verlet_carried(Vec& x, Vec& x_previous, Vec& a, Time t, R
     // [carried-move]
   }
 }
-// [carried]
 
-// [uneven]
 /// One step of position Verlet where the step may change from one to the next.
 ///
 /// Order 2 in position, 1 in velocity and under drag, one evaluation of the acceleration, stable on
@@ -186,11 +182,13 @@ constexpr void stormer_verlet_carried(Vec& x, Vec& x_previous, Vec& a, Time t, R
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void stormer_verlet_uneven(Vec& x, Vec& x_previous, Time t, Real h, Real h_previous,
                                      Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [uneven-move]
     const Vec v = stormer_verlet_velocity(x, x_previous, h_previous);
     const Vec a = acceleration(x, v, t);
@@ -200,6 +198,5 @@ constexpr void stormer_verlet_uneven(Vec& x, Vec& x_previous, Time t, Real h, Re
     // [uneven-move]
   }
 }
-// [uneven]
 
 }  // namespace integrate

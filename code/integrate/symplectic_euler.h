@@ -8,12 +8,10 @@
 /// for (int n = 0; n < 60; ++n) integrate::symplectic_euler(x, v, n / 60.0, 1 / 60.0, spring);
 /// @endcode
 #pragma once
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [step]
 /// One step of symplectic Euler: velocity first, then position with the new velocity.
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag while c*h < 2, on an undamped spring
@@ -27,11 +25,13 @@ namespace integrate {
 /// @see Hairer, Lubich and Wanner, Geometric Numerical Integration (2006), section I.1.2
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void symplectic_euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [move]
     const Vec a = acceleration(x, v, t);
     v = v + h * a;
@@ -39,9 +39,7 @@ constexpr void symplectic_euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& a
     // [move]
   }
 }
-// [step]
 
-// [position-first]
 /// One step of symplectic Euler the other way round: position first, then velocity with the
 /// acceleration at the new position.
 ///
@@ -57,11 +55,13 @@ constexpr void symplectic_euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& a
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void symplectic_euler_position_first(Vec& x, Vec& v, Time t, Real h,
                                                Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [position-first-move]
     x = x + h * v;
     const Vec a = acceleration(x, v, t + h);
@@ -69,6 +69,5 @@ constexpr void symplectic_euler_position_first(Vec& x, Vec& v, Time t, Real h,
     // [position-first-move]
   }
 }
-// [position-first]
 
 }  // namespace integrate

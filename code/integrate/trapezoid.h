@@ -28,12 +28,10 @@
 /// }
 /// @endcode
 #pragma once
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [step]
 /// One step of the trapezoid rule with a single solve.
 ///
 /// Order 2, two evaluations of the acceleration and one solve, stable on drag for every h, on an
@@ -54,14 +52,16 @@ namespace integrate {
 template <class Vec, class Time, class Real, class Acceleration, class Solve>
 [[nodiscard]] constexpr bool trapezoid(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration,
                                        Solve&& solve) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
   constexpr bool solves =
       std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
   static_assert(solves, "solve must be callable as bool(x, v, t, p, q, change), change a Vec&");
-  if constexpr (fits && solves) {
+  if constexpr (calls && scales && solves) {
     // [move]
     const Real half = h / Real(2);
     const Vec x_end = x + h * v;
@@ -74,9 +74,7 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve>
     // [move]
   }
 }
-// [step]
 
-// [newton]
 /// One step of the trapezoid rule, solved by Newton's method to a tolerance.
 ///
 /// Order 2, one evaluation of the acceleration, and one more with a solve for each iteration,
@@ -97,17 +95,18 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve, cl
 [[nodiscard]] constexpr int trapezoid_newton(Vec& x, Vec& v, Time t, Real h,
                                              Acceleration&& acceleration, Solve&& solve,
                                              Norm&& norm, Real tolerance) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
   constexpr bool solves =
       std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
   static_assert(solves, "solve must be callable as bool(x, v, t, p, q, change), change a Vec&");
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
-  if constexpr (fits && solves && measures) {
-    // [newton-move]
+  if constexpr (calls && scales && solves && measures) {
     const Real half = h / Real(2);
     const Vec a = acceleration(x, v, t);
     Vec v_end = v;
@@ -124,9 +123,7 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve, cl
       }
     }
     return 0;
-    // [newton-move]
   }
 }
-// [newton]
 
 }  // namespace integrate

@@ -10,12 +10,10 @@
 /// for (int n = 0; n < 60; ++n) integrate::velocity_verlet(x, v, a, n * h, h, spring);
 /// @endcode
 #pragma once
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [start]
 /// The acceleration at the start, for velocity_verlet to begin with.
 ///
 /// @param x  position
@@ -25,13 +23,11 @@ namespace integrate {
 template <class Vec, class Time, class Acceleration>
 constexpr Vec velocity_verlet_start(const Vec& x, const Vec& v, Time t,
                                     Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t)");
-  if constexpr (fits) return acceleration(x, v, t);
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  if constexpr (calls) return acceleration(x, v, t);
 }
-// [start]
 
-// [step]
 /// One step of velocity Verlet: half a kick, a drift, half a kick with the new acceleration.
 ///
 /// Order 2, one evaluation of the acceleration, stable on drag while c*h < 1, on an undamped spring
@@ -48,11 +44,13 @@ constexpr Vec velocity_verlet_start(const Vec& x, const Vec& v, Time t,
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void velocity_verlet(Vec& x, Vec& v, Vec& a, Time t, Real h,
                                Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [move]
     const Vec v_half = v + (h / Real(2)) * a;
     const Vec v_predicted = v + h * a;
@@ -62,6 +60,5 @@ constexpr void velocity_verlet(Vec& x, Vec& v, Vec& a, Time t, Real h,
     // [move]
   }
 }
-// [step]
 
 }  // namespace integrate

@@ -10,12 +10,10 @@
 /// for (int n = 0; n < 60; ++n) integrate::yoshida4(x, v, a, n * h, h, spring);
 /// @endcode
 #pragma once
-#include <functional>
 #include <type_traits>
 
 namespace integrate {
 
-// [start]
 /// The acceleration at the start, for yoshida4 to begin with.
 ///
 /// @param x  position
@@ -24,13 +22,11 @@ namespace integrate {
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 template <class Vec, class Time, class Acceleration>
 constexpr Vec yoshida4_start(const Vec& x, const Vec& v, Time t, Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t)");
-  if constexpr (fits) return acceleration(x, v, t);
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  if constexpr (calls) return acceleration(x, v, t);
 }
-// [start]
 
-// [step]
 /// One step of Yoshida's method: velocity Verlet forward, backward and forward again.
 ///
 /// Order 4, 2 under drag, three evaluations of the acceleration, stable on drag while c*h < 0.912,
@@ -46,11 +42,13 @@ constexpr Vec yoshida4_start(const Vec& x, const Vec& v, Time t, Acceleration&& 
 /// (1990)
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void yoshida4(Vec& x, Vec& v, Vec& a, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool fits = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time> &&
-                        std::is_invocable_r_v<Vec, std::multiplies<>, Real, Vec> &&
-                        !std::is_integral_v<Real>;
-  static_assert(fits, "acceleration must be callable as Vec(x, v, t); h * x a Vec; h no integer");
-  if constexpr (fits) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
     // [move]
     const Real outer = h * Real(1.3512071919596576340476878089715);  // h / (2 - cbrt(2))
     const Real middle = h - Real(2) * outer;                         // a step back
@@ -67,6 +65,5 @@ constexpr void yoshida4(Vec& x, Vec& v, Vec& a, Time t, Real h, Acceleration&& a
     // [move]
   }
 }
-// [step]
 
 }  // namespace integrate

@@ -15,7 +15,6 @@ struct Drift {
   double smallest_gain = 0;  ///< least relative change in any one step, with its sign
 };
 
-// [drift]
 /// Follows a conserved quantity, such as the energy or the angular momentum, through a run.
 ///
 /// @param step  a method, called as `step(x, v, t, h, scene)`
@@ -39,6 +38,5 @@ Drift drift(Step step, const Scene& scene, Real h, long steps, Invariant invaria
   });
   return found;
 }
-// [drift]
 
 }  // namespace measure

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT-0
 // Which methods have a card, and which lines make sense on it.
 #include <stdexcept>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "integrate/dopri5.h"
 #include "measure/card_lines.h"
+#include "measure/compiled.h"
 #include "measure/method_of.h"
-#include "measure/methods.h"
-#include "measure/registry.h"
 
 namespace measure {
 namespace {
@@ -24,20 +25,14 @@ void limits_and_energy(Card& card, const Method& method) {
   card.timed_on = "an orbit";
 }
 
-template <class Scene = Passing>
-Card any(const Method& method, const Scene& scene = {}, const std::string& where = "on an orbit",
-         double h = 1.0 / 32) {
+template <class Scene>
+Card any(const Method& method, const Scene& scene, const std::string& where, double h) {
   Card card{std::string(method.function), "any acceleration", {}, {}};
   orders(card, method, scene, "order", where, h);
   orders(card, method, damped, "drag-order", "on a damped spring");
   evaluations(card, method, scenes::Pendulum<>());
   limits_and_energy(card, method);
   return card;
-}
-
-// On an orbit, errors of higher order hide those of the fifth until rounding hides both.
-Card fifth_order() {
-  return any(method::dopri5, undamped, "on an undamped spring", 1.0 / 8);
 }
 
 Card implicit(const Method& method) {
@@ -50,8 +45,7 @@ Card implicit(const Method& method) {
   return card;
 }
 
-Card predicted() {
-  Card card = any(method::predicted_euler);
+void more_corrections(Card& card) {
   const auto add = [&card](const std::string& corrections, const Method& method) {
     card.rows.push_back({"corrections-" + corrections + "-drag",
                          "With " + corrections + " corrections, stable up to", "drag, ch",
@@ -62,6 +56,15 @@ Card predicted() {
   };
   add("2", method_of(predicted_euler<2>));
   add("3", method_of(predicted_euler<3>));
+}
+
+template <class Listed>
+Card explicit_one() {
+  const Method& method = compiled<Listed>;
+  // On an orbit, errors of higher order hide those of the fifth until rounding hides both.
+  Card card = Listed::order < 5 ? any(method, Passing(), "on an orbit", 1.0 / 32)
+                                : any(method, undamped, "on an undamped spring", 1.0 / 8);
+  if constexpr (std::is_same_v<Listed, PredictedEuler>) more_corrections(card);
   return card;
 }
 
@@ -129,38 +132,18 @@ const Cell& Card::at(const std::string& name) const {
 }
 
 std::vector<Card> every_card() {
-  return {
-      any(method::euler),
-      any(method::constant_acceleration),
-      any(method::symplectic_euler),
-      any(method::symplectic_euler_position_first),
-      any(method::midpoint),
-      any(method::heun),
-      any(method::rk4),
-      any(method::stormer_verlet),
-      any(method::stormer_verlet_carried),
-      any(method::stormer_verlet_uneven),
-      any(method::leapfrog),
-      any(method::velocity_verlet),
-      any(method::yoshida4),
-      predicted(),
-      fifth_order(),
-      adaptive(),
-      implicit(method::backward_euler),
-      implicit(method::backward_euler_newton),
-      implicit(method::trapezoid),
-      implicit(method::trapezoid_newton),
-      on_springs(method::spring_exact),
-      on_springs(method::backward_euler_spring),
-      on_springs(method::rk4_linear),
-      damping(method::linear_damping_explicit_last),
-      damping(method::linear_damping_explicit_first),
-      damping(method::linear_damping_implicit_last),
-      damping(method::linear_damping_implicit_first),
-      damping(method::linear_damping_exponential_last),
-      damping(method::linear_damping_exponential_first),
-      damping(method::linear_damping_exact),
+  std::vector<Card> all;
+  const auto add_explicit = [&all]<class... Listed>(std::tuple<Listed...>) {
+    (all.push_back(explicit_one<Listed>()), ...);
   };
+  add_explicit(list::EveryExplicit());
+  all.push_back(adaptive());
+  for (const Method* method : all_compiled(list::EveryImplicit())) all.push_back(implicit(*method));
+  for (const Method* method : all_compiled(list::EveryOnSprings())) {
+    all.push_back(on_springs(*method));
+  }
+  for (const Method* method : all_compiled(list::EveryDamping())) all.push_back(damping(*method));
+  return all;
 }
 
 }  // namespace measure

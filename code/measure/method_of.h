@@ -2,6 +2,8 @@
 /// @file
 /// Makes a Method of a step.
 #pragma once
+#include <array>
+#include <tuple>
 #include <type_traits>
 
 #include "measure/method.h"
@@ -56,10 +58,16 @@ constexpr Method method_of(const Step&, std::string_view name = "", std::string_
           stepper_of<Step, Eigen::VectorXd>()};
 }
 
-/// A method of the list behind one type.
+/// A method of the book behind one type.
 template <class Listed>
 constexpr Method method_of() {
-  return method_of(Listed::step, Listed::name, Listed::function, Listed::header);
+  return method_of(Listed(), Listed::name, Listed::function, Listed::header);
+}
+
+/// All methods of a list behind one type.
+template <class... Methods>
+constexpr std::array<Method, sizeof...(Methods)> methods_of(std::tuple<Methods...>) {
+  return {method_of<Methods>()...};
 }
 
 }  // namespace measure

@@ -1,60 +1,117 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// The methods of the book as objects that can be handed to run() and to the other measurements.
+/// Every method of the book: the lists that tests, cards, times and programs go over.
+//
+// What goes over one of these lists goes over all of its methods. A new method stands in the list
+// of its kin, at the end of one of the headers in methods/, and nowhere else.
 #pragma once
-#include "integrate/constant_acceleration.h"
-#include "integrate/euler.h"
-#include "integrate/heun.h"
-#include "integrate/midpoint.h"
-#include "integrate/predicted_euler.h"
-#include "integrate/rk4.h"
-#include "integrate/symplectic_euler.h"
+#include <tuple>
+#include <type_traits>
+
+#include "measure/methods/damping.h"
+#include "measure/methods/euler.h"
+#include "measure/methods/implicit.h"
+#include "measure/methods/runge_kutta.h"
+#include "measure/methods/spring.h"
+#include "measure/methods/traits.h"
+#include "measure/methods/verlet.h"
 
 /// What is asked of a method on a scene: errors, orders, energies, limits and costs.
-namespace measure {
+namespace measure {}
 
-/// integrate::euler as an object that can be handed on.
-inline constexpr auto euler = [](auto& x, auto& v, auto t, auto h, auto&& acceleration) {
-  integrate::euler(x, v, t, h, acceleration);
+/// The methods of the book, as lists of their types.
+namespace list {
+
+/// Lists one after the other.
+template <class... Lists>
+using Joined = decltype(std::tuple_cat(Lists()...));
+
+/// Those of a list of which something holds.
+template <class List, auto holds>
+struct Filtered;
+
+/// Those of a list of which something holds.
+template <class... Methods, auto holds>
+struct Filtered<std::tuple<Methods...>, holds> {
+  /// As one list.
+  using List = Joined<std::conditional_t<holds(Methods()), std::tuple<Methods>, std::tuple<>>...>;
 };
 
-/// integrate::constant_acceleration as an object that can be handed on.
-inline constexpr auto constant_acceleration = [](auto& x, auto& v, auto t, auto h,
-                                                 auto&& acceleration) {
-  integrate::constant_acceleration(x, v, t, h, acceleration);
-};
+/// Those of a list of which something holds: a function object that is called with an object of
+/// each type.
+template <class List, auto holds>
+using Among = typename Filtered<List, holds>::List;
 
-/// integrate::symplectic_euler as an object that can be handed on.
-inline constexpr auto symplectic_euler = [](auto& x, auto& v, auto t, auto h, auto&& acceleration) {
-  integrate::symplectic_euler(x, v, t, h, acceleration);
-};
+/// Whether a method stands in a list.
+template <class Method, class... Methods>
+constexpr bool is_in(std::tuple<Methods...>) {
+  return (std::is_same_v<Method, Methods> || ...);
+}
 
-/// integrate::symplectic_euler_position_first as an object that can be handed on.
-inline constexpr auto symplectic_euler_position_first = [](auto& x, auto& v, auto t, auto h,
-                                                           auto&& acceleration) {
-  integrate::symplectic_euler_position_first(x, v, t, h, acceleration);
-};
+// A method that says too little is refused below, in a sentence, and is left out of the lists, so
+// that the sentence is all that the compiler says.
+/// Refuses methods that say too little.
+template <class... Methods>
+constexpr bool require_all_traits(std::tuple<Methods...>) {
+  return (measure::require_all_traits<Methods>() && ...);
+}
+/// Refuses methods without names.
+template <class... Methods>
+constexpr bool require_names(std::tuple<Methods...>) {
+  return (measure::require_names<Methods>() && ...);
+}
+static_assert(require_all_traits(Joined<EulerKin, VerletKin, RungeKuttaKin, ImplicitKin>()));
+static_assert(require_names(Joined<SpringKin, DampingKin>()));
+/// Whether a method says all that is asked of it.
+inline constexpr auto is_whole = [](auto method) { return measure::IsWhole<decltype(method)>; };
+/// Whether a method says what it is called.
+inline constexpr auto is_named = [](auto method) { return measure::IsNamed<decltype(method)>; };
 
-/// integrate::midpoint as an object that can be handed on.
-inline constexpr auto midpoint = [](auto& x, auto& v, auto t, auto h, auto&& acceleration) {
-  integrate::midpoint(x, v, t, h, acceleration);
-};
+/// The explicit methods that take any acceleration.
+using EveryExplicit = Among<Joined<EulerKin, VerletKin, RungeKuttaKin>, is_whole>;
 
-/// integrate::heun as an object that can be handed on.
-inline constexpr auto heun = [](auto& x, auto& v, auto t, auto h, auto&& acceleration) {
-  integrate::heun(x, v, t, h, acceleration);
-};
+/// The methods that take any acceleration, and its Jacobian.
+using EveryImplicit = Among<ImplicitKin, is_whole>;
 
-/// integrate::rk4 as an object that can be handed on.
-inline constexpr auto rk4 = [](auto& x, auto& v, auto t, auto h, auto&& acceleration) {
-  integrate::rk4(x, v, t, h, acceleration);
-};
+/// The methods that take any acceleration; the implicit ones want its Jacobian as well.
+using EveryGeneral = Joined<EveryExplicit, EveryImplicit>;
 
-/// integrate::predicted_euler with a given number of corrections, as an object that can be handed
-/// on.
-template <int Corrections = 1>
-inline constexpr auto predicted_euler = [](auto& x, auto& v, auto t, auto h, auto&& acceleration) {
-  integrate::predicted_euler(x, v, t, h, acceleration, Corrections);
-};
+/// The methods for one damped spring alone.
+using EveryOnSprings = Among<SpringKin, is_named>;
 
-}  // namespace measure
+/// The methods that take linear damping apart from the other forces.
+using EveryDamping = Among<DampingKin, is_named>;
+
+/// Whether the chapters run a method against the others.
+inline constexpr auto is_contender = [](auto method) { return method.contender; };
+
+/// The methods that the chapters run against each other.
+using Contenders = Among<EveryGeneral, is_contender>;
+
+// Compiled with -DONLY=Rk4, the lists hold that method alone. A list without it stays whole, since
+// Catch2 takes no empty ones.
+#ifdef ONLY
+/// Whether a method is the chosen one.
+inline constexpr auto is_chosen = [](auto method) {
+  return std::is_same_v<decltype(method), measure::ONLY>;
+};
+template <class List, class Those = Among<List, is_chosen>>
+using Chosen = std::conditional_t<std::is_same_v<Those, std::tuple<>>, List, Those>;
+#else
+/// All methods of a list, or the chosen one.
+template <class List>
+using Chosen = List;
+#endif
+
+using Explicit = Chosen<EveryExplicit>;    ///< those to go over
+using Implicit = Chosen<EveryImplicit>;    ///< those to go over
+using OnSprings = Chosen<EveryOnSprings>;  ///< those to go over
+using Damping = Chosen<EveryDamping>;      ///< those to go over
+using General = Chosen<EveryGeneral>;      ///< those to go over
+
+/// Those for any acceleration of which something holds, such as
+/// `[](auto method) { return method.symplectic; }`.
+template <auto holds>
+using Where = Chosen<Among<EveryGeneral, holds>>;
+
+}  // namespace list

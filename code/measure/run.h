@@ -4,7 +4,6 @@
 #pragma once
 #include <array>
 
-#include "measure/methods.h"
 #include "scenes/state.h"
 
 namespace measure {
@@ -54,7 +53,6 @@ scenes::State<typename Kept::value_type> seen(const Step& step, const Kept& kept
   }
 }
 
-// [run]
 /// Takes `steps` equal steps; `observe` sees the start and the state after each step.
 ///
 /// The time is `n * h` and never a sum of steps, so that it is right to rounding however long the
@@ -77,7 +75,6 @@ void run(Step step, const Scene& scene, scenes::State<Vec>& s, Real h, long step
     observe(Real(n + 1) * h, s);
   }
 }
-// [run]
 
 /// The state after `steps` equal steps.
 ///

@@ -45,7 +45,6 @@ double spectral_radius(Step step, const Scene& scene, double h) {
 }
 // [radius]
 
-// [limit]
 /// The largest stable step between `stable` and `unstable`, by bisection down to rounding.
 ///
 /// A method that keeps a spring swinging for ever has a factor of one up to rounding, which counts
@@ -63,6 +62,5 @@ double stability_limit(Step step, const Scene& scene, double stable, double unst
   }
   return stable;
 }
-// [limit]
 
 }  // namespace measure

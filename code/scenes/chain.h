@@ -27,7 +27,6 @@ struct Chain {
   Real c = 0;                ///< damping of each spring [N s/m]
   Real stretch = Real(0.1);  ///< of each spring at the start [m]
 
-  // [acceleration]
   /// The accelerations [m/s^2].
   /// @param x  positions [m]
   /// @param v  velocities [m/s]
@@ -43,7 +42,6 @@ struct Chain {
     a[count - 1] = -before / tip;
     return a;
   }
-  // [acceleration]
 
   // [jacobian]
   /// Hands the derivatives of the acceleration on, for the implicit methods.

@@ -21,7 +21,6 @@ struct Link {
   Real k = 1;       ///< stiffness [N/m]
   Real c = 0;       ///< damping [N s/m]
 
-  // [pull]
   /// How the first point is pulled towards the second [N]; the second feels the opposite.
   /// @param d  from the first point to the second [m]
   /// @param w  velocity of the second point, seen from the first [m/s]
@@ -30,9 +29,7 @@ struct Link {
     const Real tension = k * (r - length) + c * d.dot(w) / r;
     return (tension / r) * d;
   }
-  // [pull]
 
-  // [stiffness]
   /// The derivative of the pull by d [N/m], without two parts that would cost the matrix of an
   /// implicit step its symmetry or its positive definiteness: the one of the damping, and that
   /// across a compressed spring, which pushes aside what is already beside it.
@@ -44,7 +41,6 @@ struct Link {
     const Real across = k * std::max(Real(0), Real(1) - length / r);
     return (k - across) * Block(along * along.transpose()) + across * Block::Identity();
   }
-  // [stiffness]
 
   /// The derivative of the pull by w [N s/m].
   /// @param d  from the first point to the second [m]

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "format_values.h"
 #include "judge/session.h"
-#include "words.h"
 
 namespace judge::verlet {
 

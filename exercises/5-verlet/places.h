@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "format_values.h"
 #include "judge/describe.h"
 #include "judge/session.h"
 #include "judge/tests.h"
-#include "words.h"
 
 namespace judge::verlet {
 

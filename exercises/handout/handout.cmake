@@ -11,10 +11,10 @@ file(COPY ${SOURCE}/exercises/handout/CMakeLists.txt ${SOURCE}/exercises/handout
 file(COPY ${BOOK} DESTINATION ${top})
 
 # Of an exercise its text, its starter and its tests with their headers; the folders right and wrong lie deeper.
-file(COPY ${SOURCE}/exercises/CMakeLists.txt ${SOURCE}/exercises/grade DESTINATION ${top}/exercises)
+file(COPY ${SOURCE}/exercises/CMakeLists.txt ${SOURCE}/exercises/grader DESTINATION ${top}/exercises)
 file(GLOB handed RELATIVE ${SOURCE} ${SOURCE}/exercises/*/*.h ${SOURCE}/exercises/*/*/*.h
   ${SOURCE}/exercises/*/*/task.md ${SOURCE}/exercises/*/*/judge.cpp)
-list(FILTER handed EXCLUDE REGEX "/solution\\.h$|^exercises/(grade|handout)/")
+list(FILTER handed EXCLUDE REGEX "/solution\\.h$|^exercises/(grader|handout)/")
 foreach(file IN LISTS handed)
   cmake_path(GET file PARENT_PATH folder)
   file(COPY ${SOURCE}/${file} DESTINATION ${top}/${folder})

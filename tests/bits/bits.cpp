@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <typeinfo>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "measure/run.h"
 #include "scenes/orbit.h"
 #include "scenes/outer_solar_system.h"
@@ -22,10 +22,10 @@
 namespace {
 
 template <class Method>
-constexpr bool calls_the_c_library = std::is_same_v<Method, list::SpringExact> ||
-                                     std::is_same_v<Method, list::LinearDampingExponentialLast> ||
-                                     std::is_same_v<Method, list::LinearDampingExponentialFirst> ||
-                                     std::is_same_v<Method, list::LinearDampingExact>;
+constexpr bool calls_the_c_library = std::is_same_v<Method, measure::SpringExact> ||
+                                     std::is_same_v<Method, measure::LinearDampingExponentialLast> ||
+                                     std::is_same_v<Method, measure::LinearDampingExponentialFirst> ||
+                                     std::is_same_v<Method, measure::LinearDampingExact>;
 
 // FNV-1a, one double at a time.
 struct Hash {
@@ -39,7 +39,7 @@ struct Hash {
   }
 };
 
-// "list::Euler" as g++ and clang++ both spell it.
+// "measure::Euler" as g++ and clang++ both spell it.
 template <class Method>
 std::string name() {
   int status = 0;
@@ -53,7 +53,7 @@ template <class Method, class Scene, class Vec>
 void print(const char* where, const Scene& scene, scenes::State<Vec> s, double h, long steps) {
   if constexpr (!calls_the_c_library<Method>) {
     Hash hash;
-    measure::run(Method::step, scene, s, h, steps, [&hash](double, const scenes::State<Vec>& now) {
+    measure::run(Method(), scene, s, h, steps, [&hash](double, const scenes::State<Vec>& now) {
       hash.add(now.x);
       hash.add(now.v);
     });

@@ -8,7 +8,7 @@ import { headersOf } from './std_headers.mjs';
 
 const source = process.argv[2];
 // Our own headers are named from the file's folder, or from one of these.
-const roots = ['code', 'exercises/grade', 'tests', 'tests/peers', 'tests/snippets', 'book/live'];
+const roots = ['code', 'exercises/grader', 'tests', 'tests/peers', 'tests/snippets', 'book', 'chapters'];
 
 const bare = text => text.replace(/\/\*[\s\S]*?\*\/|\/\/.*|R"(\w*)\([\s\S]*?\)\1"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'/g,
   found => found.startsWith('"') || found.startsWith('R"') ? '""' : '\n'.repeat(found.split('\n').length - 1));
@@ -18,7 +18,7 @@ const read = file => readFileSync(join(source, file), 'utf8');
 function included(file, seen = new Set()) {
   if (seen.has(file)) return [];
   seen.add(file);
-  const given = /^exercises\/\d/.test(file) ? included('exercises/grade/harness/given.h', seen) : [];
+  const given = /^exercises\/\d/.test(file) ? included('exercises/grader/harness/given.h', seen) : [];
   return [...given, ...[...read(file).matchAll(/^\s*#\s*include\s+([<"])([^>"]+)[>"]/gm)].flatMap(([, quote, name]) => {
     if (quote === '<') return [name];
     const place = [dirname(file), ...roots].map(root => normalize(join(root, name))).find(path => existsSync(join(source, path)));

@@ -9,7 +9,7 @@ file(ARCHIVE_EXTRACT INPUT ${zip} DESTINATION ${WORK})
 set(top ${WORK}/one-step-at-a-time)
 
 set(wanted README.md LICENSE setup.sh CMakeLists.txt CMakePresets.json book/index.html
-  code/integrate/euler.h exercises/grade/main.cpp exercises/grade/harness/given.h)
+  code/integrate/euler.h exercises/grader/main.cpp exercises/grader/harness/given.h)
 foreach(name IN LISTS NAMES)
   foreach(file task.md starter.h harness.h judge.cpp)
     list(APPEND wanted exercises/${name}/${file})

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT-0
 // Proves an exercise's tests: prove 2-euler/orbit-drift [SEEDS]. Its solution and every right/*.h
-// score full marks under SEEDS seeds (3 unless told), its starter scores nothing, and every
-// wrong/*.h fails the test that its first line names. Prints one line for each; the exit code is 1
-// if any is not so.
+// score full marks under SEEDS seeds (3 unless told), its starter scores nothing, and every way in
+// wrong, be it a header or an edit of the solution, fails the test that its first line names and is
+// told what a line `Says:` promises. Prints one line for each; the exit code is 1 if any is not so.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "grade.h"
+#include "grade_submission.h"
 #include "judge/session.h"
+#include "report/words.h"
 
 namespace {
 
@@ -24,7 +26,7 @@ Report grade_file(const grade::Exercise& exercise, const std::filesystem::path& 
   request.exercise = exercise;
   request.submission = file;
   request.seed = seed;
-  return grade::grade_one(request);
+  return grade::grade_submission(request);
 }
 
 bool say(const Report& report, const std::filesystem::path& file, bool as_it_should,
@@ -77,35 +79,64 @@ bool is_nothing(const grade::Exercise& exercise, const std::filesystem::path& fi
   return say(report, file, ran && report.score == 0, ran ? "" : "a test was not run");
 }
 
-std::string promised(const std::filesystem::path& file) {
-  const std::string mark = "// fails: ";
-  std::string line;
-  std::getline(std::ifstream(file), line);
-  return line.starts_with(mark) ? line.substr(mark.size()) : "";
+// What the comment of that name holds, at the top of the header; empty if there is none.
+std::string promised(const std::filesystem::path& file, const std::string& name) {
+  const std::string mark = "// " + name + ": ";
+  std::ifstream header(file);
+  for (std::string line; std::getline(header, line) && line.starts_with("// ");) {
+    if (line.starts_with(mark)) return line.substr(mark.size());
+  }
+  return "";
+}
+
+// Everything that the student is told about a test.
+std::string told(const Report& report, const grade::TestResult& test) {
+  std::string all = report.why;
+  for (const grade::Finding& finding : test.findings) {
+    for (const grade::Line& line : grade::lines(finding)) all += "\n" + line.text;
+  }
+  return all;
 }
 
 // A test that was never run, because the code crashed, is not one that it failed.
 bool is_caught(const grade::Exercise& exercise, const std::filesystem::path& file) {
   const Report report = grade_file(exercise, file, 1);
-  const std::string name = promised(file);
+  const std::string name = promised(file, "Fails"), words = promised(file, "Says");
   const auto named = std::find_if(report.tests.begin(), report.tests.end(),
                                   [&](const grade::TestResult& test) { return test.name == name; });
-  if (name.empty()) return say(report, file, false, "its first line is not \"// fails: TEST\"");
+  if (name.empty()) return say(report, file, false, "its first line is not \"// Fails: TEST\"");
   if (named == report.tests.end())
     return say(report, file, false, "there is no test \"" + name + "\"");
   if (report.verdict == Verdict::grader_error) return say(report, file, false, "was not judged");
   const bool caught = !named->held && (named->ran || report.verdict != Verdict::partial);
+  if (caught && told(report, *named).find(words) == std::string::npos)
+    return say(report, file, false, "is not told \"" + words + "\" but:" + told(report, *named));
   return say(
       report, file, caught && report.score < report.points,
       caught ? failed(report) + ", named for " + std::to_string(named - report.tests.begin() + 1)
              : "passed: " + name);
 }
 
-std::vector<std::filesystem::path> headers(const std::filesystem::path& folder) {
+// The header that the build made of an edit of the solution.
+std::filesystem::path applied(const grade::Exercise& exercise, const std::filesystem::path& edit) {
+  const auto made =
+      std::filesystem::path(EDITED) / exercise.name / "wrong" / edit.stem().concat(".h");
+  const auto newest =
+      std::max(last_write_time(edit), last_write_time(exercise.folder / "solution.h"));
+  if (exists(made) && last_write_time(made) >= newest) return made;
+  throw std::runtime_error(edit.string() + " was not applied; cmake --build build --target prove");
+}
+
+// By their names, with headers in place of edits.
+std::vector<std::filesystem::path> headers(const grade::Exercise& exercise,
+                                           const std::string& folder) {
   std::vector<std::filesystem::path> found;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    found.push_back(entry.path());
-  std::sort(found.begin(), found.end());
+  for (const auto& entry : std::filesystem::directory_iterator(exercise.folder / folder)) {
+    const bool is_edit = entry.path().extension() == ".txt";
+    found.push_back(is_edit ? applied(exercise, entry.path()) : entry.path());
+  }
+  std::sort(found.begin(), found.end(),
+            [](const auto& one, const auto& other) { return one.filename() < other.filename(); });
   return found;
 }
 
@@ -113,6 +144,18 @@ bool are_enough(const std::string& what, std::size_t count, std::size_t least) {
   if (count >= least) return true;
   std::printf("WRONG  %zu %s, and there should be at least %zu\n", count, what.c_str(), least);
   return false;
+}
+
+int prove(const grade::Exercise& exercise, int seeds) {
+  print_tests(exercise.name);
+  bool good = is_right(exercise, exercise.folder / "solution.h", seeds);
+  const auto right = headers(exercise, "right"), wrong = headers(exercise, "wrong");
+  for (const auto& file : right) good = is_right(exercise, file, seeds) && good;
+  good = is_nothing(exercise, exercise.folder / "starter.h") && good;
+  for (const auto& file : wrong) good = is_caught(exercise, file) && good;
+  good = are_enough("right ways", right.size(), 2) && good;
+  good = are_enough("wrong ways", wrong.size(), 6) && good;
+  return good ? 0 : 1;
 }
 
 }  // namespace
@@ -126,14 +169,10 @@ int main(int count, char** arguments) {
     return 2;
   }
   const int seeds = count > 2 ? std::max(1, std::atoi(arguments[2])) : 3;
-  print_tests(exercise->name);
-  bool good = is_right(*exercise, exercise->folder / "solution.h", seeds);
-  const auto right = headers(exercise->folder / "right"),
-             wrong = headers(exercise->folder / "wrong");
-  for (const auto& file : right) good = is_right(*exercise, file, seeds) && good;
-  good = is_nothing(*exercise, exercise->folder / "starter.h") && good;
-  for (const auto& file : wrong) good = is_caught(*exercise, file) && good;
-  good = are_enough("right ways", right.size(), 2) && good;
-  good = are_enough("wrong ways", wrong.size(), 6) && good;
-  return good ? 0 : 1;
+  try {
+    return prove(*exercise, seeds);
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "prove: %s\n", problem.what());
+    return 1;
+  }
 }

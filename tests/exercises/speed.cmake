@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT-0
 # How fast is grading, compile included? One submission on one core, and a class of 120 two at a time.
-# cmake -DGRADE=build/exercises/grade -DEXERCISES=exercises -DWORK=folder -P speed.cmake
+# cmake -DGRADE=build/exercises/grade -DEXERCISES=exercises -DEDITED=build/exercises -DWORK=folder -P speed.cmake
 function(now out)
   string(TIMESTAMP moment "%s%f" UTC)
   set(${out} ${moment} PARENT_SCOPE)
@@ -26,7 +26,7 @@ math(EXPR milliseconds "${best} / 1000")
 message("one submission on one core: ${milliseconds} ms, the best of 10; 1000 are allowed")
 
 file(REMOVE_RECURSE ${WORK})
-file(GLOB ways ${EXERCISES}/${exercise}/right/*.h ${EXERCISES}/${exercise}/wrong/*.h)
+file(GLOB ways ${EXERCISES}/${exercise}/right/*.h ${EXERCISES}/${exercise}/wrong/*.h ${EDITED}/${exercise}/wrong/*.h)
 list(LENGTH ways count)
 foreach(student RANGE 1 120)
   math(EXPR which "${student} % ${count}")

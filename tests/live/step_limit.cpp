@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "measure/methods/euler.h"
+#include "measure/methods/runge_kutta.h"
 #include "measure/stability.h"
 #include "scenes/spring.h"
 

@@ -6,10 +6,9 @@
 #include <stdexcept>
 
 #include "measure/card_lines.h"
-#include "measure/linear_methods.h"
-#include "measure/method_of.h"
 #include "measure/methods.h"
-#include "measure/registry.h"
+#include "measure/method_of.h"
+#include "measure/compiled.h"
 
 using Catch::Matchers::WithinRel;
 using measure::Card;

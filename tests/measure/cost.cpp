@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "measure/linear_methods.h"
+#include "measure/methods.h"
 #include "measure/run.h"
 #include "scenes/pendulum.h"
 #include "scenes/spring.h"

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "made_up.h"
+#include "measure/methods/euler.h"
 #include "scenes/projectile.h"
 
 using Catch::Matchers::WithinRel;

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "measure/method_of.h"
-#include "measure/registry.h"
+#include "measure/compiled.h"
 #include "scenes/orbit.h"
 #include "scenes/spring.h"
 
@@ -22,7 +22,7 @@ const auto bare = [](double x, double, double) { return -x; };
 
 template <class Listed, class Scene>
 void check_same_steps(const Scene& scene) {
-  const auto by_header = measure::after(Listed::step, scene, scene.start(), 0.01, 100);
+  const auto by_header = measure::after(Listed(), scene, scene.start(), 0.01, 100);
   const auto behind = measure::after(measure::method_of<Listed>(), scene, scene.start(), 0.01, 100);
   CHECK(by_header.x == behind.x);
   CHECK(by_header.v == behind.v);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT-0
+#include "measure/methods/euler.h"
 #include "measure/stability.h"
 
 #include <catch2/catch_test_macros.hpp>

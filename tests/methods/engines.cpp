@@ -7,7 +7,7 @@
 #include <cmath>
 #include <typeinfo>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "measure/run.h"
 #include "scenes/linear_drag.h"
 #include "theory_of_damping.h"
@@ -28,21 +28,17 @@ template <class Method>
 void check_fingerprint(double wanted) {
   INFO(typeid(Method).name());
   for (const double h : {1.0 / 60, 1.0 / 20}) {
-    CHECK_THAT(fingerprint(Method::step, h), WithinRel(wanted, 1e-13));
+    CHECK_THAT(fingerprint(Method(), h), WithinRel(wanted, 1e-13));
   }
 }
 
-// The speeds of the steps that each moves with, in g h: 0 to 9, 1/2 to 9 1/2, 1 to 10.
-using FortyFive = std::tuple<list::Euler, list::SymplecticEulerPositionFirst>;
-using Fifty = std::tuple<list::ConstantAcceleration, list::Midpoint, list::Heun, list::Rk4,
-                         list::StormerVerlet, list::StormerVerletCarried, list::StormerVerletUneven,
-                         list::Leapfrog, list::VelocityVerlet, list::Yoshida4, list::Dopri5,
-                         list::Trapezoid, list::TrapezoidNewton>;
-using FiftyFive = std::tuple<list::SymplecticEuler, list::PredictedEuler, list::BackwardEuler,
-                             list::BackwardEulerNewton>;
-static_assert(std::tuple_size_v<FortyFive> + std::tuple_size_v<Fifty> +
-                  std::tuple_size_v<FiftyFive> ==
-              std::tuple_size_v<list::General>);
+// The speeds of the steps that each moves with, in g h, are 0 to 9, 1/2 to 9 1/2, or 1 to 10.
+template <int Depth>
+using Falling = list::Where<[](auto method) { return method.free_fall == Depth; }>;
+static_assert(std::tuple_size_v<Falling<45>> + std::tuple_size_v<Falling<50>> +
+                      std::tuple_size_v<Falling<55>> >=
+                  std::tuple_size_v<list::General>,
+              "tests/methods/engines.cpp: a method whose `free_fall` is none of 45, 50 and 55");
 
 // The speed at which a fall ends.
 template <class Step>
@@ -68,17 +64,17 @@ double one(double) {
 }  // namespace
 
 TEMPLATE_LIST_TEST_CASE("Ten steps of free fall with the velocity before give 45 g h^2", "",
-                        FortyFive) {
+                        Falling<45>) {
   check_fingerprint<TestType>(45);
 }
 
 TEMPLATE_LIST_TEST_CASE("Ten steps of free fall with the velocity between give the true 50 g h^2",
-                        "", Fifty) {
+                        "", Falling<50>) {
   check_fingerprint<TestType>(50);
 }
 
 TEMPLATE_LIST_TEST_CASE("Ten steps of free fall with the velocity after give 55 g h^2", "",
-                        FiftyFive) {
+                        Falling<55>) {
   check_fingerprint<TestType>(55);
 }
 
@@ -100,7 +96,7 @@ TEST_CASE("Four substeps of symplectic Euler bring 55 down to 51.25") {
 TEMPLATE_LIST_TEST_CASE("The terminal speed is the one that a step of its damping leaves alone", "",
                         list::Damping) {
   INFO(typeid(TestType).name());
-  check_terminal_speed(TestType::step, [](double ch) {
+  check_terminal_speed(TestType(), [](double ch) {
     const auto [keep, push] = theory::damped(TestType(), ch);
     return ch * push / (1 - keep);  // of v = keep v + push g h
   });

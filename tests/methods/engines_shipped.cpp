@@ -5,7 +5,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 
-#include "measure/linear_methods.h"
+#include "measure/methods.h"
 #include "measure/run.h"
 #include "scenes/linear_drag.h"
 

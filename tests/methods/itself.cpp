@@ -6,9 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "measure/cost.h"
 #include "measure/run.h"
 #include "scenes/pendulum.h"
@@ -24,29 +25,37 @@ using scenes::State;
 namespace {
 
 template <int Corrections>
-struct PredictedEuler {
-  static constexpr auto step = measure::predicted_euler<Corrections>;
+struct MoreCorrected : measure::Corrected<Corrections> {
   static constexpr std::string_view header = "predicted_euler.h";
   static constexpr long evaluations = 1 + Corrections;
 };
 
 template <int Corrections>
-textbook::Table table(PredictedEuler<Corrections>) {
+textbook::Table table(MoreCorrected<Corrections>) {
   return textbook::predicted_euler(Corrections);
 }
 
-using MoreCorrections = std::tuple<PredictedEuler<2>, PredictedEuler<3>>;
-using AllMethods = decltype(std::tuple_cat(list::General(), MoreCorrections()));
-using AllExplicit = decltype(std::tuple_cat(list::Explicit(), MoreCorrections()));
+constexpr auto has_formula = [](auto method) {
+  return requires { textbook::steps(method, textbook::Force(), textbook::State(), 0.3L, 1); };
+};
+static_assert(std::is_same_v<list::Where<has_formula>, list::General>,
+              "tests/methods/textbook has no formula of a method in code/measure/methods");
+
+using MoreCorrections = std::tuple<MoreCorrected<2>, MoreCorrected<3>>;
+using AllMethods = decltype(std::tuple_cat(list::Where<has_formula>(), MoreCorrections()));
+constexpr auto is_explicit = [](auto method) {
+  return has_formula(method) && list::is_in<decltype(method)>(list::EveryExplicit());
+};
+using AllExplicit = decltype(std::tuple_cat(list::Where<is_explicit>(), MoreCorrections()));
 
 template <class Method, class Real, class Force>
 std::vector<State<Real>> steps_of_header(const Force& force, const State<Real>& start, Real h,
                                          int count) {
   std::vector<State<Real>> states;
-  auto kept = measure::start(Method::step, start, h, force);
+  auto kept = measure::start(Method(), start, h, force);
   for (int n = 0; n < count; ++n) {
-    measure::advance(Method::step, kept, Real(n) * h, h, force);
-    states.push_back(measure::seen(Method::step, kept, Real(n + 1) * h, h, force));
+    measure::advance(Method(), kept, Real(n) * h, h, force);
+    states.push_back(measure::seen(Method(), kept, Real(n + 1) * h, h, force));
   }
   return states;
 }
@@ -142,8 +151,8 @@ TEST_CASE("Predicted Euler corrects once, unless it is told to do more") {
 
 TEMPLATE_LIST_TEST_CASE("The acceleration is asked for as often as the list says", "", AllMethods) {
   INFO(TestType::header);
-  const long evaluations = measure::evaluations_per_step(TestType::step, scenes::Pendulum<>(), 0.3);
-  if (TestType::evaluations == list::as_needed) {
+  const long evaluations = measure::evaluations_per_step(TestType(), scenes::Pendulum<>(), 0.3);
+  if (TestType::evaluations == measure::as_needed) {
     CHECK(evaluations > 1);
   } else {
     CHECK(evaluations == TestType::evaluations);

@@ -101,7 +101,7 @@ TEMPLATE_TEST_CASE("Dormand and Prince's estimate is the step of order 5 less th
   for (const TestType h : {3 * s.h, -3 * s.h}) {
     TestType x = s.x, v = s.v, a = TestType(s.a);
     const auto error = integrate::dopri5(x, v, a, s.t, h, pushed);
-    const auto table = textbook::table(list::Dopri5());
+    const auto table = textbook::table(measure::Dopri5());
     const auto slopes = textbook::stages(table, pushed, {s.x, s.v}, s.t, h);
     textbook::Row apart = textbook::dopri4;
     for (std::size_t i = 0; i < apart.size(); ++i) {

@@ -67,7 +67,7 @@ TEMPLATE_TEST_CASE("RK4 in a matrix takes the steps of RK4's table", "", double,
     const TestType k = omega * omega, c = 2 * zeta * omega;
     const auto force = [=](Real x, Real v, Real) { return -k * x - c * v; };
     TestType x = TestType(0.7), v = TestType(-1.1);
-    const auto expected = textbook::steps(list::Rk4(), force, {x, v}, h, 1).front();
+    const auto expected = textbook::steps(measure::Rk4(), force, {x, v}, h, 1).front();
     integrate::rk4_linear(x, v, integrate::rk4_linear_start(k, c, h));
     // The polynomial of four levels rounds six times in each, on terms without their signs.
     const Matrix terms = textbook::exponential((h * equation(k, c)).cwiseAbs());

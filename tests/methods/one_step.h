@@ -2,18 +2,18 @@
 // One step of any method of the list by a direct call of its header, at any time and for any type
 // of clock; what a method keeps is made from position and velocity, and read off again.
 #pragma once
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "scenes/state.h"
 
 template <class Method, class Vec, class Time, class Real, class Scene>
 constexpr scenes::State<Vec> one_step(Method, scenes::State<Vec> s, Time t, Real h,
                                       const Scene& scene) {
-  Method::step(s.x, s.v, t, h, scene);
+  Method()(s.x, s.v, t, h, scene);
   return s;
 }
 
 template <class Vec, class Time, class Real, class Scene>
-constexpr scenes::State<Vec> one_step(list::StormerVerlet, scenes::State<Vec> s, Time t, Real h,
+constexpr scenes::State<Vec> one_step(measure::StormerVerlet, scenes::State<Vec> s, Time t, Real h,
                                       const Scene& scene) {
   Vec x_previous = integrate::stormer_verlet_start(s.x, s.v, t, h, scene);
   integrate::stormer_verlet(s.x, x_previous, t, h, scene);
@@ -21,7 +21,7 @@ constexpr scenes::State<Vec> one_step(list::StormerVerlet, scenes::State<Vec> s,
 }
 
 template <class Vec, class Time, class Real, class Scene>
-constexpr scenes::State<Vec> one_step(list::StormerVerletUneven, scenes::State<Vec> s, Time t,
+constexpr scenes::State<Vec> one_step(measure::StormerVerletUneven, scenes::State<Vec> s, Time t,
                                       Real h, const Scene& scene) {
   Vec x_previous = integrate::stormer_verlet_start(s.x, s.v, t, h / Real(4), scene);
   integrate::stormer_verlet_uneven(s.x, x_previous, t, h, h / Real(4), scene);
@@ -29,7 +29,7 @@ constexpr scenes::State<Vec> one_step(list::StormerVerletUneven, scenes::State<V
 }
 
 template <class Vec, class Time, class Real, class Scene>
-constexpr scenes::State<Vec> one_step(list::StormerVerletCarried, scenes::State<Vec> s, Time t,
+constexpr scenes::State<Vec> one_step(measure::StormerVerletCarried, scenes::State<Vec> s, Time t,
                                       Real h, const Scene& scene) {
   Vec a = scene(s.x, s.v, t);
   Vec x_previous = integrate::stormer_verlet_start(s.x, s.v, t, h, scene);
@@ -38,7 +38,7 @@ constexpr scenes::State<Vec> one_step(list::StormerVerletCarried, scenes::State<
 }
 
 template <class Vec, class Time, class Real, class Scene>
-constexpr scenes::State<Vec> one_step(list::Leapfrog, scenes::State<Vec> s, Time t, Real h,
+constexpr scenes::State<Vec> one_step(measure::Leapfrog, scenes::State<Vec> s, Time t, Real h,
                                       const Scene& scene) {
   Vec v_half = integrate::leapfrog_start(s.x, s.v, t, h, scene);
   integrate::leapfrog(s.x, v_half, t, h, scene);
@@ -46,7 +46,7 @@ constexpr scenes::State<Vec> one_step(list::Leapfrog, scenes::State<Vec> s, Time
 }
 
 template <class Vec, class Time, class Real, class Scene>
-constexpr scenes::State<Vec> one_step(list::VelocityVerlet, scenes::State<Vec> s, Time t, Real h,
+constexpr scenes::State<Vec> one_step(measure::VelocityVerlet, scenes::State<Vec> s, Time t, Real h,
                                       const Scene& scene) {
   Vec a = integrate::velocity_verlet_start(s.x, s.v, t, scene);
   integrate::velocity_verlet(s.x, s.v, a, t, h, scene);
@@ -54,7 +54,7 @@ constexpr scenes::State<Vec> one_step(list::VelocityVerlet, scenes::State<Vec> s
 }
 
 template <class Vec, class Time, class Real, class Scene>
-constexpr scenes::State<Vec> one_step(list::Yoshida4, scenes::State<Vec> s, Time t, Real h,
+constexpr scenes::State<Vec> one_step(measure::Yoshida4, scenes::State<Vec> s, Time t, Real h,
                                       const Scene& scene) {
   Vec a = integrate::yoshida4_start(s.x, s.v, t, scene);
   integrate::yoshida4(s.x, s.v, a, t, h, scene);
@@ -62,7 +62,7 @@ constexpr scenes::State<Vec> one_step(list::Yoshida4, scenes::State<Vec> s, Time
 }
 
 template <class Vec, class Time, class Real, class Scene>
-constexpr scenes::State<Vec> one_step(list::Dopri5, scenes::State<Vec> s, Time t, Real h,
+constexpr scenes::State<Vec> one_step(measure::Dopri5, scenes::State<Vec> s, Time t, Real h,
                                       const Scene& scene) {
   Vec a = integrate::dopri5_start(s.x, s.v, t, scene);
   const auto error = integrate::dopri5(s.x, s.v, a, t, h, scene);
@@ -83,21 +83,21 @@ constexpr auto solver(const Scene& scene) {
 inline constexpr auto size_of_change = [](const auto& y) { return y < 0 ? -y : y; };
 
 template <class Vec, class Time, class Real, class Scene>
-constexpr scenes::State<Vec> one_step(list::BackwardEuler, scenes::State<Vec> s, Time t, Real h,
+constexpr scenes::State<Vec> one_step(measure::BackwardEuler, scenes::State<Vec> s, Time t, Real h,
                                       const Scene& scene) {
   const bool solved = integrate::backward_euler(s.x, s.v, t, h, scene, solver(scene));
   return solved ? s : scenes::State<Vec>{};
 }
 
 template <class Vec, class Time, class Real, class Scene>
-constexpr scenes::State<Vec> one_step(list::Trapezoid, scenes::State<Vec> s, Time t, Real h,
+constexpr scenes::State<Vec> one_step(measure::Trapezoid, scenes::State<Vec> s, Time t, Real h,
                                       const Scene& scene) {
   const bool solved = integrate::trapezoid(s.x, s.v, t, h, scene, solver(scene));
   return solved ? s : scenes::State<Vec>{};
 }
 
 template <class Vec, class Time, class Real, class Scene>
-constexpr scenes::State<Vec> one_step(list::BackwardEulerNewton, scenes::State<Vec> s, Time t,
+constexpr scenes::State<Vec> one_step(measure::BackwardEulerNewton, scenes::State<Vec> s, Time t,
                                       Real h, const Scene& scene) {
   const int iterations = integrate::backward_euler_newton(s.x, s.v, t, h, scene, solver(scene),
                                                           size_of_change, Real(1e-5));
@@ -105,7 +105,7 @@ constexpr scenes::State<Vec> one_step(list::BackwardEulerNewton, scenes::State<V
 }
 
 template <class Vec, class Time, class Real, class Scene>
-constexpr scenes::State<Vec> one_step(list::TrapezoidNewton, scenes::State<Vec> s, Time t, Real h,
+constexpr scenes::State<Vec> one_step(measure::TrapezoidNewton, scenes::State<Vec> s, Time t, Real h,
                                       const Scene& scene) {
   const int iterations =
       integrate::trapezoid_newton(s.x, s.v, t, h, scene, solver(scene), size_of_change, Real(1e-5));

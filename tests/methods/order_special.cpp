@@ -6,7 +6,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "scenes/linear_drag.h"
 #include "scenes/spring.h"
 #include "slopes.h"
@@ -58,19 +58,19 @@ TEST_CASE("On a damped spring, implicit Euler by formula has order 1 and RK4's m
 }
 
 TEMPLATE_LIST_TEST_CASE("On a damped spring, every way to damp has order 1", "", list::Damping) {
-  order::check(TestType::step, spring, 1, 1);
+  order::check(TestType(), spring, 1, 1);
 }
 
 TEMPLATE_LIST_TEST_CASE("Falling through air, every way to damp has order 1, or is exact", "",
                         list::Damping) {
   const scenes::LinearDrag<> leaf{.c = 0.75, .v0 = 3};
-  if (std::is_same_v<TestType, list::LinearDampingExact>) {
+  if (std::is_same_v<TestType, measure::LinearDampingExact>) {
     for (const double h : {1e-3, 0.5, 40.0}) {
-      const auto end = measure::after(TestType::step, leaf, leaf.start(), h, 3);
+      const auto end = measure::after(TestType(), leaf, leaf.start(), h, 3);
       CHECK_THAT(end.v, WithinRel(leaf.exact(3 * h).v, 1e-14));
     }
   } else {
-    order::check(TestType::step, problem(leaf, 0.25), 1, 1);
+    order::check(TestType(), problem(leaf, 0.25), 1, 1);
   }
 }
 

@@ -8,7 +8,7 @@
 #include <typeinfo>
 #include <utility>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "measure/run.h"
 #include "theory.h"
 
@@ -31,12 +31,12 @@ double turn(auto, auto&, double t, double) {
   return t;
 }
 double turn(
-    theory::OneOf<list::StormerVerlet, list::StormerVerletUneven, list::StormerVerletCarried> auto,
+    theory::OneOf<measure::StormerVerlet, measure::StormerVerletUneven, measure::StormerVerletCarried> auto,
     auto& kept, double t, double h) {
   std::swap(kept[0], kept[1]);
   return t - h;
 }
-double turn(list::Leapfrog, auto& kept, double t, double h) {
+double turn(measure::Leapfrog, auto& kept, double t, double h) {
   const double v = integrate::leapfrog_velocity(kept[0], kept[1], t, h, swing);
   kept[1] = integrate::leapfrog_start(kept[0], v, t, -h, swing);
   return t;
@@ -46,11 +46,11 @@ double turn(list::Leapfrog, auto& kept, double t, double h) {
 template <class Method>
 double miss(int steps) {
   const double h = duration / steps;
-  const auto first = measure::start(Method::step, scenes::State<double>{1.1, 0.4}, h, swing);
+  const auto first = measure::start(Method(), scenes::State<double>{1.1, 0.4}, h, swing);
   auto kept = first;
-  for (int n = 0; n < steps; ++n) measure::advance(Method::step, kept, n * h, h, swing);
+  for (int n = 0; n < steps; ++n) measure::advance(Method(), kept, n * h, h, swing);
   const double end = turn(Method(), kept, duration, h);
-  for (int n = 0; n < steps; ++n) measure::advance(Method::step, kept, end - n * h, -h, swing);
+  for (int n = 0; n < steps; ++n) measure::advance(Method(), kept, end - n * h, -h, swing);
   turn(Method(), kept, 0, -h);
   return std::max(std::abs(kept[0] - first[0]), std::abs(kept[1] - first[1]));
 }
@@ -60,22 +60,15 @@ constexpr double rounding(int steps) {
   return steps * steps * std::numeric_limits<double>::epsilon();
 }
 
-using Symmetric =
-    std::tuple<list::StormerVerlet, list::StormerVerletUneven, list::StormerVerletCarried,
-               list::Leapfrog, list::VelocityVerlet, list::Yoshida4, list::TrapezoidNewton>;
-
-// Without implicit Euler, which takes no negative step.
-using NotSymmetric =
-    std::tuple<list::Euler, list::ConstantAcceleration, list::SymplecticEuler,
-               list::SymplecticEulerPositionFirst, list::PredictedEuler, list::Midpoint, list::Heun,
-               list::Rk4, list::Dopri5, list::Trapezoid>;
+using Symmetric = list::Where<[](auto method) { return method.reversible; }>;
+using NotSymmetric = list::Where<[](auto method) { return !method.reversible && method.goes_back; }>;
 
 // Errors of even powers of h cancel on the way back: what is missed is of the next odd order.
 constexpr int power_of_miss(auto method) {
   return method.order + (method.order + 1) % 2;
 }
 // One iteration of Newton's is off the symmetric rule by h^5 in a step.
-constexpr int power_of_miss(list::Trapezoid) {
+constexpr int power_of_miss(measure::Trapezoid) {
   return 5;
 }
 

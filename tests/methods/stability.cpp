@@ -9,7 +9,7 @@
 #include <limits>
 #include <typeinfo>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "scenes/linear_drag.h"
 #include "scenes/spring.h"
 #include "theory_of_damping.h"
@@ -37,7 +37,7 @@ void check_springs() {
     for (const double angle : sizes) {
       CAPTURE(zeta, angle);
       const scenes::Spring<> spring{.omega = angle / h, .zeta = zeta};
-      check_same(theory::characteristic(measure::step_matrix(Method::step, spring, h)),
+      check_same(theory::characteristic(measure::step_matrix(Method(), spring, h)),
                  theory::characteristic(Method(), theory::spring(angle, zeta)));
     }
   }
@@ -48,7 +48,7 @@ void check_drag() {
   for (const double ch : sizes) {
     CAPTURE(ch);
     const scenes::LinearDrag<> drag{.c = ch / h, .g = 0};
-    check_same(theory::characteristic(measure::step_matrix(Method::step, drag, h)),
+    check_same(theory::characteristic(measure::step_matrix(Method(), drag, h)),
                theory::characteristic(Method(), theory::drag(ch)));
   }
 }
@@ -56,7 +56,7 @@ void check_drag() {
 }  // namespace
 
 TEMPLATE_LIST_TEST_CASE("On springs a step has the characteristic polynomial of theory", "",
-                        list::General) {
+                        theory::WithPolynomial) {
   INFO(typeid(TestType).name());
   check_springs<TestType>();
 }
@@ -67,7 +67,7 @@ TEMPLATE_LIST_TEST_CASE("So has the step of a method made for springs", "", list
 }
 
 TEMPLATE_LIST_TEST_CASE("On drag a step has the characteristic polynomial of theory", "",
-                        list::General) {
+                        theory::WithPolynomial) {
   INFO(typeid(TestType).name());
   check_drag<TestType>();
 }

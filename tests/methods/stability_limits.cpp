@@ -7,7 +7,7 @@
 #include <limits>
 #include <typeinfo>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "measure/stability.h"
 #include "scenes/linear_drag.h"
 #include "scenes/spring.h"
@@ -30,7 +30,7 @@ constexpr double listed = 1e-6;
 template <class Step>
 void check_limit(Step step, double zeta, double paper) {
   const Spring<> spring{.omega = 2, .zeta = zeta};
-  if (paper == list::always) {
+  if (paper == measure::always) {
     for (const double h : {0.01, 1.0, 1e3}) {
       CHECK(measure::spectral_radius(step, spring, h) < 1 + 1e-12);
     }
@@ -45,42 +45,41 @@ void check_limit(Step step, double zeta, double paper) {
 
 // With more corrections the factor is a longer geometric sum.
 template <int Corrections>
-struct Corrected {
-  static constexpr auto step = measure::predicted_euler<Corrections>;
-};
+struct Corrected : measure::Corrected<Corrections> {};
 template <int Corrections>
-theory::Complex factor(Corrected<Corrections>, theory::Complex z) {
+theory::Complex closed_factor(Corrected<Corrections>, theory::Complex z) {
   return theory::geometric<Corrections + 1>(z);
 }
 
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("On drag the limit is the listed one, and theory's", "", list::General) {
+TEMPLATE_LIST_TEST_CASE("On drag the limit is the listed one, and theory's", "",
+                        theory::WithPolynomial) {
   INFO(typeid(TestType).name());
   const LinearDrag<> drag{.c = 2, .g = 0};
   const double paper = theory::drag_limit(TestType());
-  if (paper == list::always) {
+  if (paper == measure::always) {
     CHECK(TestType::drag_limit == paper);
     for (const double h : {0.01, 1.0, 1e3}) {
-      CHECK(measure::spectral_radius(TestType::step, drag, h) < 1 + 1e-12);
+      CHECK(measure::spectral_radius(TestType(), drag, h) < 1 + 1e-12);
     }
   } else {
     CHECK_THAT(TestType::drag_limit, WithinAbs(paper, listed));
     const double measured =
-        2 * measure::stability_limit(TestType::step, drag, 0.9 * paper / 2, 1.1 * paper / 2);
+        2 * measure::stability_limit(TestType(), drag, 0.9 * paper / 2, 1.1 * paper / 2);
     CHECK_THAT(measured, WithinRel(paper, split));
   }
 }
 
 TEMPLATE_LIST_TEST_CASE("On springs the limit is theory's, on undamped ones the listed one", "",
-                        list::General) {
+                        theory::WithPolynomial) {
   INFO(typeid(TestType).name());
   for (const double zeta : {0.0, 0.1, 0.5, 1.0, 2.0}) {
     CAPTURE(zeta);
-    check_limit(TestType::step, zeta, theory::spring_limit(TestType(), zeta));
+    check_limit(TestType(), zeta, theory::spring_limit(TestType(), zeta));
   }
   const double undamped = theory::spring_limit(TestType(), 0);
-  if (undamped == 0 || undamped == list::always) {
+  if (undamped == 0 || undamped == measure::always) {
     CHECK(TestType::spring_limit == undamped);
   } else {
     CHECK_THAT(TestType::spring_limit, WithinAbs(undamped, listed));
@@ -88,13 +87,13 @@ TEMPLATE_LIST_TEST_CASE("On springs the limit is theory's, on undamped ones the 
 }
 
 TEMPLATE_LIST_TEST_CASE("A closed form of a limit is where the polynomial has it", "",
-                        list::General) {
+                        theory::WithPolynomial) {
   INFO(typeid(TestType).name());
   for (const double zeta : {0.1, 0.5, 1.0, 2.0}) {
     CAPTURE(zeta);
     const double closed = theory::spring_limit(TestType(), zeta);
     const double found = theory::spring_limit_of_polynomial(TestType(), zeta);
-    if (closed == list::always) {
+    if (closed == measure::always) {
       CHECK(found == closed);
     } else {
       CHECK_THAT(found, WithinRel(closed, split));
@@ -107,7 +106,7 @@ TEMPLATE_TEST_CASE("More corrections do not free implicit Euler from a limit nea
   for (const double zeta : {0.0, 0.1, 0.5, 1.0, 2.0}) {
     CAPTURE(zeta);
     const double paper = theory::spring_limit_of_polynomial(TestType(), zeta);
-    check_limit(TestType::step, zeta, paper);
+    check_limit(TestType(), zeta, paper);
     CHECK(paper < 1.5);
   }
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <typeinfo>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "measure/run.h"
 #include "scenes/linear_drag.h"
 #include "scenes/spring.h"
@@ -54,13 +54,13 @@ TEMPLATE_LIST_TEST_CASE("On drag a run ends where c h passes the limit", "", lis
   for (const double c : {0.5, 20.0}) {
     const LinearDrag<> drag{.c = c, .g = 0, .v0 = 3};
     const double limit = theory::drag_limit(TestType());
-    if (limit == list::always) {
-      for (const double ch : {0.5, 5.0, 1e3}) check_bounded(TestType::step, drag, ch / c);
+    if (limit == measure::always) {
+      for (const double ch : {0.5, 5.0, 1e3}) check_bounded(TestType(), drag, ch / c);
       continue;
     }
     const auto polynomial = theory::characteristic(TestType(), theory::drag(1.03 * limit));
-    check_bounded(TestType::step, drag, 0.97 * limit / c);
-    check_blows_up(TestType::step, drag, 1.03 * limit / c, theory::radius_of_velocity(polynomial));
+    check_bounded(TestType(), drag, 0.97 * limit / c);
+    check_blows_up(TestType(), drag, 1.03 * limit / c, theory::radius_of_velocity(polynomial));
   }
 }
 
@@ -70,14 +70,14 @@ TEMPLATE_LIST_TEST_CASE("On springs a run ends where h omega passes the limit", 
     CAPTURE(zeta);
     const Spring<> spring{.omega = 30, .zeta = zeta, .x0 = 0.5, .v0 = -0.3};
     const double limit = theory::spring_limit(TestType(), zeta);
-    if (limit == list::always) {
-      for (const double angle : {0.5, 5.0, 1e3}) check_bounded(TestType::step, spring, angle / 30);
+    if (limit == measure::always) {
+      for (const double angle : {0.5, 5.0, 1e3}) check_bounded(TestType(), spring, angle / 30);
       continue;
     }
     const double outside = limit == 0 ? 0.2 : 1.03 * limit;
     const auto polynomial = theory::characteristic(TestType(), theory::spring(outside, zeta));
-    if (limit > 0) check_bounded(TestType::step, spring, 0.97 * limit / 30);
-    check_blows_up(TestType::step, spring, outside / 30, theory::radius(polynomial));
+    if (limit > 0) check_bounded(TestType(), spring, 0.97 * limit / 30);
+    check_blows_up(TestType(), spring, outside / 30, theory::radius(polynomial));
   }
 }
 
@@ -88,7 +88,7 @@ TEMPLATE_LIST_TEST_CASE("Inside its limit a run on drag and gravity finds the te
   // terminal speed nothing changes any more.
   const LinearDrag<> leaf{.c = 20, .v0 = 3};
   const double ch = std::min(0.9 * theory::drag_limit(TestType()), 2.0);
-  const auto end = measure::after(TestType::step, leaf, leaf.start(), ch / leaf.c, 1000);
+  const auto end = measure::after(TestType(), leaf, leaf.start(), ch / leaf.c, 1000);
   CHECK_THAT(end.v, WithinRel(-leaf.terminal_speed(), 1e-12));
 }
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <typeinfo>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "measure/run.h"
 
 using Catch::Matchers::WithinAbs;
@@ -32,24 +32,24 @@ const auto size = [](const Complex& y) { return std::abs(y); };
 // One step from what the method keeps: the first two, and an acceleration that belongs to them.
 template <class Method>
 std::array<Complex, 2> moved(Method, Complex first, Complex second, double h) {
-  auto kept = measure::start(Method::step, scenes::State<Complex>{first, second}, h, Swing());
+  auto kept = measure::start(Method(), scenes::State<Complex>{first, second}, h, Swing());
   kept[0] = first, kept[1] = second;
-  measure::advance(Method::step, kept, 0.0, h, Swing());
+  measure::advance(Method(), kept, 0.0, h, Swing());
   return {kept[0], kept[1]};
 }
-std::array<Complex, 2> moved(list::BackwardEuler, Complex x, Complex v, double h) {
+std::array<Complex, 2> moved(measure::BackwardEuler, Complex x, Complex v, double h) {
   REQUIRE(integrate::backward_euler(x, v, 0.0, h, Swing(), solve));
   return {x, v};
 }
-std::array<Complex, 2> moved(list::BackwardEulerNewton, Complex x, Complex v, double h) {
+std::array<Complex, 2> moved(measure::BackwardEulerNewton, Complex x, Complex v, double h) {
   REQUIRE(integrate::backward_euler_newton(x, v, 0.0, h, Swing(), solve, size, 1e-14) > 0);
   return {x, v};
 }
-std::array<Complex, 2> moved(list::Trapezoid, Complex x, Complex v, double h) {
+std::array<Complex, 2> moved(measure::Trapezoid, Complex x, Complex v, double h) {
   REQUIRE(integrate::trapezoid(x, v, 0.0, h, Swing(), solve));
   return {x, v};
 }
-std::array<Complex, 2> moved(list::TrapezoidNewton, Complex x, Complex v, double h) {
+std::array<Complex, 2> moved(measure::TrapezoidNewton, Complex x, Complex v, double h) {
   REQUIRE(integrate::trapezoid_newton(x, v, 0.0, h, Swing(), solve, size, 1e-14) > 0);
   return {x, v};
 }
@@ -71,18 +71,8 @@ Determinant determinant(double first, double second, double h) {
   return {diagonal - other, rounding * (std::abs(diagonal) + std::abs(other))};
 }
 
-using Symplectic =
-    std::tuple<list::SymplecticEuler, list::SymplecticEulerPositionFirst, list::StormerVerlet,
-               list::StormerVerletUneven, list::StormerVerletCarried, list::Leapfrog,
-               list::VelocityVerlet, list::Yoshida4>;
-
-using NotSymplectic =
-    std::tuple<list::Euler, list::ConstantAcceleration, list::Midpoint, list::Heun, list::Rk4,
-               list::PredictedEuler, list::Dopri5, list::BackwardEuler, list::BackwardEulerNewton,
-               list::Trapezoid, list::TrapezoidNewton>;
-
-static_assert(std::tuple_size_v<Symplectic> + std::tuple_size_v<NotSymplectic> ==
-              std::tuple_size_v<list::General>);
+using Symplectic = list::Where<[](auto method) { return method.symplectic; }>;
+using NotSymplectic = list::Where<[](auto method) { return !method.symplectic; }>;
 
 }  // namespace
 
@@ -111,11 +101,11 @@ TEST_CASE(
   for (const double h : {0.1, 0.5}) {
     const double x = 1.3, v = 0.8;
     const double slope = Swing::slope(x).real();
-    const auto euler = determinant<list::Euler>(x, v, h);
+    const auto euler = determinant<measure::Euler>(x, v, h);
     CHECK_THAT(euler.value, WithinAbs(1 - h * h * slope, euler.rounding));
-    const double x_end = moved(list::BackwardEulerNewton(), x, v, h)[0].real();
+    const double x_end = moved(measure::BackwardEulerNewton(), x, v, h)[0].real();
     const double slope_end = Swing::slope(x_end).real();
-    const auto implicit = determinant<list::BackwardEulerNewton>(x, v, h);
+    const auto implicit = determinant<measure::BackwardEulerNewton>(x, v, h);
     CHECK_THAT(implicit.value, WithinAbs(1 / (1 - h * h * slope_end), implicit.rounding));
   }
 }

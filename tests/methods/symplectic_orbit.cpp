@@ -6,7 +6,7 @@
 #include <limits>
 #include <typeinfo>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "measure/energy.h"
 #include "scenes/orbit.h"
 
@@ -42,7 +42,7 @@ double drift_of_energy(long taken) {
   auto s = planet.start();
   const double first = planet.energy(s.x, s.v);
   SmoothMean early, late;
-  measure::run(Method::step, planet, s, h, taken, [&](double t, const auto& now) {
+  measure::run(Method(), planet, s, h, taken, [&](double t, const auto& now) {
     const double change = (planet.energy(now.x, now.v) - first) / std::abs(first);
     const double part = 2 * t / (h * double(taken));
     early.add(change, part);
@@ -55,31 +55,22 @@ template <class Method>
 double change_of_angular_momentum(double step, long taken) {
   const Orbit<> planet;
   const auto momentum = [&](const auto& x, const auto& v) { return planet.angular_momentum(x, v); };
-  return measure::drift(Method::step, planet, step, taken, momentum).largest;
+  return measure::drift(Method(), planet, step, taken, momentum).largest;
 }
 
-using Symplectic =
-    std::tuple<list::SymplecticEuler, list::SymplecticEulerPositionFirst, list::StormerVerlet,
-               list::StormerVerletUneven, list::StormerVerletCarried, list::Leapfrog,
-               list::VelocityVerlet, list::Yoshida4>;
+using Symplectic = list::Where<[](auto method) { return method.symplectic; }>;
 
-// Of these the orbits of order 1 end in the sun or far away.
-using NotSymplectic = std::tuple<list::Midpoint, list::Heun, list::Rk4, list::Dopri5>;
+// Of the explicit ones; the orbits of order 1 end in the sun or far away.
+constexpr auto drifts = [](auto method) {
+  return !method.symplectic && method.order > 1 &&
+         list::is_in<decltype(method)>(list::EveryExplicit());
+};
+using NotSymplectic = list::Where<drifts>;
 
-// Where each change of the velocity points at the sun from where the planet is.
-using Central =
-    std::tuple<list::SymplecticEuler, list::SymplecticEulerPositionFirst, list::StormerVerlet,
-               list::StormerVerletUneven, list::Leapfrog, list::VelocityVerlet, list::Yoshida4>;
-
-// The carried form is among them, since what it is seen to have is brought up to date by the pull
-// of a step ago.
-using NotCentral =
-    std::tuple<list::Euler, list::ConstantAcceleration, list::Midpoint, list::Heun, list::Rk4,
-               list::PredictedEuler, list::StormerVerletCarried, list::Dopri5, list::BackwardEuler,
-               list::BackwardEulerNewton, list::Trapezoid, list::TrapezoidNewton>;
-
-static_assert(std::tuple_size_v<Central> + std::tuple_size_v<NotCentral> ==
-              std::tuple_size_v<list::General>);
+// Each change of the velocity points at the sun from where the planet is. Not so the carried form,
+// since what it is seen to have is brought up to date by the pull of a step ago.
+using Central = list::Where<[](auto method) { return method.central; }>;
+using NotCentral = list::Where<[](auto method) { return !method.central; }>;
 
 }  // namespace
 

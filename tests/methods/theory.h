@@ -7,8 +7,12 @@
 #include <cmath>
 #include <complex>
 #include <concepts>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
 
-#include "measure/list.h"
+#include "measure/methods.h"
+#include "textbook/runge_kutta.h"
 
 namespace theory {
 
@@ -42,31 +46,61 @@ Complex geometric(Complex z) {
   for (int n = Degree; n >= 1; --n) sum = 1.0 + z * sum;
   return sum;
 }
-inline Complex factor(list::Euler, Complex z) {
+// In closed form where there is one.
+inline Complex closed_factor(measure::Euler, Complex z) {
   return taylor<1>(z);
 }
-inline Complex factor(OneOf<list::Midpoint, list::Heun> auto, Complex z) {
+inline Complex closed_factor(OneOf<measure::Midpoint, measure::Heun> auto, Complex z) {
   return taylor<2>(z);
 }
-inline Complex factor(OneOf<list::Rk4, list::Rk4Linear> auto, Complex z) {
+inline Complex closed_factor(OneOf<measure::Rk4, measure::Rk4Linear> auto, Complex z) {
   return taylor<4>(z);
 }
-inline Complex factor(list::Dopri5, Complex z) {
+inline Complex closed_factor(measure::Dopri5, Complex z) {
   return taylor<5>(z) + std::pow(z, 6) / 600.0;
 }
-inline Complex factor(list::PredictedEuler, Complex z) {
+inline Complex closed_factor(measure::PredictedEuler, Complex z) {
   return geometric<2>(z);
 }
-inline Complex factor(
-    OneOf<list::BackwardEuler, list::BackwardEulerNewton, list::BackwardEulerSpring> auto,
+inline Complex closed_factor(
+    OneOf<measure::BackwardEuler, measure::BackwardEulerNewton, measure::BackwardEulerSpring> auto,
     Complex z) {
   return 1.0 / (1.0 - z);
 }
-inline Complex factor(OneOf<list::Trapezoid, list::TrapezoidNewton> auto, Complex z) {
+inline Complex closed_factor(OneOf<measure::Trapezoid, measure::TrapezoidNewton> auto, Complex z) {
   return (1.0 + z / 2.0) / (1.0 - z / 2.0);
 }
-inline Complex factor(list::SpringExact, Complex z) {
+inline Complex closed_factor(measure::SpringExact, Complex z) {
   return std::exp(z);
+}
+
+// Of a Runge-Kutta method it can be worked out of its table as well: each slope is z times what its
+// row makes of the ones before.
+template <class Method>
+concept HasTable = requires(Method method) { textbook::table(method).b; };
+inline Complex factor_of_table(const textbook::Table& table, Complex z) {
+  std::vector<Complex> slopes;
+  const auto sum = [&slopes](const textbook::Row& weights) {
+    Complex total = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) total += double(weights[i]) * slopes[i];
+    return total;
+  };
+  for (const textbook::Row& row : table.a) slopes.push_back(z * (1.0 + sum(row)));
+  return 1.0 + sum(table.b);
+}
+
+template <class Method>
+concept HasClosedFactor = requires(Method method) { closed_factor(method, Complex()); };
+template <class Method>
+concept HasFactor = HasClosedFactor<Method> || HasTable<Method>;
+template <class Method>
+  requires HasFactor<Method>
+Complex factor(Method method, Complex z) {
+  if constexpr (HasClosedFactor<Method>) {
+    return closed_factor(method, z);
+  } else {
+    return factor_of_table(textbook::table(method), z);
+  }
 }
 
 // lambda^3 + p[0] lambda^2 + p[1] lambda + p[2]; a matrix of two rows has a root of zero as well.
@@ -79,27 +113,27 @@ inline Polynomial characteristic(const Eigen::MatrixXd& m) {
 
 // From the two rates z of the force, where z^2 + d z + s = 0.
 template <class Method>
-  requires requires { factor(Method(), Complex()); }
+  requires HasFactor<Method>
 Polynomial characteristic(Method method, Force f) {
   const Complex root = std::sqrt(Complex(f.d * f.d / 4 - f.s));
   const Complex first = factor(method, -f.d / 2 + root), second = factor(method, -f.d / 2 - root);
   return {-(first + second).real(), (first * second).real(), 0};
 }
 
-inline Polynomial characteristic(list::ConstantAcceleration, Force f) {
+inline Polynomial characteristic(measure::ConstantAcceleration, Force f) {
   return {f.d + f.s / 2 - 2, 1 - f.d + f.s / 2, 0};
 }
 
 // x_next - 2 x + x_previous = -s x - d (x - x_previous), in one guise or another.
 inline Polynomial characteristic(
-    OneOf<list::SymplecticEuler, list::SymplecticEulerPositionFirst, list::StormerVerlet,
-          list::StormerVerletUneven, list::Leapfrog> auto,
+    OneOf<measure::SymplecticEuler, measure::SymplecticEulerPositionFirst, measure::StormerVerlet,
+          measure::StormerVerletUneven, measure::Leapfrog> auto,
     Force f) {
   return {f.s + f.d - 2, 1 - f.d, 0};
 }
 
 // The same, but drag sees x - x_previous + a_previous / 2.
-inline Polynomial characteristic(OneOf<list::StormerVerletCarried, list::VelocityVerlet> auto,
+inline Polynomial characteristic(OneOf<measure::StormerVerletCarried, measure::VelocityVerlet> auto,
                                  Force f) {
   return {f.s + 1.5 * f.d - 2, 1 - 2 * f.d, f.d / 2};
 }
@@ -116,8 +150,16 @@ inline Eigen::Matrix3d yoshida4(Force f) {
   const double outer = 1 / (2 - std::cbrt(2.0));
   return verlet(outer, f) * verlet(1 - 2 * outer, f) * verlet(outer, f);
 }
-inline Polynomial characteristic(list::Yoshida4, Force f) {
+inline Polynomial characteristic(measure::Yoshida4, Force f) {
   return characteristic(yoshida4(f));
 }
+
+// The methods that are not in here are refused in one sentence, and not tested any further.
+inline constexpr auto has_polynomial = [](auto method) {
+  return requires { characteristic(method, Force()); };
+};
+using WithPolynomial = list::Where<has_polynomial>;
+static_assert(std::is_same_v<WithPolynomial, list::General>,
+              "tests/methods/theory.h has no polynomial of a method in code/measure/methods");
 
 }  // namespace theory

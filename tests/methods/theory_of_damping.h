@@ -13,26 +13,26 @@ struct Damped {
   double keep, push;
 };
 
-inline Damped damped(list::LinearDampingExplicitLast, double ch) {
+inline Damped damped(measure::LinearDampingExplicitLast, double ch) {
   const double keep = std::max(0.0, 1 - ch);
   return {keep, keep};
 }
-inline Damped damped(list::LinearDampingExplicitFirst, double ch) {
+inline Damped damped(measure::LinearDampingExplicitFirst, double ch) {
   return {std::max(0.0, 1 - ch), 1};
 }
-inline Damped damped(list::LinearDampingImplicitLast, double ch) {
+inline Damped damped(measure::LinearDampingImplicitLast, double ch) {
   return {1 / (1 + ch), 1 / (1 + ch)};
 }
-inline Damped damped(list::LinearDampingImplicitFirst, double ch) {
+inline Damped damped(measure::LinearDampingImplicitFirst, double ch) {
   return {1 / (1 + ch), 1};
 }
-inline Damped damped(list::LinearDampingExponentialLast, double ch) {
+inline Damped damped(measure::LinearDampingExponentialLast, double ch) {
   return {std::exp(-ch), std::exp(-ch)};
 }
-inline Damped damped(list::LinearDampingExponentialFirst, double ch) {
+inline Damped damped(measure::LinearDampingExponentialFirst, double ch) {
   return {std::exp(-ch), 1};
 }
-inline Damped damped(list::LinearDampingExact, double ch) {
+inline Damped damped(measure::LinearDampingExact, double ch) {
   return {std::exp(-ch), ch == 0 ? 1 : -std::expm1(-ch) / ch};
 }
 

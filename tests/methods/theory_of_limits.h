@@ -30,7 +30,7 @@ double first_unstable(Growth growth) {
   constexpr double stride = 1.0 / 64;
   double inside = 0, outside = stride;
   while (!unstable(outside)) {
-    if (outside > 12) return list::always;
+    if (outside > 12) return measure::always;
     inside = outside, outside += stride;
   }
   for (int halving = 0; halving < 50; ++halving) {
@@ -56,25 +56,25 @@ template <class Method>
 double spring_limit(Method method, double zeta) {
   return spring_limit_of_polynomial(method, zeta);
 }
-inline double spring_limit(list::Euler, double zeta) {
+inline double spring_limit(measure::Euler, double zeta) {
   return zeta <= 1 ? 2 * zeta : 2 * (zeta - std::sqrt(zeta * zeta - 1));
 }
-inline double spring_limit(OneOf<list::Midpoint, list::Heun> auto method, double zeta) {
+inline double spring_limit(OneOf<measure::Midpoint, measure::Heun> auto method, double zeta) {
   // Undamped, the square of the radius is 1 + (h omega)^4 / 4.
   return zeta == 0 ? 0 : spring_limit_of_polynomial(method, zeta);
 }
-inline double spring_limit(list::ConstantAcceleration, double zeta) {
+inline double spring_limit(measure::ConstantAcceleration, double zeta) {
   // The determinant is one at 4 zeta; there is a root of -1 at c h = 2.
   return std::min(4 * zeta, 1 / zeta);
 }
 // These two have a root of -1 where s + 2 d = 4, and where s + 4 d = 4.
 inline double spring_limit(
-    OneOf<list::SymplecticEuler, list::SymplecticEulerPositionFirst, list::StormerVerlet,
-          list::StormerVerletUneven, list::Leapfrog> auto,
+    OneOf<measure::SymplecticEuler, measure::SymplecticEulerPositionFirst, measure::StormerVerlet,
+          measure::StormerVerletUneven, measure::Leapfrog> auto,
     double zeta) {
   return 2 * (std::sqrt(1 + zeta * zeta) - zeta);
 }
-inline double spring_limit(OneOf<list::StormerVerletCarried, list::VelocityVerlet> auto,
+inline double spring_limit(OneOf<measure::StormerVerletCarried, measure::VelocityVerlet> auto,
                            double zeta) {
   return 2 * (std::sqrt(1 + 4 * zeta * zeta) - 2 * zeta);
 }

@@ -1,14 +1,12 @@
 # Every function and every class of code/integrate is called by the file in calls that bears the
-# header's name; of several with one name, each.
+# header's name, or by one that is made; of several with one name, each.
 include(${CMAKE_CURRENT_LIST_DIR}/functions.cmake)
 
 file(GLOB headers ${INTEGRATE}/*.h)
 foreach(header IN LISTS headers)
   get_filename_component(name ${header} NAME)
-  set(calls "")
-  if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/calls/${name})
-    file(READ ${CMAKE_CURRENT_LIST_DIR}/calls/${name} calls)
-  endif()
+  calls_of(${header} ${SCRATCH} file)
+  file(READ ${file} calls)
   functions_of(${header} functions classes)
   list(TRANSFORM functions REPLACE "\\(.*" "(")
   list(TRANSFORM classes APPEND "<")

@@ -2,6 +2,7 @@
 # Its folder holds these headers, and those that they are used WITH, and no other. Without EIGEN,
 # Eigen is not to be found. With MACROS, a file of macros, the headers are read after them, and after
 # all that they include, which would not survive; so are those of ALSO. FLAGS are the compiler's.
+include(${CMAKE_CURRENT_LIST_DIR}/functions.cmake)
 string(REPLACE "," ";" HEADERS "${HEADERS}")
 string(REPLACE "," ";" WITH "${WITH}")
 string(REPLACE "," ";" ALSO "${ALSO}")
@@ -15,7 +16,8 @@ foreach(header IN LISTS WITH HEADERS)
   string(APPEND includes "#include \"${header}.h\"\n")
 endforeach()
 foreach(header IN LISTS HEADERS)
-  string(APPEND adapters "#include \"calls/${header}.h\"\n")
+  calls_of(${INTEGRATE}/${header}.h ${SCRATCH} file)
+  string(APPEND adapters "#include \"${file}\"\n")
   string(APPEND calls "  call_${header}(attempt);\n")
 endforeach()
 

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { CHAPTER, refuses, weaves } from './weaver.mjs';
 
-const INDEX = 'book/index.md', GLOSSARY = 'book/glossary.md', TALKS = 'book/talks.md';
+const INDEX = 'chapters/front/chapter.md', GLOSSARY = 'book/glossary.md', TALKS = 'book/talks.md';
 const svg = readFileSync(new URL('sample/built/2-euler/figures/spiral.svg', import.meta.url), 'utf8');
 const words = text => [GLOSSARY, '- \\term{after a dash} Behind it.\n', text];
 
@@ -49,7 +49,13 @@ test('what is wrong with the program of the start page is told there', () => ref
   front('\\number{turn}\nand \\figure{rice, A race}\nSo. \\look\n\\endfigure'),
   [INDEX, '{turn}', 'unknown number "turn"; chapters/front/program.cpp writes none of that name. Did you mean "turns"?'],
   [INDEX, 'rice', 'there is no chapters/front/rice.gp that draws the figure "rice". Did you mean "race"?'],
-  ['chapters/front/race.gp', '', 'no \\figure{race, ...} in book/index.md shows this figure; show it, or delete the script'],
+  ['chapters/front/race.gp', '', 'no \\figure{race, ...} in chapters/front/chapter.md shows this figure; show it, or delete the script'],
+));
+
+test('a live figure whose parts lie with another chapter', () => refuses(
+  [...front(), [CHAPTER, '\\figure{spiral', '\\live{spiral'], [CHAPTER, '\\endfigure', '\\endlive'],
+    ...['cpp', 'js', 'json'].map(kind => [`chapters/front/live/spiral.${kind}`, '{}'])],
+  [CHAPTER, '\\live{spiral', 'chapters/front/live/spiral.json lies with another chapter; move what is named spiral to chapters/2-euler/live'],
 ));
 
 test('a word of the glossary leads to where it is introduced', () => {

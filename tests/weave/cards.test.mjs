@@ -1,7 +1,7 @@
 // Cards: the one of a method on its page, in a chapter and in the list of all methods; and headers that explain themselves.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { CARDS, CHAPTER, refuses, sampleBook, weaves } from './weaver.mjs';
+import { CARDS, CHAPTER, METHODS, refuses, sampleBook, weaves } from './weaver.mjs';
 
 const EULER = 'code/integrate/euler.h';
 const HEUN = 'code/integrate/heun.h';
@@ -57,13 +57,13 @@ test('a header that needs a library', () => {
 
 test('a function that steps and has no card', () => refuses(
   [heun('heun', 'Vec& x, Vec& v', '/// @code\n/// heun(heun_start())\n/// @endcode\n')],
-  [HEUN, 'void heun(', `heun steps and has no card; let ${CARDS} measure one`],
+  [HEUN, 'void heun(', `heun steps and has no card; list it in code/measure/methods`],
 ));
 
 test('cards of what is no function, and of one that does not step', () => refuses(
-  [heun('heun', 'Vec x, Vec& v', '/// @code\n/// heun(heun_start())\n/// @endcode\n'), [CARDS, '  };\n', '      any("heun", heun),\n      any("eulr", eulr),\n  };\n'], ...withCard('heun', 'eulr')],
-  [CARDS, '"heun"', 'a card of "heun", which is no function in code/integrate that steps.'],
-  [CARDS, '"eulr"', 'a card of "eulr", which is no function in code/integrate that steps. Did you mean "euler"?'],
+  [heun('heun', 'Vec x, Vec& v', '/// @code\n/// heun(heun_start())\n/// @endcode\n'), [METHODS, '  function = "euler";\n', '  function = "euler";\n  function = "heun";\n  function = "eulr";\n'], ...withCard('heun', 'eulr')],
+  [METHODS, '"heun"', 'a card of "heun", which is no function in code/integrate that steps.'],
+  [METHODS, '"eulr"', 'a card of "eulr", which is no function in code/integrate that steps. Did you mean "euler"?'],
 ));
 
 test('cards that are not measured yet', () => refuses(

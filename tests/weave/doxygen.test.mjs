@@ -17,9 +17,9 @@ test('references to nothing, all over a chapter', () => refuses(
 ));
 
 test('references to nothing on the other pages', () => refuses(
-  [['book/index.md', 'The radius', 'The \\ref radius::nowhere'], ['book/references.md', '*Physical', '\\ref book::nowhere *Physical']],
-  ['book/index.md', 'radius::nowhere', nothing('radius::nowhere')],
+  [['chapters/front/chapter.md', 'The radius', 'The \\ref radius::nowhere'], ['book/references.md', '*Physical', '\\ref book::nowhere *Physical']],
   ['book/references.md', 'book::nowhere', nothing('book::nowhere')],
+  ['chapters/front/chapter.md', 'radius::nowhere', nothing('radius::nowhere')],
 ));
 
 test('angle brackets', () => refuses(

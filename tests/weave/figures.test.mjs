@@ -1,6 +1,7 @@
 // Figures and listings whose sources are not there, or are not what they should be.
+import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { CHAPTER, paragraph, refuses } from './weaver.mjs';
+import { CHAPTER, paragraph, refuses, weaves } from './weaver.mjs';
 
 const EULER = 'code/integrate/euler.h';
 const listing = (path, tag) => paragraph(`\\listing{${path}, ${tag}}`);
@@ -47,3 +48,21 @@ test('tags around documentation alone', () => refuses(
     listing('code/scenes/spring.h', 'doc')],
   [CHAPTER, ', doc}', 'nothing but documentation stands between the two tags of "doc" in code/scenes/spring.h (lines 6 and 8)'],
 ));
+
+test('two tags as one listing, with a gap between, indented as one', () => {
+  const signature = [EULER, 'template <class Vec, class Time, class Real, class Acceleration>\n', '// [signature]\ntemplate <class Vec, class Time, class Real, class Acceleration>\n// [signature]\n'];
+  const page = weaves(signature, listing(EULER, 'signature + position'))('2-euler.html');
+  const [first, gap, second] = [...page.matchAll(/<span class="ln( gap)?" data-n="(\d+)"><\/span>([^\n]*)/g)].slice(-2).flatMap((m, i) => (i ? [m[1], m[3]] : [m[3]]));
+  assert.match(first.replace(/<[^>]*>/g, ''), /^template &lt;class Vec/);
+  assert.equal(gap, ' gap');
+  assert.match(second.replace(/<[^>]*>/g, ''), /^  x = x \+ h \* v;/);
+});
+
+test('marks are not in what readers copy', () => {
+  const read = weaves();
+  assert.doesNotMatch(read('headers/euler.h'), /\[step\]/);
+  assert.match(read('headers/euler.h'), /v = v \+ h \* a;\n\}\n/);
+  const page = read('source-code-integrate-euler-h.html');
+  assert.doesNotMatch(page, /\[step\]/);
+  assert.match(page, /id="L33"/);
+});

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CHAPTER, MODULE, refuses, sampleBook } from './weaver.mjs';
 
-const FOLDER = 'book/live/figures';
+const FOLDER = 'chapters/2-euler/live';
 const DESCRIPTION = JSON.stringify({
   seconds: 1, pace: 1, shape: [1, 1], scene: 'place [m]', chart: { name: 'energy', curves: [{ value: 'energy', colour: 'method' }], from: 0, to: 2 },
   controls: [
@@ -77,9 +77,9 @@ test('words for the screen, outside of a live figure', () => refuses(
 test('a live figure that nothing describes', () => refuses(
   [...live, [CHAPTER, '\\live{spiral', '\\live{spirall'], ['chapters/2-euler/spirall.gp', 'plot x\n'], ['chapters/2-euler/spiral.gp'],
     ...['', '-narrow'].map(size => [`built/2-euler/figures/spirall${size}.svg`, '<svg xmlns="http://www.w3.org/2000/svg"/>'])],
-  [`${FOLDER}/spiral.json`, '', 'no page shows this with \\live{spiral, ...}; show it, or delete what is named spiral'],
   [CHAPTER, '\\live{spirall', `there is no ${FOLDER}/spirall.json that describes the live figure "spirall". Did you mean "spiral"?`],
   [CHAPTER, '\\figref{spiral}', /there is no \\figure\{spiral\}/],
+  [`${FOLDER}/spiral.json`, '', 'no page shows this with \\live{spiral, ...}; show it, or delete what is named spiral'],
 ));
 
 test('a live figure without its parts', () => refuses(

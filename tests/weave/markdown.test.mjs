@@ -46,10 +46,10 @@ test('a page without a title', () => refuses(
 ));
 
 test('what is never closed', () => refuses(
-  [paragraph('A `span.\n\n```sh\nls'), ['book/index.md', '\\contents', '\\contents\n<!-- x'], [CHAPTER, '```sh\ncmake --build build --target 2-euler   # \\number{radius} stays as it is\n```\n', '']],
-  ['book/index.md', '<!--', 'this comment is never closed; put --> after it'],
+  [paragraph('A `span.\n\n```sh\nls'), ['chapters/front/chapter.md', '\\contents', '\\contents\n<!-- x'], [CHAPTER, '```sh\ncmake --build build --target 2-euler   # \\number{radius} stays as it is\n```\n', '']],
   [CHAPTER, 'A `span', 'this code span is never closed; put ` after it, or write \\` for a backtick'],
   [CHAPTER, '```sh', 'this fence is never closed; put a line ``` after the code'],
+  ['chapters/front/chapter.md', '<!--', 'this comment is never closed; put --> after it'],
 ));
 
 const PICTURE = 'a picture from outside; pictures of this book are drawn by a script of the chapter: \\figure{name, Title}';

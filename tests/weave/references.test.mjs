@@ -2,7 +2,7 @@
 import { test } from 'node:test';
 import { CHAPTER, CLAIMS, paragraph, refuses, REPORT } from './weaver.mjs';
 
-const INDEX = 'book/index.md';
+const INDEX = 'chapters/front/chapter.md';
 const BIB = 'book/references.md';
 
 test('references to nothing, all told at once', () => refuses(
@@ -50,6 +50,6 @@ test('a section named like a figure', () => refuses(
 
 test('a mistake in another page than a chapter', () => refuses(
   [[INDEX, '\\chapterref{2-euler}', '\\chapterref{1-euler}'], [BIB, '*Physical', '\\citep{nobody} *Physical']],
-  [INDEX, '1-euler', 'there is no chapter "1-euler". Did you mean "2-euler"?'],
   [BIB, 'nobody', 'there is no reference "nobody" in book/references.md. There is "verlet1967", "hairer2006".'],
+  [INDEX, '1-euler', 'there is no chapter "1-euler". Did you mean "2-euler"?'],
 ));

@@ -2,7 +2,7 @@
 import { test } from 'node:test';
 import { CHAPTER, NUMBERS, paragraph, refuses } from './weaver.mjs';
 
-const INDEX = 'book/index.md';
+const INDEX = 'chapters/front/chapter.md';
 const NONE = 'chapters/2-euler/program.cpp writes none of that name.';
 
 test('unknown numbers in sentences and formulas', () => refuses(
@@ -21,13 +21,13 @@ test('numbers on a page without a program', () => refuses(
 
 test('what is no number', () => refuses(
   [[NUMBERS, '3.1415926535897931,m,4', 'nan,m,4'], [NUMBERS, '123456,,0', '123456.5,,0'], paragraph('\\number{steps}')],
-  ['book/index.md', '\\number{', 'the number "radius" is not a number: "nan"; chapters/2-euler/program.cpp wrote it'],
   [CHAPTER, '\\number{radius}', 'the number "radius" is not a number: "nan"; chapters/2-euler/program.cpp wrote it'],
   [CHAPTER, '\\number{steps}', 'the number "steps" is shown as an integer and is 123456.5; give it digits; chapters/2-euler/program.cpp wrote it'],
+  ['chapters/front/chapter.md', '\\number{', 'the number "radius" is not a number: "nan"; chapters/2-euler/program.cpp wrote it'],
 ));
 
 test('a program that has not run', () => refuses(
-  [[NUMBERS], ['book/index.md', '\\number{2-euler/radius}', 'x'], [CHAPTER, 'it is \\number{radius} out', 'it is out'],
+  [[NUMBERS], ['chapters/front/chapter.md', '\\number{2-euler/radius}', 'x'], [CHAPTER, 'it is \\number{radius} out', 'it is out'],
     [CHAPTER, 'h = \\number{step} \\f$', 'h \\f$ \\look'], [CHAPTER, 'h = \\number{step} .', 'h']],
   ['chapters/2-euler/program.cpp', '', 'the program has not written built/2-euler/data/numbers.csv; build the chapter first'],
 ));

@@ -13,6 +13,7 @@ export const CHAPTER = 'chapters/2-euler/chapter.md';
 export const CLAIMS = 'chapters/2-euler/claims.cpp';
 export const REPORT = 'built/2-euler/claims.xml';
 export const CARDS = 'code/measure/every_card.cpp';
+export const METHODS = 'code/measure/methods/euler.h';
 export const MODULE = 'built/live.wasm';
 export const NUMBERS = 'built/2-euler/data/numbers.csv';
 
@@ -35,7 +36,7 @@ export function sampleBook(...edits) {
     has: name => existsSync(join(folder, name)),
     read: name => readFileSync(join(folder, name), 'utf8'),
     edit: (name, ...change) => edit(book, name, change),
-    weave: (doxygen = process.env.DOXYGEN || 'doxygen') => weave(folder, readdirSync(join(folder, 'chapters')), doxygen),
+    weave: (doxygen = process.env.DOXYGEN || 'doxygen') => weave(folder, readdirSync(join(folder, 'chapters')).filter(name => name !== 'front' || existsSync(join(folder, 'built/front'))), doxygen),
   };
   for (const change of edits) book.edit(...change);
   return book;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT-0
 #include <catch2/catch_test_macros.hpp>
 
+#include "format_values.h"
 #include "judge/describe.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
-#include "words.h"
 
 using namespace judge;
 

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <complex>
 
+#include "format_values.h"
 #include "judge/diagnose.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
-#include "words.h"
 
 using namespace judge;
 using grade::number;

@@ -3,10 +3,10 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 
+#include "format_values.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
-#include "words.h"
 
 using namespace judge;
 

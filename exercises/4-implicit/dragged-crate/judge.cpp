@@ -3,11 +3,11 @@
 #include <cmath>
 #include <utility>
 
+#include "format_values.h"
 #include "judge/describe.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
-#include "words.h"
 
 using namespace judge;
 

@@ -5,10 +5,10 @@
 #include <numbers>
 #include <utility>
 
+#include "format_values.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
-#include "words.h"
 
 using namespace judge;
 

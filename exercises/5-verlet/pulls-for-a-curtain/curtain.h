@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "words.h"
+#include "format_values.h"
 
 namespace judge::verlet {
 

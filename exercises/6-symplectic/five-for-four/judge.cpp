@@ -2,13 +2,13 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 
+#include "format_values.h"
 #include "judge/describe.h"
 #include "judge/diagnose.h"
-#include "judge/energy.h"
+#include "judge/orbit_energy.h"
 #include "judge/session.h"
 #include "judge/tests.h"
 #include "suzuki.h"
-#include "words.h"
 
 using namespace judge;
 using grade::number;

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "format_values.h"
 #include "judge/describe.h"
 #include "judge/random.h"
 #include "judge/student.h"
-#include "words.h"
 
 namespace stars {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "format_values.h"
 #include "judge/random.h"
-#include "words.h"
 
 namespace hidden {
 

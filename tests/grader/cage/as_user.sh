@@ -13,4 +13,4 @@ cp -R "$1" "$copy/kit"
 cp -R "$2" "$copy/programs"
 chown -R $user:$user "$copy"
 setpriv --reuid $user --regid $user --clear-groups --inh-caps=-all -- \
-  env KIT="$copy/kit" TMPDIR="$copy" "$copy/programs/tests.cage"
+  env KIT="$copy/kit" TMPDIR="$copy" "$copy/programs/tests.grader.cage"

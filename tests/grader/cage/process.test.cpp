@@ -10,7 +10,7 @@
 
 #include "around.h"
 #include "cage/command.h"
-#include "cage/tree.h"
+#include "cage/process_tree.h"
 
 using How = cage::Ended::How;
 using cage::Ended;

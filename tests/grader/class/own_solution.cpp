@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "grade.h"
+#include "grade_submission.h"
 
 namespace fs = std::filesystem;
 

@@ -15,7 +15,7 @@
 #include <fstream>
 #include <functional>
 
-#include "grade.h"
+#include "grade_submission.h"
 #include "judge/session.h"
 #include "submission.h"
 
@@ -110,7 +110,7 @@ std::optional<Obstacle> calibrate(Request& request) {
   return {};
 }
 
-Report grade_one(const Request& request) {
+Report grade_submission(const Request& request) {
   Report report;
   report.exercise = request.exercise.name;
   report.version = version(request.exercise);

@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-#include "cage/tree.h"
+#include "cage/process_tree.h"
 
 int main(int count, char** arguments) {
   if (count < 2) return 2;

@@ -24,7 +24,7 @@ function parsed(path) {
 }
 
 export function checker({grade, alone, exercises, build}) {
-  const schema = parsed(join(exercises, 'grade/report/report.schema.json'));
+  const schema = parsed(join(exercises, 'grader/report/report.schema.json'));
   const valid = new Ajv({allowUnionTypes: true}).compile(schema);
   const solution = join(exercises, exercise, 'solution.h');
 

@@ -18,7 +18,7 @@ const samples = readdirSync(folder);
 const json = path => JSON.parse(readFileSync(path, 'utf8'));
 const schemaAt = path => json(fileURLToPath(new URL(path, import.meta.url)));
 const ajv = new Ajv({allErrors: true, allowUnionTypes: true});
-const isReport = ajv.compile(schemaAt('../../../exercises/grade/report/report.schema.json'));
+const isReport = ajv.compile(schemaAt('../../../exercises/grader/report/report.schema.json'));
 const isGradescope = ajv.compile(schemaAt('gradescope.schema.json'));
 
 function assertValid(validate, value, name) {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "grade.h"
+#include "grade_submission.h"
 
 /// What a hostile submission gets into a report: a command for a CI service, Markdown, HTML, a
 /// bell, colours, bytes that are no text, and a turn of the direction of writing.

@@ -3,13 +3,13 @@
 #pragma once
 #include <vector>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "problem.h"
 
 namespace textbook {
 
 // Galileo's rule: the distance is that of the mean of both velocities.
-inline std::vector<State> steps(list::ConstantAcceleration, const Force& force, const State& start,
+inline std::vector<State> steps(measure::ConstantAcceleration, const Force& force, const State& start,
                                 Real h, int count) {
   std::vector<State> states;
   State s = start;
@@ -22,7 +22,7 @@ inline std::vector<State> steps(list::ConstantAcceleration, const Force& force, 
 }
 
 // The step adds h v + h^2 a, and the velocity is the distance over the time.
-inline std::vector<State> steps(list::SymplecticEuler, const Force& force, const State& start,
+inline std::vector<State> steps(measure::SymplecticEuler, const Force& force, const State& start,
                                 Real h, int count) {
   std::vector<State> states;
   State s = start;
@@ -35,7 +35,7 @@ inline std::vector<State> steps(list::SymplecticEuler, const Force& force, const
 }
 
 // The same with the positions one step ahead: the velocity is the distance still to go.
-inline std::vector<State> steps(list::SymplecticEulerPositionFirst, const Force& force,
+inline std::vector<State> steps(measure::SymplecticEulerPositionFirst, const Force& force,
                                 const State& start, Real h, int count) {
   std::vector<State> states;
   Real x = start.x;

@@ -31,7 +31,7 @@ Pair newton_step(const Defect& defect, const Pair& z, Real h) {
   return guess - derivative(defect, guess).partialPivLu().solve(defect(guess));
 }
 
-inline std::vector<State> steps(list::BackwardEuler, const Force& force, const State& start, Real h,
+inline std::vector<State> steps(measure::BackwardEuler, const Force& force, const State& start, Real h,
                                 int count) {
   std::vector<State> states;
   Pair z{start.x, start.v};
@@ -45,7 +45,7 @@ inline std::vector<State> steps(list::BackwardEuler, const Force& force, const S
   return states;
 }
 
-inline std::vector<State> steps(list::Trapezoid, const Force& force, const State& start, Real h,
+inline std::vector<State> steps(measure::Trapezoid, const Force& force, const State& start, Real h,
                                 int count) {
   std::vector<State> states;
   Pair z{start.x, start.v};

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "problem.h"
 
 namespace textbook {
@@ -47,23 +47,23 @@ inline std::vector<Pair> stages(const Table& table, const Force& force, const Pa
   return slopes;
 }
 
-inline Table table(list::Euler) {
+inline Table table(measure::Euler) {
   return {{{}}, {1}};
 }
 
-inline Table table(list::Midpoint) {
+inline Table table(measure::Midpoint) {
   return {{{}, {0.5L}}, {0, 1}};
 }
 
-inline Table table(list::Heun) {
+inline Table table(measure::Heun) {
   return {{{}, {1}}, {0.5L, 0.5L}};
 }
 
-inline Table table(list::Rk4) {
+inline Table table(measure::Rk4) {
   return {{{}, {0.5L}, {0, 0.5L}, {0, 0, 1}}, {1 / 6.0L, 1 / 3.0L, 1 / 3.0L, 1 / 6.0L}};
 }
 
-inline Table table(list::Dopri5) {
+inline Table table(measure::Dopri5) {
   const Row end{35 / 384.0L, 0, 500 / 1113.0L, 125 / 192.0L, -2187 / 6784.0L, 11 / 84.0L};
   return {{{},
            {1 / 5.0L},
@@ -93,15 +93,15 @@ inline Table predicted_euler(int corrections) {
   return table;
 }
 
-inline Table table(list::PredictedEuler) {
+inline Table table(measure::PredictedEuler) {
   return predicted_euler(1);
 }
 
-inline Table table(list::BackwardEulerNewton) {
+inline Table table(measure::BackwardEulerNewton) {
   return {{{1}}, {1}};
 }
 
-inline Table table(list::TrapezoidNewton) {
+inline Table table(measure::TrapezoidNewton) {
   return {{{}, {0.5L, 0.5L}}, {0.5L, 0.5L}};
 }
 

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <vector>
 
-#include "measure/list.h"
+#include "measure/methods.h"
 #include "problem.h"
 
 namespace textbook {
 
 // Position Verlet, summed: the distance of a step is that of the step before and h^2 a.
-inline std::vector<State> steps(list::StormerVerlet, const Force& force, const State& start, Real h,
+inline std::vector<State> steps(measure::StormerVerlet, const Force& force, const State& start, Real h,
                                 int count) {
   std::vector<State> states;
   Real x = start.x;
@@ -24,13 +24,13 @@ inline std::vector<State> steps(list::StormerVerlet, const Force& force, const S
   return states;
 }
 
-inline std::vector<State> steps(list::StormerVerletUneven, const Force& force, const State& start,
+inline std::vector<State> steps(measure::StormerVerletUneven, const Force& force, const State& start,
                                 Real h, int count) {
-  return steps(list::StormerVerlet(), force, start, h, count);
+  return steps(measure::StormerVerlet(), force, start, h, count);
 }
 
 // Kicks from one half step to the next; the force sees the velocity of now, by the last kick.
-inline std::vector<State> steps(list::StormerVerletCarried, const Force& force, const State& start,
+inline std::vector<State> steps(measure::StormerVerletCarried, const Force& force, const State& start,
                                 Real h, int count) {
   std::vector<State> states;
   Real x = start.x;
@@ -46,7 +46,7 @@ inline std::vector<State> steps(list::StormerVerletCarried, const Force& force, 
 }
 
 // Leapfrog in positions alone: the second difference is h^2 a.
-inline std::vector<State> steps(list::Leapfrog, const Force& force, const State& start, Real h,
+inline std::vector<State> steps(measure::Leapfrog, const Force& force, const State& start, Real h,
                                 int count) {
   std::vector<State> states;
   Real before = start.x - h * (start.v - h / 2 * force(start.x, start.v, 0));
@@ -69,7 +69,7 @@ inline void velocity_verlet(State& s, Real& a, const Force& force, Real t, Real 
   s.v += h * (before + a) / 2;
 }
 
-inline std::vector<State> steps(list::VelocityVerlet, const Force& force, const State& start,
+inline std::vector<State> steps(measure::VelocityVerlet, const Force& force, const State& start,
                                 Real h, int count) {
   std::vector<State> states;
   State s = start;
@@ -82,7 +82,7 @@ inline std::vector<State> steps(list::VelocityVerlet, const Force& force, const 
 }
 
 // Three Verlet steps, the middle one back, whose cubes cancel: 2 w^3 + (1 - 2 w)^3 = 0.
-inline std::vector<State> steps(list::Yoshida4, const Force& force, const State& start, Real h,
+inline std::vector<State> steps(measure::Yoshida4, const Force& force, const State& start, Real h,
                                 int count) {
   const Real root = std::cbrt(2.0L);
   const Real weights[] = {1 / (2 - root), -root / (2 - root), 1 / (2 - root)};

@@ -1,4 +1,5 @@
-// fails: uneven frames are paid with as many steps as fit into them
+// Fails: uneven frames are paid with as many steps as fit into them
+// Says: the steps follow the frames
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

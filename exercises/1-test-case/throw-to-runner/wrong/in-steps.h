@@ -1,4 +1,4 @@
-// fails: a ball lands on a target that stands still
+// Fails: a ball lands on a target that stands still
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: a machine that keeps up makes good a hitch
+// Fails: a machine that keeps up makes good a hitch
+// Says: the game runs at
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: no frame takes more steps than it may, and a hitch is forgotten
+// Fails: no frame takes more steps than it may, and a hitch is forgotten
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

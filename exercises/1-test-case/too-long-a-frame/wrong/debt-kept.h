@@ -1,4 +1,5 @@
-// fails: no frame takes more steps than it may, and a hitch is forgotten
+// Fails: no frame takes more steps than it may, and a hitch is forgotten
+// Says: the debt is kept, and the next frames have to pay it
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: a machine too slow for its steps slows the game and not the screen
+// Fails: a machine too slow for its steps slows the game and not the screen
+// Says: the game hangs
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: no frame takes more steps than it may, and a hitch is forgotten
+// Fails: no frame takes more steps than it may, and a hitch is forgotten
+// Says: more steps than a frame may take
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

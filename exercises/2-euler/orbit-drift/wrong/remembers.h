@@ -1,4 +1,5 @@
-// fails: five steps under a hidden force are Euler's
+// Fails: five steps under a hidden force are Euler's
+// Says: the first run was right: something is remembered from it
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

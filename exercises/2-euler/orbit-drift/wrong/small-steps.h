@@ -1,4 +1,4 @@
-// fails: the acceleration is asked for once a step, at its start
+// Fails: the acceleration is asked for once a step, at its start
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: finding out costs no more than four runs
+// Fails: finding out costs no more than four runs
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

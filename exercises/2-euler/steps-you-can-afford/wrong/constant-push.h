@@ -1,4 +1,5 @@
-// fails: the thing ends within the wanted error
+// Fails: the thing ends within the wanted error
+// Says: this is right for a push that never changes
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: the thing ends within the wanted error
+// Fails: the thing ends within the wanted error
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

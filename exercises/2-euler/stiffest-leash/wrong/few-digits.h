@@ -1,4 +1,5 @@
-// fails: a leash like a wall keeps its digits
+// Fails: a leash like a wall keeps its digits
+// Says: the first digits are right: a difference of nearly equal numbers lost the others
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: critical damping belongs to both sides, and no damper has no step
+// Fails: critical damping belongs to both sides, and no damper has no step
+// Says: with your step this leash explodes
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: a leash that swings holds up to the longest step
+// Fails: a leash that swings holds up to the longest step
+// Says: this is h omega, and h was asked
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

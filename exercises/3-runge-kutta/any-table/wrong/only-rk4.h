@@ -1,4 +1,5 @@
-// fails: a table that nobody has published is followed to rounding
+// Fails: a table that nobody has published is followed to rounding
+// Says: this is RK4
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: from critical damping on the faster of two motions sets the limit
+// Fails: from critical damping on the faster of two motions sets the limit
+// Says: no step of your search grew; is something in it not a number?
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include <complex>

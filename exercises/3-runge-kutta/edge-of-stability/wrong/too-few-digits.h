@@ -1,4 +1,5 @@
-// fails: below critical damping the limit is where the swing neither grows nor shrinks
+// Fails: below critical damping the limit is where the swing neither grows nor shrinks
+// Says: nearly: the search ends too soon
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include <complex>

@@ -1,4 +1,4 @@
-// fails: five steps under a hidden force are RK4's
+// Fails: five steps under a hidden force are RK4's
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: a coasting probe costs next to nothing
+// Fails: a coasting probe costs next to nothing
+// Says: the end is not finite
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: a comet costs a fifth of what equal steps cost for the same error
+// Fails: a comet costs a fifth of what equal steps cost for the same error
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: ten thousand times the accuracy costs at most ten times the questions
+// Fails: ten thousand times the accuracy costs at most ten times the questions
+// Says: after 15000 questions the judge let nothing pull any more
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: a comet costs a fifth of what equal steps cost for the same error
+// Fails: a comet costs a fifth of what equal steps cost for the same error
+// Says: after 15000 questions the judge let nothing pull any more
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: a stiff chain loses energy in every step and never gains
+// Fails: a stiff chain loses energy in every step and never gains
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: a hundred thousand beads take a step in the time that there is
+// Fails: a hundred thousand beads take a step in the time that there is
+// Says: wanted more memory than
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

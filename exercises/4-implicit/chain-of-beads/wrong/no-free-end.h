@@ -1,4 +1,4 @@
-// fails: a single bead is a spring
+// Fails: a single bead is a spring
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

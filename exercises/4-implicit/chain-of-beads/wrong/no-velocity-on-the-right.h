@@ -1,4 +1,5 @@
-// fails: a single bead is a spring
+// Fails: a single bead is a spring
+// Says: on the right of a system for the change belongs a(x + h v), not a(x)
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: short chains end where the slope of the end leads back to the start
+// Fails: short chains end where the slope of the end leads back to the start
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

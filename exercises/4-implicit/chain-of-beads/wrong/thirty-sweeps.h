@@ -1,4 +1,4 @@
-// fails: a hundred thousand beads take a step in the time that there is
+// Fails: a hundred thousand beads take a step in the time that there is
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

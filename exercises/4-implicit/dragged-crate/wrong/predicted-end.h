@@ -1,4 +1,4 @@
-// fails: a spring far too stiff for the step puts the crate into the hand
+// Fails: a spring far too stiff for the step puts the crate into the hand
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: at 30 frames a second, too
+// Fails: at 30 frames a second, too
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

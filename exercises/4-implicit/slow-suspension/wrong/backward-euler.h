@@ -1,4 +1,4 @@
-// fails: without a damper its energy stays for a minute
+// Fails: without a damper its energy stays for a minute
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

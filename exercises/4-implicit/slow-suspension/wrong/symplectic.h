@@ -1,4 +1,4 @@
-// fails: each step takes the mean of both slopes
+// Fails: each step takes the mean of both slopes
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: where a move is cheap the curtain holds at the least price
+// Fails: where a move is cheap the curtain holds at the least price
+// Says: a single substep: iterations count once in the rule, substeps twice
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

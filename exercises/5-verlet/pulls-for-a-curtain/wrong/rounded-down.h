@@ -1,4 +1,5 @@
-// fails: where a move costs many pulls the curtain holds at the least price
+// Fails: where a move costs many pulls the curtain holds at the least price
+// Says: by the rule your plan leaves
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: where a move is cheap the curtain holds at the least price
+// Fails: where a move is cheap the curtain holds at the least price
+// Says: with so many iterations fewer substeps will do
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: at every frame rate the curtain holds at the least price
+// Fails: at every frame rate the curtain holds at the least price
+// Says: by the rule your plan leaves
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: where a move costs many pulls the curtain holds at the least price
+// Fails: where a move costs many pulls the curtain holds at the least price
+// Says: a single iteration: each substep pays for its move again
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: the stretch is foretold within a seventh
+// Fails: the stretch is foretold within a seventh
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: a link that is too long is drawn together by the masses of its ends
+// Fails: a link that is too long is drawn together by the masses of its ends
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: a throw passes through its true places, whatever the frames
+// Fails: a throw passes through its true places, whatever the frames
+// Says: this is right from the second frame on: in the first, h_previous is taken for h
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: six frames under a hidden force are those of the corrected formula
+// Fails: six frames under a hidden force are those of the corrected formula
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

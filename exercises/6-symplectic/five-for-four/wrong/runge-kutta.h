@@ -1,4 +1,4 @@
-// fails: twenty steps there and twenty back lead home
+// Fails: twenty steps there and twenty back lead home
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

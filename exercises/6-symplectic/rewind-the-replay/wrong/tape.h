@@ -1,4 +1,5 @@
-// fails: undone steps lead back to the start of the replay
+// Fails: undone steps lead back to the start of the replay
+// Says: the state never changes
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: an undo asks once, at the place and time where its step asked
+// Fails: an undo asks once, at the place and time where its step asked
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: a few steps of a sledge are braked after the push, by division
+// Fails: a few steps of a sledge are braked after the push, by division
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

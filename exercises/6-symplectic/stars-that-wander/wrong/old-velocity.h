@@ -1,4 +1,4 @@
-// fails: a step keeps the sum of the areas
+// Fails: a step keeps the sum of the areas
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: a few steps of hidden stars are those of symplectic Euler
+// Fails: a few steps of hidden stars are those of symplectic Euler
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

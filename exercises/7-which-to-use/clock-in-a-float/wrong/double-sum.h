@@ -1,4 +1,4 @@
-// fails: it strikes at each whole second, and never in between
+// Fails: it strikes at each whole second, and never in between
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: after a night the clock shows the night
+// Fails: after a night the clock shows the night
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

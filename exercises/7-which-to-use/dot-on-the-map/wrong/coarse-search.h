@@ -1,4 +1,4 @@
-// fails: the longest stable step of four methods is right to a millionth
+// Fails: the longest stable step of four methods is right to a millionth
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: the growth of a step that swings is found
+// Fails: the growth of a step that swings is found
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// fails: one frame of any length ends where the formula says
+// Fails: one frame of any length ends where the formula says
+// Says: this is 1 / (1 + z + 0.48 z^2 + 0.235 z^3) in place of exp(-z): close, and not exact
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

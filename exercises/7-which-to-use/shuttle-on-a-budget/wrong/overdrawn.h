@@ -1,4 +1,5 @@
-// fails: within the budget the shuttle lands as near as equal steps bring it
+// Fails: within the budget the shuttle lands as near as equal steps bring it
+// Says: times too often
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: within the budget the shuttle lands as near as equal steps bring it
+// Fails: within the budget the shuttle lands as near as equal steps bring it
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,4 @@
-// fails: it lands twenty times nearer than RK4 in equal steps
+// Fails: it lands twenty times nearer than RK4 in equal steps
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What a step of a stiff scene costs in chapter 4: entries of its matrix, and multiplications.
+#pragma once
+#include <Eigen/SparseCore>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "measure/record.h"
+#include "struck_nets.h"
+#include "substeps.h"
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// The matrix of a step from the scene's start.
+template <class Scene>
+Sparse step_matrix_of(const Scene& scene) {
+  const auto s = scene.start();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < int(s.x.size()); ++i) entries.emplace_back(i, i, 1.0);
+  scene.jacobian(s.x, s.v, 0.0, [&](int i, int j, double dadx, double dadv) {
+    entries.emplace_back(i, j, -frame * frame * dadx - frame * dadv);
+  });
+  Sparse matrix(s.x.size(), s.x.size());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+/// The factor of a matrix below its diagonal, by elimination in an order that fills in little.
+Sparse factor_of(const Sparse& matrix);
+
+/// Multiplications and divisions that make this factor, and that solve with it.
+inline double work_of_solving(const Sparse& factor) {
+  double work = 0;
+  for (int column = 0; column < factor.cols(); ++column) {
+    const double below = double(factor.col(column).nonZeros());
+    work += below * (below + 3) / 2;  // of the factor
+    work += 2 * below + 1;            // forth and back, and the diagonal
+  }
+  return work;
+}
+
+/// The same for cloth, whose factor is not made of counted numbers but of counted entries.
+inline double work_of_step(const scenes::Cloth<Tallied>& scene) {
+  const auto s = scene.start();
+  const Sparse factor = factor_of(step_matrix_of(cloth_of(scene.side)));
+  const double filling = tally([&] {
+    const Tallied p = -frame * frame, q = -frame;
+    Tallied sum = 0;
+    scene.jacobian(s.x, s.v, 0.0,
+                   [&](int, int, Tallied dadx, Tallied dadv) { sum += p * dadx + q * dadv; });
+  });
+  return filling + work_of_substep(scene) + double(s.x.size()) + work_of_solving(factor);
+}
+
+/// Where the matrices of chain, rope and cloth are not zero.
+void matrices(measure::Record& record);
+
+/// What a frame costs, solved and in substeps.
+void costs(measure::Record& record);
+
+/// The same for a rope on a nail, over the stiffness of its springs.
+void costs_on_a_nail(measure::Record& record);

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Chain, rope and cloth of steel in chapter 4, struck, and the systems that move them.
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <random>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "../cast_of_many.h"
+#include "integrate/backward_euler.h"
+#include "integrate/band_system.h"
+#include "integrate/sparse_system.h"
+
+inline constexpr double gentle = 0.1;  ///< speed of a gentle blow [m/s]
+inline constexpr double hard = 1;      ///< speed of a hard blow [m/s]
+
+using Struck = scenes::State<Eigen::VectorXd>;
+
+/// In its place, but struck: every mass that is not held has a velocity of its own.
+/// @param speed  the largest along each axis [m/s]
+template <class Scene>
+Struck struck(const Scene& scene, double speed) {
+  Struck s = scene.start();
+  std::mt19937 dice(1);
+  for (double& v : s.v) v = speed * (double(dice()) / 2147483648.0 - 1);
+  if constexpr (requires { scene.held(0); }) {
+    for (int i = 0; i < scene.nodes(); ++i) {
+      if (scene.held(i)) s.v.template segment<3>(3 * i).setZero();
+    }
+  }
+  return s;
+}
+
+/// The derivatives of a scene's acceleration, as the linear systems want them.
+template <class Scene>
+auto jacobian_of(const Scene& scene) {
+  return
+      [&scene](const auto& x, const auto& v, auto t, auto&& add) { scene.jacobian(x, v, t, add); };
+}
+
+// [system]
+template <class Real>
+auto system_of(const scenes::Chain<Real>& scene) {
+  const auto jacobian = jacobian_of(scene);
+  return integrate::BandSystem<1, decltype(jacobian), Real>(jacobian);
+}
+template <class Real>
+auto system_of(const scenes::Rope<Real>& scene) {
+  const auto jacobian = jacobian_of(scene);
+  return integrate::BandSystem<5, decltype(jacobian), Real>(jacobian);
+}
+template <class Real>
+auto system_of(const scenes::Cloth<Real>& scene) {
+  const auto jacobian = jacobian_of(scene);
+  return integrate::SparseSystem<decltype(jacobian), Real>(jacobian);
+}
+// [system]
+
+/// The largest change of any velocity.
+inline constexpr auto largest = [](const Eigen::VectorXd& change) {
+  return change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0.0;
+};
+
+/// When Newton's method has come to its end [m/s].
+inline constexpr double tolerance = 1e-9;
+
+/// Shares of the energy that are left after each step of a blow; the first is 1.
+/// @param step  called as `step(state, scene, system)`, true if it could be taken
+template <class Scene, class Step>
+std::vector<double> shares(const Scene& scene, double speed, int steps, Step step) {
+  Struck s = struck(scene, speed);
+  auto system = system_of(scene);
+  const double first = scene.energy(s.x, s.v);
+  std::vector<double> left{1};
+  for (int n = 0; n < steps && step(s, scene, system); ++n) {
+    left.push_back(scene.energy(s.x, s.v) / first);
+  }
+  return left;
+}
+
+/// One solve of backward Euler.
+inline constexpr auto solved_once = [](Struck& s, const auto& scene, auto& system) {
+  return integrate::backward_euler(s.x, s.v, 0.0, frame, scene, system);
+};
+
+/// Backward Euler to the end of Newton's method.
+inline constexpr auto to_the_end = [](Struck& s, const auto& scene, auto& system) {
+  return integrate::backward_euler_newton(s.x, s.v, 0.0, frame, scene, system, largest, tolerance) >
+         0;
+};
+
+/// By how much the velocities change in each of Newton's iterations of the first step after a blow.
+template <class Scene>
+std::vector<double> changes(const Scene& scene, double speed) {
+  Struck s = struck(scene, speed);
+  auto system = system_of(scene);
+  std::vector<double> found;
+  const auto note = [&found](const Eigen::VectorXd& change) {
+    found.push_back(largest(change));
+    return found.back();
+  };
+  if (integrate::backward_euler_newton(s.x, s.v, 0.0, frame, scene, system, note, tolerance) == 0) {
+    found.clear();
+  }
+  return found;
+}

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The level again, each thing with what the contest chooses for it, and one example in full.
+#pragma once
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contest.h"
+#include "measure/record.h"
+
+inline constexpr double centimetre = 0.01;  ///< the largest error that the level may show [m]
+
+/// The contest for one thing of the level, to a distance [m].
+template <class Scene>
+Contest to_within(double distance, const Scene& scene, double seconds) {
+  Bounds bounds{.seconds = seconds};
+  bounds.error = distance / size_of(scene, bounds);
+  return contest(scene, bounds);
+}
+
+/// What the contest would take: the exact step, if there is one.
+inline const Entry& taken(const Contest& found) {
+  return found.exact.empty() ? found.methods.front() : found.exact.front();
+}
+
+/// Evaluations a second for the whole level, each thing with what the contest would take.
+inline double total_to_within(double distance) {
+  double total = 0;
+  for_each_thing([&](const auto&, const auto& scene, double seconds) {
+    total += taken(to_within(distance, scene, seconds)).evaluations;
+  });
+  return total;
+}
+
+// [solved]
+inline void level_again(measure::Record& record) {
+  auto& table = record.table("solved", {{"thing"},
+                                        {"take"},
+                                        {"header"},
+                                        {"steps a frame", "", measure::whole},
+                                        {"evaluations a second", "", measure::whole},
+                                        {"off", "cm", 2}});
+  double total = 0;
+  std::map<std::string, double> alone;
+  for_each_thing([&](const auto& name, const auto& scene, double seconds) {
+    const Contest found = to_within(centimetre, scene, seconds);
+    const Entry& best = taken(found);
+    total += best.evaluations;
+    table.add({name, best.name, best.method->header, double(best.last.substeps), best.evaluations,
+               100 * best.last.error * size_of(scene, Bounds{.seconds = seconds})});
+    for (const Entry& entry : found.methods) {
+      alone[entry.name] += entry.good ? entry.evaluations : INFINITY;
+    }
+  });
+  // [solved]
+  record.number("chosen-total", total, measure::whole);
+  record.number("verlet-times", alone["velocity Verlet"] / total, 2);
+  record.number("symplectic-times", alone["symplectic Euler"] / total, 2);
+  auto& bills =
+      record.table("bills", {{"what is taken"}, {"evaluations a second", "", measure::whole}});
+  bills.add({"the choice for each", total});
+  std::vector<std::pair<double, std::string>> sorted;
+  for (const measure::Method* method : entrants) {
+    const std::string name(method->name);
+    sorted.emplace_back(alone[name], name);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (const auto& [bill, name] : sorted) bills.add({name, bill});
+  record.number("millimetre-total", total_to_within(centimetre / 10), measure::whole);
+  record.number("rk4-total", alone["RK4"], measure::whole);
+  record.number("verlet-total", alone["velocity Verlet"], measure::whole);
+  record.number("symplectic-total", alone["symplectic Euler"], measure::whole);
+}
+
+/// What `choose --scene spring --omega 40 --zeta 0.1 --hz 60 --error 0.01` prints.
+inline constexpr scenes::Spring<> example{.omega = 40, .zeta = 0.1};
+inline constexpr Bounds example_bounds{.hz = 60, .error = 0.01};
+
+/// The swing of the exercise, twice a second.
+inline constexpr scenes::Spring<> twice_a_second = swinging(2);
+
+/// What a function costs in a contest.
+inline double bill_of(const Contest& found, const measure::Method& method) {
+  const auto entry = std::find_if(found.methods.begin(), found.methods.end(),
+                                  [&](const Entry& one) { return one.method == &method; });
+  return entry->evaluations;
+}
+
+inline void example_choice(measure::Record& record) {
+  auto& table = record.table("choice", {{"function"},
+                                        {"steps a frame", "", measure::whole},
+                                        {"evaluations a second", "", measure::whole},
+                                        {"error", "", 2},
+                                        {"with fewer steps"}});
+  const Contest found = contest(example, example_bounds);
+  record.number("example-times",
+                bill_of(found, method::symplectic_euler) / bill_of(found, method::rk4), 2);
+  const Contest swing = contest(twice_a_second, example_bounds);
+  record.number("by-hand-rk4", bill_of(swing, method::rk4), measure::whole);
+  record.number("by-hand-verlet", bill_of(swing, method::velocity_verlet), measure::whole);
+  const auto add = [&](const Entry& entry) {
+    table.add({entry.method->function, double(entry.last.substeps), entry.evaluations,
+               entry.last.error, reason(entry, example_bounds)});
+  };
+  for (const Entry& entry : found.exact) add(entry);
+  for (const Entry& entry : found.methods) add(entry);
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The page for the wall: what to take for what moves, and how far it goes at sixty steps a second.
+#pragma once
+#include <numbers>
+#include <string>
+
+#include "contest.h"
+#include "measure/record.h"
+#include "verdicts.h"
+
+/// One swing a second.
+inline constexpr scenes::Spring<> clock_spring = swinging(1);
+
+/// The most that the energy of a swing a second is off in a minute at 60 Hz [%].
+inline double energy_off(const measure::Method& method) {
+  const auto energy = [](double x, double v) { return clock_spring.energy(x, v); };
+  return 100 * measure::drift(method, clock_spring, frame, 3600, energy).largest;
+}
+
+/// How often a spring may swing in a second, or would without its damper, before the method loses
+/// it at 60 Hz.
+inline double swings(const measure::Method& method, double zeta = 0) {
+  return longest_step(method, scenes::Spring<>{.zeta = zeta}) / frame / (2 * std::numbers::pi);
+}
+
+inline void wall(measure::Record& record) {
+  auto& table = record.table("wall", {{"what moves"},
+                                      {"take"},
+                                      {"evaluations a step", "", measure::whole},
+                                      {"stable to", "swings/s", 2},
+                                      {"at ζ = 1", "swings/s", 2},
+                                      {"energy off in a minute", "%", 2},
+                                      {"header"}});
+  const auto add = [&](const char* moves, const char* take, const measure::Method& method) {
+    table.add({moves, take, double(price(method, suspension, frame)), swings(method),
+               swings(method, 1), energy_off(method), method.header});
+  };
+  table.add({"a constant force: jumps, shells, sparks", "the exact step",
+             double(price(method::constant_acceleration, height_of_jump, frame)), NAN, NAN, NAN,
+             method::constant_acceleration.header});
+  add("one spring: cameras, doors, recoil, suspensions", "the exact step", method::spring_exact);
+  add("bodies with contacts, joints and springs", "symplectic Euler", method::symplectic_euler);
+  add("the same with drag against the air, or a damper to something fixed", "drag divided",
+      method::linear_damping_implicit_last);
+  // Between two bodies the relative motion is the spring, and the division is the same.
+  add("two bodies with a damper between them", "relative velocity divided",
+      method::linear_damping_implicit_last);
+  add("ropes and cloth of particles, by constraints", "Störmer–Verlet", method::stormer_verlet);
+  add("orbits and pendulums that never end; falls through air while ch < 1", "velocity Verlet",
+      method::velocity_verlet);
+  add("long orbits without drag whose place counts", "Yoshida 4", method::yoshida4);
+  add("a path that must be right: previews, flight", "RK4", method::rk4);
+  add("what is too stiff for the frame", "backward Euler", method::backward_euler);
+  add("answers to compare with, in tools", "Dormand-Prince", method::dopri5);
+}

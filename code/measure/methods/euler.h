@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The methods of one evaluation, as objects that can be handed to run() and to the other
+/// measurements.
+#pragma once
+#include <string_view>
+#include <tuple>
+
+#include "integrate/constant_acceleration.h"
+#include "integrate/euler.h"
+#include "integrate/symplectic_euler.h"
+#include "measure/methods/traits.h"
+
+namespace measure {
+
+/// integrate::euler.
+struct Euler : Orders<1> {
+  static constexpr std::string_view name = "Euler", function = "euler", header = "euler.h";
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 0;
+  static constexpr int free_fall = 45;
+  static constexpr bool symplectic = false, reversible = false, central = false;
+  static constexpr bool goes_back = true, contender = true;
+
+  /// One step.
+  constexpr void operator()(auto& x, auto& v, auto t, auto h, auto&& acceleration) const {
+    integrate::euler(x, v, t, h, acceleration);
+  }
+};
+
+/// integrate::constant_acceleration.
+struct ConstantAcceleration : Orders<1> {
+  static constexpr std::string_view name = "constant acceleration",
+                                    function = "constant_acceleration",
+                                    header = "constant_acceleration.h";
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 0;
+  static constexpr int free_fall = 50;
+  static constexpr bool symplectic = false, reversible = false, central = false;
+  static constexpr bool goes_back = true, contender = false;
+
+  /// One step.
+  constexpr void operator()(auto& x, auto& v, auto t, auto h, auto&& acceleration) const {
+    integrate::constant_acceleration(x, v, t, h, acceleration);
+  }
+};
+
+/// integrate::symplectic_euler.
+struct SymplecticEuler : Orders<1> {
+  static constexpr std::string_view name = "symplectic Euler", function = "symplectic_euler",
+                                    header = "symplectic_euler.h";
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 2;
+  static constexpr int free_fall = 55;
+  static constexpr bool symplectic = true, reversible = false, central = true;
+  static constexpr bool goes_back = true, contender = true;
+
+  /// One step.
+  constexpr void operator()(auto& x, auto& v, auto t, auto h, auto&& acceleration) const {
+    integrate::symplectic_euler(x, v, t, h, acceleration);
+  }
+};
+
+/// integrate::symplectic_euler_position_first.
+struct SymplecticEulerPositionFirst : Orders<1> {
+  static constexpr std::string_view name = "symplectic Euler, position first",
+                                    function = "symplectic_euler_position_first",
+                                    header = "symplectic_euler.h";
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 2;
+  static constexpr int free_fall = 45;
+  static constexpr bool symplectic = true, reversible = false, central = true;
+  static constexpr bool goes_back = true, contender = false;
+
+  /// One step.
+  constexpr void operator()(auto& x, auto& v, auto t, auto h, auto&& acceleration) const {
+    integrate::symplectic_euler_position_first(x, v, t, h, acceleration);
+  }
+};
+
+inline constexpr Euler euler;                                                   ///< to hand on
+inline constexpr ConstantAcceleration constant_acceleration;                    ///< to hand on
+inline constexpr SymplecticEuler symplectic_euler;                              ///< to hand on
+inline constexpr SymplecticEulerPositionFirst symplectic_euler_position_first;  ///< to hand on
+
+}  // namespace measure
+
+namespace list {
+
+/// Euler’s method and its kin.
+using EulerKin = std::tuple<measure::Euler, measure::ConstantAcceleration, measure::SymplecticEuler,
+                            measure::SymplecticEulerPositionFirst>;
+
+}  // namespace list

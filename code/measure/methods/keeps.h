@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What the methods have in common that keep more than position and velocity.
+///
+/// Each says how its memory begins, how a step changes it, and which state it stands for. The rest
+/// is what run() does.
+#pragma once
+#include <array>
+
+#include "integrate/velocity_verlet.h"
+#include "scenes/state.h"
+
+namespace measure {
+
+/// The state of a method that keeps these.
+template <class Kept>
+using StateOf = scenes::State<typename Kept::value_type>;
+
+/// What the methods have in common that keep the acceleration.
+struct KeepsAcceleration {
+  /// What is kept at the start.
+  template <class Vec, class Real, class Scene>
+  static std::array<Vec, 3> start(const scenes::State<Vec>& s, Real, const Scene& scene) {
+    return {s.x, s.v, integrate::velocity_verlet_start(s.x, s.v, Real(0), scene)};
+  }
+  /// The state that it stands for.
+  template <class Kept, class Real, class Scene>
+  static StateOf<Kept> seen(const Kept& kept, Real, Real, const Scene&) {
+    return {kept[0], kept[1]};
+  }
+};
+
+}  // namespace measure

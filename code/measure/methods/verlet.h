@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Verlet’s methods and Yoshida’s, as objects that can be handed to run() and to the other
+/// measurements.
+#pragma once
+#include <array>
+#include <string_view>
+#include <tuple>
+
+#include "integrate/leapfrog.h"
+#include "integrate/stormer_verlet.h"
+#include "integrate/velocity_verlet.h"
+#include "integrate/yoshida4.h"
+#include "measure/methods/keeps.h"
+#include "measure/methods/traits.h"
+#include "scenes/state.h"
+
+namespace measure {
+
+/// What the forms of position Verlet have in common that keep two positions.
+struct KeepsTwoPositions {
+  /// What it keeps at the start.
+  template <class Vec, class Real, class Scene>
+  static std::array<Vec, 2> start(const scenes::State<Vec>& s, Real h, const Scene& scene) {
+    return {s.x, integrate::stormer_verlet_start(s.x, s.v, Real(0), h, scene)};
+  }
+  /// The state that it stands for, its velocity half a step late.
+  template <class Kept, class Real, class Scene>
+  static StateOf<Kept> seen(const Kept& kept, Real, Real h, const Scene&) {
+    return {kept[0], integrate::stormer_verlet_velocity(kept[0], kept[1], h)};
+  }
+};
+
+/// integrate::leapfrog: keeps the velocity of half a step ago.
+struct Leapfrog : Orders<2, 2, 1> {
+  static constexpr std::string_view name = "leapfrog", function = "leapfrog", header = "leapfrog.h";
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 2;
+  static constexpr int free_fall = 50;
+  static constexpr bool symplectic = true, reversible = true, central = true;
+  static constexpr bool goes_back = true, contender = true;
+
+  /// What it keeps at the start.
+  template <class Vec, class Real, class Scene>
+  static std::array<Vec, 2> start(const scenes::State<Vec>& s, Real h, const Scene& scene) {
+    return {s.x, integrate::leapfrog_start(s.x, s.v, Real(0), h, scene)};
+  }
+  /// One step.
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
+    integrate::leapfrog(kept[0], kept[1], t, h, scene);
+  }
+  /// The state that it stands for; asks for the acceleration to bring the velocity up to date.
+  template <class Kept, class Real, class Scene>
+  static StateOf<Kept> seen(const Kept& kept, Real t, Real h, const Scene& scene) {
+    return {kept[0], integrate::leapfrog_velocity(kept[0], kept[1], t, h, scene)};
+  }
+};
+
+/// integrate::stormer_verlet: keeps two positions.
+struct StormerVerlet : Orders<2, 1>, KeepsTwoPositions {
+  static constexpr std::string_view name = "Störmer–Verlet", function = "stormer_verlet",
+                                    header = "stormer_verlet.h";
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 2;
+  static constexpr int free_fall = 50;
+  static constexpr bool symplectic = true, reversible = true, central = true;
+  static constexpr bool goes_back = true, contender = true;
+
+  /// One step.
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
+    integrate::stormer_verlet(kept[0], kept[1], t, h, scene);
+  }
+};
+
+/// integrate::stormer_verlet_carried: keeps two positions and the acceleration.
+struct StormerVerletCarried : Orders<2> {
+  static constexpr std::string_view name = "Störmer–Verlet, carried",
+                                    function = "stormer_verlet_carried",
+                                    header = "stormer_verlet.h";
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 1, spring_limit = 2;
+  static constexpr int free_fall = 50;
+  static constexpr bool symplectic = true, reversible = true, central = false;
+  static constexpr bool goes_back = true, contender = false;
+
+  /// What it keeps at the start.
+  template <class Vec, class Real, class Scene>
+  static std::array<Vec, 3> start(const scenes::State<Vec>& s, Real h, const Scene& scene) {
+    const Vec a = scene(s.x, s.v, Real(0));
+    return {s.x, integrate::stormer_verlet_start(s.x, s.v, Real(0), h, scene), a};
+  }
+  /// One step.
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
+    integrate::stormer_verlet_carried(kept[0], kept[1], kept[2], t, h, scene);
+  }
+  /// The state that it stands for, its velocity brought up to date.
+  template <class Kept, class Real, class Scene>
+  static StateOf<Kept> seen(const Kept& kept, Real, Real h, const Scene&) {
+    return {kept[0], integrate::stormer_verlet_carried_velocity(kept[0], kept[1], kept[2], h)};
+  }
+};
+
+/// integrate::stormer_verlet_uneven with equal steps: keeps two positions.
+struct StormerVerletUneven : Orders<2, 1>, KeepsTwoPositions {
+  static constexpr std::string_view name = "Störmer–Verlet, uneven",
+                                    function = "stormer_verlet_uneven", header = "stormer_verlet.h";
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 2;
+  static constexpr int free_fall = 50;
+  static constexpr bool symplectic = true, reversible = true, central = true;
+  static constexpr bool goes_back = true, contender = false;
+
+  /// One step, as long as the one before it.
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
+    integrate::stormer_verlet_uneven(kept[0], kept[1], t, h, h, scene);
+  }
+};
+
+/// integrate::velocity_verlet: keeps the acceleration.
+struct VelocityVerlet : Orders<2>, KeepsAcceleration {
+  static constexpr std::string_view name = "velocity Verlet", function = "velocity_verlet",
+                                    header = "velocity_verlet.h";
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 1, spring_limit = 2;
+  static constexpr int free_fall = 50;
+  static constexpr bool symplectic = true, reversible = true, central = true;
+  static constexpr bool goes_back = true, contender = true;
+
+  /// One step.
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
+    integrate::velocity_verlet(kept[0], kept[1], kept[2], t, h, scene);
+  }
+};
+
+/// integrate::yoshida4: keeps the acceleration.
+struct Yoshida4 : Orders<4, 4, 2>, KeepsAcceleration {
+  static constexpr std::string_view name = "Yoshida 4", function = "yoshida4",
+                                    header = "yoshida4.h";
+  static constexpr long evaluations = 3;
+  static constexpr double drag_limit = 0.912983, spring_limit = 1.573401;
+  static constexpr int free_fall = 50;
+  static constexpr bool symplectic = true, reversible = true, central = true;
+  static constexpr bool goes_back = true, contender = true;
+
+  /// One step.
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
+    integrate::yoshida4(kept[0], kept[1], kept[2], t, h, scene);
+  }
+};
+
+inline constexpr Leapfrog leapfrog;                            ///< to hand on
+inline constexpr StormerVerlet stormer_verlet;                 ///< to hand on
+inline constexpr StormerVerletCarried stormer_verlet_carried;  ///< to hand on
+inline constexpr StormerVerletUneven stormer_verlet_uneven;    ///< to hand on
+inline constexpr VelocityVerlet velocity_verlet;               ///< to hand on
+inline constexpr Yoshida4 yoshida4;                            ///< to hand on
+
+}  // namespace measure
+
+namespace list {
+
+/// Verlet’s methods and those made of them.
+using VerletKin =
+    std::tuple<measure::Leapfrog, measure::StormerVerlet, measure::StormerVerletCarried,
+               measure::StormerVerletUneven, measure::VelocityVerlet, measure::Yoshida4>;
+
+}  // namespace list

@@ -1,9 +1,0 @@
-// fails: one step takes the drag at the velocity of now
-// SPDX-License-Identifier: MIT-0
-#pragma once
-#include "given.h"
-
-// One sign lost when the formula was solved.
-inline Vec next_place(const Vec& x, const Vec& x_previous, const Vec& a, double c, double h) {
-  return x + ((1 + c * h / 2) * (x - x_previous) + h * h * a) / (1 - c * h / 2);
-}

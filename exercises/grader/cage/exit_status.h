@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// How a program ended, from its wait status and what bubblewrap says.
+#pragma once
+#include "process.h"
+
+namespace cage {
+
+/// Fills in how the program ended and its code; its processor time must already be known.
+///
+/// @param status  as wait gives it
+/// @param told  what bubblewrap said of the program; null if it was started without
+void tell_end(Ended& ended, int status, const Limits& limits, const std::string* told);
+
+}  // namespace cage

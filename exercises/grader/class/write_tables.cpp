@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT-0
+#include "class/write_tables.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+
+#include "exit_codes.h"
+#include "format_values.h"
+#include "report/escape.h"
+#include "report/files.h"
+
+namespace grade {
+namespace {
+
+int refuse_stale(const std::vector<Job>& jobs) {
+  for (const Job& job : jobs) {
+    std::fprintf(stderr, "grade: %s is by another grader or with another seed\n",
+                 printable_name((job.out / "report.json").string()).c_str());
+  }
+  return refuse(Exit::try_again,
+                "no tables, since they would mix graders; the same command again "
+                "grades these anew");
+}
+
+}  // namespace
+
+int write_tables(const Roll& roll, const std::vector<Exercise>& exercises,
+                 const std::vector<Job>& jobs, const Class& work) {
+  const Results results = collect(roll.students, exercises, jobs);
+  const std::vector<Job> old = stale(jobs, results, work.seed);
+  if (!old.empty()) return refuse_stale(old);
+  write_whole(work.results / "grades.csv", grades_csv(results));
+  write_whole(work.results / "report.csv", report_csv(results));
+  write_whole(work.results / "summary.html", summary_html(results));
+  const auto failed = std::ranges::count_if(results.reports, std::not_fn(is_graded));
+  std::printf("%s, %s: see %s\n", counted(roll.students.size(), "student").c_str(),
+              counted(exercises.size(), "exercise").c_str(),
+              printable_name((work.results / "summary.html").string()).c_str());
+  if (failed > 0) {
+    std::fprintf(stderr,
+                 "grade: %s without a grade, since the grader failed; the same command again "
+                 "tries them again\n",
+                 counted(static_cast<std::size_t>(failed), "submission").c_str());
+  }
+  return exit_code(results.reports);
+}
+
+}  // namespace grade

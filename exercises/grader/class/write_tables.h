@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// A class graded: its tables and its page.
+#pragma once
+#include <vector>
+
+#include "class/results.h"
+
+namespace grade {
+
+/// Writes the tables and the page, unless they would mix graders.
+/// @returns the exit code
+int write_tables(const Roll& roll, const std::vector<Exercise>& exercises,
+                 const std::vector<Job>& jobs, const Class& work);
+
+}  // namespace grade

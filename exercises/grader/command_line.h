@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What the grader was asked to do.
+#pragma once
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "class/class.h"
+#include "grade_submission.h"
+#include "report/folder.h"
+
+namespace grade {
+
+/// What to do, with everything that it takes; checked.
+struct Command {
+  enum class What { one, whole_class, list, version, nothing };
+  What what = What::nothing;
+  Request request;  ///< of one submission
+  std::optional<std::filesystem::path> out;
+  std::set<Emit> emits;
+  bool limits_given = false;  ///< by the grader of a class, that calibrated them
+  bool exit_by_verdict = false;
+  Class classroom;  ///< of a whole class
+};
+
+/// Bad input: one line that says what is wrong and what to do.
+struct Usage : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Reads the command line; prints the help if that is all that was asked for.
+/// @throws Usage
+Command read_command_line(int argc, char** argv);
+
+}  // namespace grade

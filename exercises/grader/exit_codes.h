@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What the grader tells the program that started it.
+#pragma once
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "grade_submission.h"
+
+namespace grade {
+
+enum Exit : int {
+  graded = 0,
+  below_full_score = 1,  ///< only by --exit-status verdict
+  bad_input = 2,
+  unreadable = 3,
+  failed = 42,  ///< and will fail again
+  try_again = 75,
+};
+
+/// Says on stderr why not.
+/// @returns the code
+int refuse(int code, const std::string& why);
+
+/// Of one submission.
+int exit_code(const Report& report, bool by_verdict);
+
+/// Of a class: graded, or that the grader failed somewhere.
+int exit_code(const std::vector<Report>& reports);
+
+/// What the caller can mend, what may mend itself, and the rest.
+int exit_code(const std::error_code& error);
+
+}  // namespace grade

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT-0
+#include "grade_submission.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <stdexcept>
+#include <system_error>
+
+#include "compile.h"
+#include "installed.h"
+#include "judge/session.h"
+#include "submission.h"
+#include "version.h"
+
+namespace grade {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+cage::Kit kit() {
+  const std::string folder = installed::kit;
+  return {folder + "/harness", folder, folder + "/canary", installed::compiler,
+          {std::begin(installed::shown_to_compiler), std::end(installed::shown_to_compiler)}};
+}
+
+std::string read(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// What the sum of the tests says.
+Verdict verdict(const Report& report) {
+  if (report.score == report.points) return Verdict::accepted;
+  return report.score > 0 ? Verdict::partial : Verdict::wrong_answer;
+}
+
+// What the compiler says of the header, under the name that the student has for it.
+std::string about(const std::string& name, const std::string& header, std::string said) {
+  for (auto at = said.find(header); at != said.npos; at = said.find(header, at + name.size())) {
+    said.replace(at, header.size(), name);
+  }
+  return said;
+}
+
+void judge_driver(const Request& request, const cage::Kit& kit, const cage::File& driver,
+                  Report& report) {
+  judge::Session& session = judge::session();
+  session = {};
+  session.kit = &kit;
+  session.driver = &driver;
+  session.sandbox = request.sandbox;
+  session.limits = request.run_limits;
+  session.seed = request.seed;
+  const auto start = Clock::now();
+  judge::run_tests(request.exercise.name);
+  report.run_seconds = seconds_since(start);
+  report.tests = session.tests;
+  for (const TestResult& test : report.tests) report.score += test.held ? test.points : 0;
+  report.verdict = session.stopped() ? session.ended : verdict(report);
+  report.why = session.why;
+}
+
+// Everything from the path to the verdict; leaves in the report how far it came.
+void grade_into(const Request& request, Report& report) {
+  const Submission submission =
+      take_in(request.submission, request.exercise.chapter(), request.exercise.header());
+  report.ignored = submission.ignored;
+  report.unreadable = submission.unreadable;
+  if (!submission.refused.empty()) {
+    report.verdict = Verdict::rejected;
+    report.why = submission.refused;
+    return;
+  }
+  report.sha256 = sha256(submission.text);
+  const cage::Kit kit = grade::kit();
+  if (request.sandbox == cage::Sandbox::bubblewrap) {
+    if (const auto why = cage::unsafe(kit)) {
+      report.why = *why;
+      return;
+    }
+  }
+  const auto start = Clock::now();
+  const std::string header = request.exercise.header();
+  const Compiled compiled =
+      compile(submission.text, header, read(request.exercise.folder / "harness.h"), request.sandbox,
+              kit, request.compile_limits);
+  report.compile_seconds = seconds_since(start);
+  if (compiled.failed) {
+    report.verdict = *compiled.failed;
+    report.why = about(submission.name, header, compiled.message);
+    return;
+  }
+  report.warnings = about(submission.name, header, compiled.message);
+  judge_driver(request, kit, compiled.driver, report);
+}
+
+// The driver ran, and the tests have a say.
+bool is_judged(Verdict verdict) {
+  return verdict == Verdict::accepted || verdict == Verdict::partial ||
+         verdict == Verdict::wrong_answer;
+}
+
+// What became of our own solution, in the words that a student would have read.
+std::string not_ours(const Report& report) {
+  std::string why = "the grader does not work on this machine: it gives its own " +
+                    report.exercise + "/" +
+                    std::filesystem::path(report.submission).filename().string() + " " +
+                    std::string(name(report.verdict));
+  for (const TestResult& test : report.tests)
+    if (is_judged(report.verdict) && !test.held) why += ", " + test.name;
+  return report.why.empty() ? why : why + ":\n" + report.why;
+}
+
+// Shortages that another try may not meet.
+bool may_pass(int error) {
+  return error == EAGAIN || error == ENOMEM || error == ENOSPC || error == EMFILE ||
+         error == ENFILE;
+}
+
+}  // namespace
+
+Report grade_submission(const Request& request) {
+  const auto start = Clock::now();
+  Report report;
+  report.exercise = request.exercise.name;
+  report.version = version(request.exercise);
+  report.submission = request.submission.string();
+  report.seed = request.seed;
+  report.sandbox = request.sandbox;
+  report.tests = judge::tests_of(request.exercise.name);
+  for (const TestResult& test : report.tests) report.points += test.points;
+  try {
+    grade_into(request, report);
+  } catch (const std::system_error& error) {
+    report.verdict = Verdict::grader_error;
+    report.why = error.what();
+    report.try_again = may_pass(error.code().value());
+  } catch (const std::exception& error) {
+    report.verdict = Verdict::grader_error;
+    report.why = error.what();
+  }
+  report.seconds = seconds_since(start);
+  return report;
+}
+
+std::optional<Obstacle> calibrate(Request& request) {
+  constexpr double times = 20;
+  Request own = request;
+  own.submission = request.exercise.folder / "solution.h";
+  const bool at_home = !std::filesystem::exists(own.submission);
+  if (at_home) own.submission = request.exercise.folder / "starter.h";
+  for (cage::Limits* limits : {&own.compile_limits, &own.run_limits}) {
+    limits->processor *= times;
+    limits->wall *= times;
+  }
+  const Report report = grade_submission(own);
+  if (!(at_home ? is_judged(report.verdict) : report.verdict == Verdict::accepted))
+    return Obstacle{not_ours(report), report.try_again};
+  const auto raise = [&](cage::Limits& limits, double seconds) {
+    limits.processor = std::max(limits.processor, times * seconds);
+    limits.wall = std::max(limits.wall, times * seconds + 5);
+  };
+  raise(request.compile_limits, report.compile_seconds);
+  raise(request.run_limits, judge::session().processor);
+  return std::nullopt;
+}
+
+std::optional<std::string> unsafe() {
+  return cage::unsafe(kit());
+}
+
+std::string sha256(const std::string& text) {
+  cage::Process sum({"sha256sum"}, {}, {});
+  sum.send(std::as_bytes(std::span(text)));
+  return sum.finish().out.substr(0, 64);
+}
+
+std::string version(const Exercise& exercise) {
+  return version_of(exercise.name);
+}
+
+}  // namespace grade

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Grades one submission.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cage/cage.h"
+#include "exercise.h"
+#include "finding.h"
+#include "verdict.h"
+
+namespace grade {
+
+struct Request {
+  Exercise exercise;
+  std::filesystem::path submission;  ///< the header, or a folder that holds it
+  std::uint64_t seed = 1;            ///< from which all hidden inputs come; 1 is the public one
+  cage::Sandbox sandbox = cage::Sandbox::bubblewrap;
+  cage::Limits compile_limits, run_limits;
+};
+
+/// All that is known at the end; the report in words and in JSON is made from this alone.
+struct Report {
+  std::string exercise;
+  std::string version;     ///< of the grader and the exercise together
+  std::string submission;  ///< as the caller named it
+  std::string sha256;      ///< of its text; empty if there was none
+  std::uint64_t seed = 0;
+  cage::Sandbox sandbox = cage::Sandbox::bubblewrap;
+  Verdict verdict = Verdict::grader_error;
+  std::string why;       ///< one or more lines for the student; empty if the tests say it all
+  std::string warnings;  ///< of the compiler, if it compiled
+  std::vector<std::string> ignored;
+  std::vector<TestResult> tests;
+  int score = 0, points = 0;  ///< points earned, points to be had
+  bool unreadable = false;    ///< the path could not be read
+  bool try_again = false;     ///< with grader_error: a shortage that may pass
+  double seconds = 0, compile_seconds = 0, run_seconds = 0;  ///< on the clock
+};
+
+/// Reads, compiles, runs and judges; never throws: what goes wrong with us is a grader_error.
+Report grade_submission(const Request& request);
+
+/// Why nobody can be graded.
+struct Obstacle {
+  std::string why;
+  bool try_again = false;  ///< a shortage that may pass
+};
+
+/// Grades the exercise's own solution as the request would be, in the same cage. The limits of time
+/// become twenty times what it takes here, but at least the usual ones.
+/// @returns what is wrong with the grader if the solution is not accepted; at home, where only the
+/// starter is there, if that is not judged
+std::optional<Obstacle> calibrate(Request& request);
+
+/// Why nothing can be graded in the sandbox on this machine, and what to do about it; nothing if
+/// it can.
+std::optional<std::string> unsafe();
+
+/// SHA-256 in hexadecimal.
+std::string sha256(const std::string& text);
+
+/// Which grader this is: a hash of its own code and of the exercise's files.
+std::string version(const Exercise& exercise);
+
+}  // namespace grade

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT-0
+#include "judge/diagnose.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "format_values.h"
+#include "judge/describe.h"
+
+namespace judge {
+namespace {
+
+using grade::number;
+
+// Two things agree if they do to ten digits: what a rounding apart never misses, and a mistake
+// never meets.
+constexpr double ten_digits = 1e-10;
+
+double size(const Path& path) {
+  double largest = 0;
+  for (const State& state : path.states) largest = std::max(largest, distance(state, State{}));
+  return largest;
+}
+
+double apart(const Path& a, const Path& b) {
+  double largest = 0;
+  for (std::size_t n = 0; n < std::min(a.states.size(), b.states.size()); ++n) {
+    largest = std::max(largest, distance(a.states[n], b.states[n]));
+  }
+  return largest;
+}
+
+bool alike(const Path& a, const Path& b) {
+  return apart(a, b) <= ten_digits * size(b);
+}
+
+// The path with its states moved by so many places.
+bool shifted(const Path& yours, const Path& expected, std::size_t late, std::size_t early) {
+  if (expected.states.size() < 3) return false;
+  double largest = 0;
+  for (std::size_t n = 1; n + 1 < expected.states.size(); ++n) {
+    largest = std::max(largest, distance(yours.states[n + late], expected.states[n + early]));
+  }
+  return largest <= ten_digits * size(expected);
+}
+
+Path negative(Path path) {
+  for (State& state : path.states) state = {-state.x, -state.v};
+  return path;
+}
+
+bool never_changes(const Path& path) {
+  return std::all_of(path.states.begin(), path.states.end(),
+                     [&](const State& state) { return distance(state, path.states.front()) == 0; });
+}
+
+// Right to about seven digits after one step, and no further: something went through a float.
+bool single_precision(const Path& yours, const Path& expected) {
+  const double first = distance(yours.states[1], expected.states[1]) / size(expected);
+  return first > 1e-9 && first < 2e-6;
+}
+
+struct Part {
+  double of_step;
+  const char* name;
+};
+
+constexpr std::array<Part, 7> parts{{{0, ""},
+                                     {1, "h"},
+                                     {0.5, "h/2"},
+                                     {1.0 / 3, "h/3"},
+                                     {2.0 / 3, "2h/3"},
+                                     {0.25, "h/4"},
+                                     {0.75, "3h/4"}}};
+
+// "x + h v", if the place is one along the tangent at the start of the first step; else its
+// numbers. Who takes steps back has an h above zero, and the time at the start of the step.
+std::string place(const Vec& x, const Path& path, double tolerance) {
+  const State& start = path.states.front();
+  for (const Part& part : parts) {
+    if (length(x - (start.x + part.of_step * path.h * start.v)) > tolerance) continue;
+    return part.of_step == 0 ? "x" : (path.h < 0 ? "x - " : "x + ") + std::string(part.name) + " v";
+  }
+  return describe(x);
+}
+
+std::string clock(double t, const Path& path, double tolerance) {
+  const double start = path.t + std::min(path.h, 0.0);
+  for (const Part& part : parts) {
+    if (std::abs(t - (start + part.of_step * std::abs(path.h))) > tolerance) continue;
+    return part.of_step == 0 ? "t" : std::string("t + ") + part.name;
+  }
+  return number(t);
+}
+
+std::string where(const Evaluation& asked, const Path& path, double tolerance) {
+  const bool same_v = length(asked.v - path.states.front().v) <= tolerance;
+  return "(" + place(asked.x, path, tolerance) + ", " + (same_v ? "v" : describe(asked.v)) + ", " +
+         clock(asked.t, path, tolerance) + ")";
+}
+
+struct Ratio {
+  double value;
+  const char* says;
+};
+
+constexpr std::array<Ratio, 8> ratios{{
+    {-1, "this is minus the right answer"},
+    {180 / std::numbers::pi, "57.3 times the right answer: degrees where radians are meant?"},
+    {std::numbers::pi / 180, "the right answer over 57.3: radians where degrees are meant?"},
+    {1000, "1000 times the right answer: milli?"},
+    {0.001, "a thousandth of the right answer: milli?"},
+    {2 * std::numbers::pi, "2 pi times the right answer: turns or radians?"},
+    {2, "twice the right answer"},
+    {0.5, "half the right answer"},
+}};
+
+}  // namespace
+
+std::vector<std::string> asked_elsewhere(const Path& yours, const Path& expected) {
+  const std::size_t both = std::min(yours.evaluations.size(), expected.evaluations.size());
+  const double tolerance = ten_digits * size(expected);
+  for (std::size_t n = 0; n < both; ++n) {
+    const Evaluation &a = yours.evaluations[n], &b = expected.evaluations[n];
+    const double off = std::max({length(a.x - b.x), length(a.v - b.v), std::abs(a.t - b.t)});
+    if (off <= tolerance) continue;
+    return {"evaluation " + std::to_string(n + 1) + " of the acceleration was at " +
+            where(a, expected, tolerance) + "; here it should be at " +
+            where(b, expected, tolerance)};
+  }
+  if (yours.evaluations.size() == expected.evaluations.size()) return {};
+  return {"it evaluated the acceleration " + std::to_string(yours.evaluations.size()) +
+          " times in these steps; this method does " + std::to_string(expected.evaluations.size()) +
+          " times"};
+}
+
+std::vector<std::string> diagnose(const Path& yours, const Path& expected,
+                                  const std::function<Path(const Method&)>& run_by) {
+  const std::size_t broken = first_not_finite(yours);
+  if (broken < yours.states.size()) {
+    return {"the first state that is not a finite number comes after step " +
+            std::to_string(broken * static_cast<std::size_t>(yours.every))};
+  }
+  if (never_changes(yours)) return {"the state never changes"};
+  for (const Method& known : methods()) {
+    const Path theirs = run_by(known);
+    if (!alike(yours, theirs)) continue;
+    const double off = apart(yours, theirs) / size(theirs);
+    return {"this is " + known.name + " to " + number(std::max(off, 1e-16), 1)};
+  }
+  std::vector<std::string> found;
+  if (alike(yours, negative(expected))) found.push_back("this is minus the right path");
+  if (shifted(yours, expected, 0, 1)) found.push_back("this is one step ahead");
+  if (shifted(yours, expected, 1, 0)) found.push_back("this is one step behind");
+  if (single_precision(yours, expected)) {
+    found.push_back("right to seven digits and no further: a float, or a constant with an f?");
+    return found;
+  }
+  const std::vector<std::string> asked = asked_elsewhere(yours, expected);
+  found.insert(found.end(), asked.begin(), asked.end());
+  return found;
+}
+
+std::vector<std::string> diagnose(double yours, double expected) {
+  if (std::isnan(yours)) return {"this is not a number (NaN)"};
+  if (std::isinf(yours)) return {"this is infinite"};
+  const double ratio = yours / expected;
+  for (const Ratio& known : ratios) {
+    if (std::abs(ratio / known.value - 1) < ten_digits) return {known.says};
+  }
+  if (yours == std::trunc(expected) && std::abs(yours) >= 1) {
+    return {"the right answer without what stands behind its point: a division of integers?"};
+  }
+  if (std::abs(ratio - 1) < 2e-6 && std::abs(ratio - 1) > 1e-9) {
+    return {"right to seven digits and no further: a float, or a constant with an f?"};
+  }
+  return {};
+}
+
+}  // namespace judge

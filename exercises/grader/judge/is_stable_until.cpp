@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT-0
+#include <algorithm>
+#include <cmath>
+
+#include "format_values.h"
+#include "judge/describe.h"
+#include "judge/random.h"
+#include "judge/session.h"
+#include "judge/tests.h"
+
+namespace judge {
+namespace {
+
+using grade::number;
+
+// So many steps let even a damping of a tenth show on which side of its limit a method is.
+constexpr int steps = 20000, every = 100;
+constexpr double margin = 0.02, bounded = 100, exploded = 1000;
+
+double growth(const Path& path) {
+  double largest = 0;
+  for (const State& state : path.states) {
+    const double now = distance(state, State{});
+    if (!std::isfinite(now)) return INFINITY;
+    largest = std::max(largest, now);
+  }
+  return largest / distance(path.states.front(), State{});
+}
+
+grade::Plot plot(const Path& path) {
+  grade::Curve yours{"yours", {}, {}};
+  for (std::size_t n = 1; n < path.states.size(); ++n) {
+    yours.x.push_back(path.time(n) - path.t);
+    yours.y.push_back(length(path.states[n].x));
+  }
+  grade::Plot plot{"How far from rest", "time [s]", "distance [m]", {yours}};
+  plot.logarithmic = true;
+  return plot;
+}
+
+// omega is drawn: it must be h omega that counts.
+void check_side(Student& student, double zeta, double limit, bool inside, const std::string& hint,
+                int function) {
+  Random random;
+  const double omega = random.between(3, 9);
+  const double h = limit * (inside ? 1 - margin : 1 + margin) / omega;
+  const Start start = random.start();
+  const harness::Force force{harness::Force::spring, {omega, zeta}};
+  const Path path = student.run(start, h, steps, every, force, function);
+  const double grown = growth(path);
+
+  grade::Finding finding;
+  finding.held = inside ? grown <= bounded : !(grown <= exploded);
+  finding.asked = std::to_string(steps) + " steps of " + number(h * omega, 5) + "/omega on " +
+                  describe(force) + ": 2 % " + (inside ? "below" : "above") + " the limit of " +
+                  number(limit);
+  finding.input = describe(start) + ", h = " + number(h, 17);
+  finding.expected = inside ? "it stays bounded" : "it blows up";
+  finding.got = "it grew to " + number(grown, 3) + " times the start";
+  finding.error = inside ? "it blew up" : "it stayed bounded";
+  finding.tolerance = inside ? "a growth of 100" : "a growth of 1000";
+  finding.tolerance_from = inside ? "so close to the limit the right method sways by less"
+                                  : "so far over the limit the right method grows by far more";
+  if (!finding.held) {
+    finding.hint = hint;
+    finding.plot = plot(path);
+  }
+  check(finding);
+}
+
+}  // namespace
+
+void is_stable_until(Student& student, double zeta, double limit, const std::string& hint,
+                     int function) {
+  check_side(student, zeta, limit, true, hint, function);
+  check_side(student, zeta, limit, false, hint, function);
+}
+
+}  // namespace judge

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT-0
+#include <cmath>
+
+#include "format_values.h"
+#include "judge/describe.h"
+#include "judge/random.h"
+#include "judge/session.h"
+#include "judge/tests.h"
+
+namespace judge {
+namespace {
+
+using grade::number;
+
+constexpr int steps = 20;
+
+// Nearer to the truth than a straight line: what does nothing comes back, too.
+bool moves(const Path& there, const Start& start, const harness::Force& force) {
+  const Path exact = truth(start, there.h, steps, steps, force);
+  const Vec straight = start.x + (steps * there.h) * start.v;
+  return length(there.states.back().x - exact.states.back().x) <
+         0.5 * length(straight - exact.states.back().x);
+}
+
+}  // namespace
+
+void runs_backwards(Student& student, const std::string& hint, int function) {
+  Random random;
+  const Start start = random.start();
+  harness::Force force = random.wild();
+  force.a[6] = 0;  // no drag: what drag took, no method gives back
+  const double h = random.between(0.03, 0.06);
+  const Path there = student.run(start, h, steps, steps, force, function);
+  const State end = there.states.back();
+  const Start turned{end.x, end.v, start.t + steps * h};
+  const Path back = student.run(turned, -h, steps, steps, force, function);
+  const State home{start.x, start.v};
+  const double apart = distance(back.states.back(), home);
+  const Tolerance tolerance = rounding(2 * steps, 1 + distance(end, State{}));
+
+  grade::Finding finding;
+  const bool moved = moves(there, start, force);
+  finding.held = moved && apart <= tolerance.value;
+  finding.asked =
+      std::to_string(steps) + " steps forward and as many back with -h, " + describe(force);
+  finding.input = describe(start) + ", h = " + number(h, 17);
+  finding.expected = describe(home);
+  finding.got = describe(back.states.back());
+  finding.error = number(apart, 3);
+  finding.tolerance = number(tolerance.value, 2);
+  finding.tolerance_from = tolerance.from;
+  if (!moved)
+    finding.diagnoses.emplace_back(
+        "on its way it is further from the truth than half of what a straight line is");
+  if (!finding.held) finding.hint = hint;
+  check(finding);
+}
+
+}  // namespace judge

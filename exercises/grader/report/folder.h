@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The folder in which a report is kept.
+#pragma once
+#include <filesystem>
+#include <set>
+
+#include "grade_submission.h"
+
+namespace grade {
+
+/// Formats of others, written beside the report.
+enum class Emit { gradescope, junit };
+
+/// Writes the formats that are wanted, and takes away the others, which would tell of an older
+/// report.
+/// @throws std::system_error  one line that says what could not be written, and why
+void emit(const Report& report, const std::filesystem::path& folder, const std::set<Emit>& emits);
+
+/// Says that a grading has begun: until keep() replaces it, the folder tells of a grader that was
+/// stopped before it came to a verdict. Makes the folder.
+/// @throws std::system_error  one line that says what could not be written, and why
+void keep_provisional(const Request& request, const std::string& version,
+                      const std::filesystem::path& folder, const std::set<Emit>& emits);
+
+/// Writes plots, feedback.md, what is to be emitted, and at last report.json. Notes in the report
+/// where its plots are.
+/// @throws std::system_error  one line that says what could not be written, and why
+void keep(Report& report, const std::filesystem::path& folder, const std::set<Emit>& emits);
+
+}  // namespace grade

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Pictures of what went wrong.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "grade_submission.h"
+
+namespace grade {
+
+/// The picture as SVG on white, the student's curve solid and the others dashed, below 30 kB;
+/// nothing if no curve has a point, or gnuplot cannot draw it.
+std::optional<std::string> svg(const Plot& plot);
+
+/// Draws what the failed tests have to show into `folder`/plots, in place of what an earlier
+/// grading drew there, and notes where.
+/// @throws std::system_error  it could not be written
+void draw(Report& report, const std::filesystem::path& folder);
+
+}  // namespace grade

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT-0
+# Writes version.cpp: one hash of the grader's own files with those of each exercise.
+# cmake -DEXERCISES=folder -DNAMES=a;b -DOUT=version.cpp -P versions.cmake
+function(hash_of out)
+  set(all)
+  foreach(file IN LISTS ARGN)
+    file(SHA256 ${file} hash)
+    file(RELATIVE_PATH name ${EXERCISES} ${file})
+    string(APPEND all "${name} ${hash}\n")
+  endforeach()
+  string(SHA256 hash "${all}")
+  string(SUBSTRING ${hash} 0 16 hash)
+  set(${out} ${hash} PARENT_SCOPE)
+endfunction()
+
+file(GLOB_RECURSE grader ${EXERCISES}/grader/*.h ${EXERCISES}/grader/*.cpp)
+list(SORT grader)
+set(lines)
+foreach(name IN LISTS NAMES)
+  # What the tests are made of: also headers that they share with others of the chapter.
+  cmake_path(GET name PARENT_PATH chapter)
+  file(GLOB tests ${EXERCISES}/${chapter}/*.h ${EXERCISES}/${name}/*.h ${EXERCISES}/${name}/judge.cpp)
+  list(FILTER tests EXCLUDE REGEX "/(starter|solution)\\.h$")
+  list(SORT tests)
+  hash_of(hash ${grader} ${tests})
+  string(APPEND lines "    {\"${name}\", \"${hash}\"},\n")
+endforeach()
+file(WRITE ${OUT} "#include \"version.h\"
+
+#include <map>
+
+namespace grade {
+
+std::string version_of(const std::string& exercise) {
+  static const std::map<std::string, std::string> versions{
+${lines}  };
+  return versions.at(exercise);
+}
+
+}  // namespace grade
+")

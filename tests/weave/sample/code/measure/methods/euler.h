@@ -1,0 +1,3 @@
+struct Euler {
+  function = "euler";
+};
