@@ -65,7 +65,7 @@ set bmargin 3.4
 axis_names(x, y) = sprintf("set xlabel '%s' offset 0,0.3; set label 99 '%s' at graph 0,1.0 left offset -4,0.9", x, y)
 # A script reaches its tables by name. file("orbit") is the table orbit.csv; behind it, while gnuplot reads that table,
 # col("t") is the column of that name, as a place of `using` wants it, val("t") is what a row has there, and
-# txt("method") the same as text. A name that the table doesn't have stops gnuplot. (Its own column("t") goes on where that
+# txt("method") the same as text, up to a comma: gnuplot goes no further. A name that the table doesn't have stops gnuplot. (Its own column("t") goes on where that
 # only costs points: in a hover text, for a colour, in one branch of ?:.)
 TABLE = ""
 # The names in the first line, in place_in's form; one in quotes may hold commas.

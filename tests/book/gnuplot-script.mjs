@@ -1,7 +1,7 @@
 // What stands in a gnuplot script, as far as a test of the figures must know it.
 
-// The script's strings, { text, line, call, ticks }: `call` is the function that the string is handed to, as in col("t"),
-// and `ticks` says whether it labels an axis. And the code, of the same length, with strings and comments left blank.
+// The script's strings, { text, line, call, alone, ticks }: `call` is the function that the string is handed to, as in
+// col("t"), `alone` whether it is all that is handed over, and `ticks` whether it labels an axis. And the code, of the same length, with strings and comments left blank.
 export function readScript(script) {
   const strings = [];
   let code = '', open = null;
@@ -10,7 +10,7 @@ export function readScript(script) {
     if (open) {
       const ends = c === open.quote && script[i - 1] !== '\\';
       if (ends) {
-        strings.push({ ...open, text: script.slice(open.at + 1, i), line: script.slice(0, i).split('\n').length });
+        strings.push({ ...open, text: script.slice(open.at + 1, i), alone: /^\s*\)/.test(script.slice(i + 1)), line: script.slice(0, i).split('\n').length });
         open = null;
       }
       code += ends || c === '\n' ? c : ' ';
@@ -32,9 +32,9 @@ export function columnsByNumber(script) {
   const found = [];
   for (const use of code.matchAll(/\busing\s+/g)) {
     const entries = entriesOf(code.slice(use.index + use[0].length));
-    found.push(...entries.filter(entry => !/^(\(|col\(|[xyz]tic\((txt|strcol)\()/.test(entry) && entry !== '0').map(entry => `using ${entry}`));
+    found.push(...entries.filter(entry => !/^(\(|col\(|[xyz]tic\((txt\(|[a-z]\w*\)))/.test(entry) && entry !== '0').map(entry => `using ${entry}`));
   }
-  for (const [text] of code.matchAll(/\$[1-9]\d*|\b(?:column|strcol|stringcolumn|[xyz]tic)\(\s*(?!0\s*\)|txt\(|strcol\()[^)]*\)/g)) found.push(text);
+  for (const [text] of code.matchAll(/\$[1-9]\d*|\b(?:column|strcol|stringcolumn)\(\s*(?!0\s*\))[^)]*\)|\b[xyz]tic\(\s*\d+\s*\)/g)) found.push(text);
   return found;
 }
 

@@ -19,6 +19,8 @@ head(text, top) = sprintf("unset label; set label 1 '%s' at screen 0.02,%g left"
 key(n, text, x, top, look) = sprintf("set label %d '%s' at screen %g,%g left offset 0.8,-0.25 point %s", n, text, x, y(top), look)
 panel(name, top, bottom) = sprintf("set tmargin at screen %g; set bmargin at screen %g; stats file('%s') using col('row') nooutput; set yrange [0.4:STATS_max + 0.6]", y(top), y(bottom), name)
 
+# Its place, and not txt("variant"), which ends at a comma.
+variant = (file("orbit"), col("variant"))
 eval head("{/:Bold One orbit:} ns for a step, -O3 -march=native", 20)
 eval key(2, "euler", 0.05, 48, "ls EULER")
 eval key(3, "symplectic\\_euler", 0.19, 48, "ls SYMPLECTIC_EULER")
@@ -31,7 +33,7 @@ plot file("orbit") using col("rk4"):col("row"):col("rk4 from"):col("rk4 to") wit
      file("orbit") using col("euler"):col("row"):col("euler from"):col("euler to") with xerrorbars ls EULER, \
      file("orbit") using col("symplectic_euler"):(val("row") + 0.12):col("symplectic_euler from"):col("symplectic_euler to") with xerrorbars ls SYMPLECTIC_EULER, \
      file("orbit") using col("velocity_verlet"):(val("row") - 0.12):col("velocity_verlet from"):col("velocity_verlet to") with xerrorbars ls VELOCITY_VERLET, \
-     file("orbit") every ::1 using (10):col("row"):(""):ytic(txt("variant")) with labels
+     file("orbit") every ::1 using (10):col("row"):(""):ytic(variant) with labels
 
 eval head("{/:Bold Ten million particles:} speed in multiples of what memory allows, -O3 -march=native", 458)
 eval key(2, "float", 0.05, 486, "ls FIRST")
@@ -46,7 +48,7 @@ plot file("particles") using col("float, one thread"):(val("row") + 0.24):col("f
      file("particles") using col("float, two threads"):(val("row") + 0.08):col("float, two threads from"):col("float, two threads to") with xerrorbars ls FIRST pt 6, \
      file("particles") using col("double, one thread"):(val("row") - 0.08):col("double, one thread from"):col("double, one thread to") with xerrorbars ls SECOND, \
      file("particles") using col("double, two threads"):(val("row") - 0.24):col("double, two threads from"):col("double, two threads to") with xerrorbars ls SECOND pt 4, \
-     file("particles") every ::1 using (1):col("row"):(""):ytic(txt("variant")) with labels
+     file("particles") every ::1 using (1):col("row"):(""):ytic(variant) with labels
 unset arrow 1
 
 eval head("{/:Bold Thirty-two orbits at once:} ns for a step of one of them, -O3 -march=native", 814)
@@ -63,5 +65,5 @@ plot file("many") using col("symplectic_euler"):(val("row") + 0.14):col("symplec
      file("many") using col("symplectic_euler without errno"):(val("row") - 0.14):col("symplectic_euler without errno from"):col("symplectic_euler without errno to") with xerrorbars ls SYMPLECTIC_EULER, \
      file("many") using col("rk4"):(val("row") + 0.14):col("rk4 from"):col("rk4 to") with xerrorbars ls RK4 pt 12, \
      file("many") using col("rk4 without errno"):(val("row") - 0.14):col("rk4 without errno from"):col("rk4 without errno to") with xerrorbars ls RK4, \
-     file("many") every ::1 using (1):col("row"):(""):ytic(txt("variant")) with labels
+     file("many") every ::1 using (1):col("row"):(""):ytic(variant) with labels
 unset multiplot

@@ -28,7 +28,7 @@ test('what is no number', () => refuses(
 
 test('a program that has not run', () => refuses(
   [[NUMBERS], ['chapters/front/chapter.md', '\\number{2-euler/radius}', 'x'], [CHAPTER, 'it is \\number{radius} out', 'it is out'],
-    [CHAPTER, 'h = \\number{step} \\f$', 'h \\f$'], [CHAPTER, 'h = \\number{step} .', 'h']],
+    [CHAPTER, 'h = \\number{step} \\f$', 'h \\f$ \\look'], [CHAPTER, 'h = \\number{step} .', 'h']],
   ['chapters/2-euler/program.cpp', '', 'the program has not written built/2-euler/data/numbers.csv; build the chapter first'],
 ));
 
