@@ -79,7 +79,7 @@ TEST_CASE("Each step of the drone ends outside the circle that it started on") {
 
 TEST_CASE("The drone at 60 steps a second is over its fence after four turns and before five") {
   const auto distance = [](double turns) {
-    return measure::after(euler, drone, drone.start(), h, std::lround(turns * turn)).x.norm();
+    return measure::after(euler, drone, drone.start(), frame, std::lround(turns * turn)).x.norm();
   };
   CHECK(distance(4) < fence);
   CHECK(distance(5) > fence);

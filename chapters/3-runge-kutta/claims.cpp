@@ -104,7 +104,7 @@ TEST_CASE("Moving with the old velocity, 60 steps a second go where 120 of Euler
 }
 
 TEST_CASE("Looking halfway with the old velocity more than halves the drift of ten turns") {
-  const auto drift = [](auto step) { return distance_after_ten_turns(step, h) - drone.radius; };
+  const auto drift = [](auto step) { return distance_after_ten_turns(step, frame) - drone.radius; };
   CHECK(drift(old_velocity) < 0.5 * drift(euler));
   CHECK(drift(old_velocity) > 0.4 * drift(euler));
 }
@@ -322,8 +322,8 @@ TEST_CASE("In one minute at 60 Hz RK4 takes a quarter of the energy at four swin
 }
 
 TEST_CASE("In one minute RK4 takes half a per cent from two swings a second, and all from eight") {
-  CHECK_THAT(left_after(3600, h * swinging(2).omega), WithinAbs(0.9955, 0.0005));
-  CHECK(left_after(3600, h * swinging(8).omega) < 1e-6);
+  CHECK_THAT(left_after(3600, frame * swinging(2).omega), WithinAbs(0.9955, 0.0005));
+  CHECK(left_after(3600, frame * swinging(8).omega) < 1e-6);
 }
 
 TEST_CASE("The line of one per cent a minute at 60 Hz lies at 26 steps a swing") {

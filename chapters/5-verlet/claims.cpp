@@ -110,8 +110,8 @@ TEST_CASE("At 60 steps a second a rope of stiff springs is longer than 100 m aft
 
 TEST_CASE(
     "At 360 steps a second the stiff springs hold two metres, and at 60 links do, to a tenth") {
-  auto s = springs.start();
-  measure::run(stormer_verlet, springs, s, frame / 6, 600,
+  auto s = rope_of_springs.start();
+  measure::run(stormer_verlet, rope_of_springs, s, frame / 6, 600,
                [&](double, const auto& now) { REQUIRE_THAT(length_of(now.x), WithinRel(2, 0.1)); });
   Rope rope = two_metres(20, {1, 0});
   for (int n = 0; n < 100; ++n) {
