@@ -14,10 +14,10 @@ struct Ball : scenes::LinearDrag<> {
   double energy(double x, double v) const { return v * v / 2 + g * x; }
 };
 
+// [level]
 /// The jump by its height alone.
 inline const Ball height_of_jump{{.c = 0, .v0 = jump.start_velocity.y()}};
 
-// [level]
 /// Calls `visit(name, scene, seconds)` for each thing, with how long it is watched.
 template <class Visit>
 void for_each_thing(Visit visit) {

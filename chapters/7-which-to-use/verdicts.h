@@ -10,6 +10,7 @@
 #include "measure/stability.h"
 
 // [kinds]
+// The drone is in chapters/cast.h.
 inline constexpr scenes::LinearDrag<> skid{.c = 2, .g = 0, .v0 = 10};
 inline constexpr Ball toss{{.c = 0, .v0 = 10}};
 

@@ -53,7 +53,7 @@ void thrown(Record& record) {
   record.number("cannonball-across", shot.x(), 2, "m/s");
   way(record, "cannonball", cannonball, 2 * shot.y() / cannonball.g);
 
-  record.number("leaf-drag", leaf.c, 1, "1/s");
+  record.number("leaf-drag", leaf.c, 1);
   record.number("leaf-terminal", leaf.terminal_speed(), 3, "m/s");
   measure::exact_path(record, "leaf", leaf, 2);
 
@@ -64,6 +64,7 @@ void thrown(Record& record) {
   measure::run(measure::rk4, parachute, diver, 1e-3, 1500, [&](double t, const auto& now) {
     braking.add({t, -now.v});
   });
+  record.number("diving-half", braking.rows[500][1].value, 2, "m/s");
 }
 
 void rockets(Record& record) {
@@ -81,7 +82,7 @@ void rockets(Record& record) {
 
 void spring(Record& record, const std::string& name, const scenes::Spring<>& scene,
             double duration) {
-  record.number(name + "-omega", scene.omega, 3, "rad/s");
+  record.number(name + "-omega", scene.omega, 2, "rad/s");
   record.number(name + "-zeta", scene.zeta, 1);
   measure::exact_path(record, name, scene, duration);
 }
@@ -118,7 +119,7 @@ void pendulums(Record& record) {
 void orbit(Record& record, const std::string& name, const scenes::Orbit<>& scene) {
   way(record, name, scene, scene.period());
   record.number(name + "-eccentricity", scene.eccentricity, 2);
-  record.number(name + "-length", 2 * scene.semi_major, 3, "m");
+  record.number(name + "-length", 2 * scene.semi_major, 2, "m");
   record.number(name + "-nearest", scene.semi_major * (1 - scene.eccentricity), 1, "m");
 }
 

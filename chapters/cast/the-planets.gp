@@ -6,15 +6,15 @@ set rmargin 0
 set tmargin 0
 set bmargin 0
 set size ratio -1
-set xrange [-52:40]
-set yrange [-42:42]
+set xrange [-38:58]
+set yrange [-38:54]
 array name = ["Jupiter", "Saturn", "Uranus", "Neptune", "Pluto"]
 array look = [FIRST, SECOND, CONTEXT, CONTEXT, THIRD]
 x(body) = name[body]." x"
 y(body) = name[body]." y"
-set label 1 "Pluto" at -44,18 center tc rgb "#00000c"
-set label 2 "Neptune" at 22,27 left
-set label 3 "Jupiter" at 7,-8 left tc rgb "#00000a"
+set label 1 "Pluto" at 40,41 left tc rgb "#00000c"
+set label 2 "Neptune" at 0,33.5 center
+set label 3 "Jupiter" at 0,14 center tc rgb "#00000a"
 set label 9 "" at 0,0 point ls EXACT pt 7 ps 0.9
 plot for [body=1:5] file("planets") using col(x(body)):col(y(body)) with lines ls look[body] lw 1.2, \
      for [body=1:5] file("planets") every ::1::1 using col(x(body)):col(y(body)) with points ls look[body] pt 7 ps 0.6

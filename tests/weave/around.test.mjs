@@ -52,6 +52,17 @@ test('what is wrong with the program of the start page is told there', () => ref
   ['chapters/front/race.gp', '', 'no \\figure{race, ...} in chapters/front/chapter.md shows this figure; show it, or delete the script'],
 ));
 
+test('a folder of chapters without a number in its name is a page behind the chapters', () => {
+  const things = front().map(([file, ...rest]) => [file === INDEX ? 'chapters/things/chapter.md' : file.replace(/\bfront\b/, 'things'), ...rest.map(text => text.replaceAll('front', 'things'))]);
+  things[0] = [things[0][0], '# Things\n\n\\figure{race, A race}\nAfter \\number{turns}.\n\\endfigure\n'];
+  const read = weaves(...things);
+  const page = read('things.html');
+  assert.match(page, /<body class="things">[\s\S]*<h1>Things<\/h1>[\s\S]*<b>Figure 1\. A race\.<\/b> After <data class="number" value="20"/);
+  assert.match(page, /<a rel="prev" href="2-euler\.html"[\s\S]*<a rel="next" href="talks\.html"/);
+  assert.match(read('claims.html'), /<h2 id="things">Things<\/h2>/);
+  assert.doesNotMatch(read('index.html').match(/<ol class="contents">([\s\S]*?)<\/ol>/)[1], /things/);
+});
+
 test('a live figure whose parts lie with another chapter', () => refuses(
   [...front(), [CHAPTER, '\\figure{spiral', '\\live{spiral'], [CHAPTER, '\\endfigure', '\\endlive'],
     ...['cpp', 'js', 'json'].map(kind => [`chapters/front/live/spiral.${kind}`, '{}'])],
