@@ -4,7 +4,7 @@
 // An edit gives lines to find in the file (each change exactly once) and lines to put in their place:
 //   Fails: <name of the test that must see it>
 //   Says: <words that must stand in what the test says>
-//   Method: <its type in code/measure, if the test goes over a list: spares the others>
+//   Method: <type of code/measure/methods, if the test goes over a list: spares the others>
 //   In: <function, class or table to look in, where the lines alone are not clear>
 //   <the mistake in words>
 //   (empty line)
