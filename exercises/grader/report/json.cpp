@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
+#include <type_traits>
 
 #include "report/words.h"
 
@@ -73,7 +74,7 @@ struct Read {
 };
 
 template <class T, class Of>
-concept Is = std::same_as<std::remove_const_t<T>, Of>;
+concept Is = std::same_as<std::remove_cvref_t<T>, Of>;
 
 // Each field once, in the order in which they are written.
 void fields(Is<Finding> auto& finding, auto field) {
