@@ -106,7 +106,7 @@ test('a live figure may draw with numbers of its chapter', () => {
 
 test('a live figure that wants a number nobody records', () => refuses(
   [...other, described({ numbers: ['stp'] }), method, methodEnd],
-  [CHAPTER, '\\live{spiral', /^book\/live\/figures\/spiral\.json: unknown number "stp".*Did you mean "step"/],
+  [CHAPTER, '\\live{spiral', /^chapters\/2-euler\/live\/spiral\.json: unknown number "stp".*Did you mean "step"/],
 ));
 
 test('a live figure that wants a table nobody writes', () => refuses(
