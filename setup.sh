@@ -33,6 +33,7 @@ libcli11-dev: command lines, of the chooser of methods and of the grader
 bubblewrap libseccomp-dev nlohmann-json3-dev: the grader and its cage"
 [ "$*" = grader ] || needs+="
 clang-19: the second compiler
+clang-format-19 clang-tidy-19: to lay the sources out, and to look them over
 libglm-dev: to try the snippets on another library's vectors
 doxygen: prose to HTML, reference of the code
 nodejs npm ca-certificates: to weave the book

@@ -17,8 +17,8 @@ place_in(list, name, n) = strstrt(list, sprintf("\t%d:%s\t", n, name)) ? n : str
 # Says what is wrong, and calls what there is not: no other mistake is sure to stop gnuplot inside `using`.
 refuse(message) = (system("echo '".NAME.": ".message."' >&2"), no_such_name(0))
 
-# The styles of lines. A method's goes by the name that it has in code/measure: `ls style("Heun")`, or `ls HEUN`; one
-# method has one colour in all figures. Its kin have the family's colour, another dash and symbol.
+# The styles of lines. A method's goes by the name that it has in code/measure/methods: `ls style("Heun")`, or `ls HEUN`;
+# one method has one colour in all figures. Its kin have the family's colour, another dash and symbol.
 STYLES = "\t"
 LINES = 0
 line_style(id, look) = sprintf("LINES = LINES + 1; %s = LINES; set style line LINES %s", id, look)
@@ -65,8 +65,8 @@ set bmargin 3.4
 axis_names(x, y) = sprintf("set xlabel '%s' offset 0,0.3; set label 99 '%s' at graph 0,1.0 left offset -4,0.9", x, y)
 # A script reaches its tables by name. file("orbit") is the table orbit.csv; behind it, while gnuplot reads that table,
 # col("t") is the column of that name, as a place of `using` wants it, val("t") is what a row has there, and
-# txt("method") the same as text, up to a comma: gnuplot goes no further. A name that the table doesn't have stops gnuplot. (Its own column("t") goes on where that
-# only costs points: in a hover text, for a colour, in one branch of ?:.)
+# txt("method") the same as text, up to a comma: gnuplot goes no further. A name that the table doesn't have stops
+# gnuplot. (Its own column("t") goes on where that only costs points: in a hover text, for a colour, in one branch of ?:.)
 TABLE = ""
 # The names in the first line, in place_in's form; one in quotes may hold commas.
 header(path) = system("awk -F '\"' -v OFS= 'NR == 1 { for (i = 1; i <= NF; i += 2) gsub(/,/, \"\\t\", $i); n = split($0, names, \"\\t\"); printf \"\\t\"; for (i = 1; i <= n; ++i) printf \"%d:%s\\t\", i, names[i]; exit }' '".path."'")
@@ -78,8 +78,8 @@ txt(name) = strcol(col(name))
 cell(table, row, name) = (file(table), number_in(system(sprintf("awk -F, 'NR == %d { print $%d }' '%s%s.csv'", row + 1, col(name), DATA, table)), row))
 number_in(text, row) = strlen(text) ? real(text) : refuse(sprintf("%s.csv has no row %d", TABLE, row))
 
-# What the chapter's program recorded: number("apex") is the text that \number{apex} is on the page, "1.27 m"; exact("apex")
-# is the value. The build writes NUMBERS: name, value, text.
+# What the chapter's program recorded: number("apex") is the text that \number{apex} is on the page, "1.27 m", and
+# exact("apex") is the value. The build writes NUMBERS: name, value, text.
 entry(name, field) = system(sprintf("awk -F '\t' '$1 == \"%s\" { print $%d }' '%s'", name, field, NUMBERS))
 recorded(text, name) = strlen(text) ? text : refuse("the program records no number \"".name."\"")
 number(name) = recorded(entry(name, 3), name)

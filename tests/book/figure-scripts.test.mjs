@@ -17,8 +17,8 @@ for (const script of scripts) {
   test(`${script} types no number that a program should write`, () => assert.deepEqual(numbersInLabels(read(script)), []));
 }
 
-test('the styles of methods go by the names that these have in code/measure', () => {
-  const headers = readdirSync(join(source, 'code/measure')).filter(file => file.endsWith('.h')).map(file => read(`code/measure/${file}`));
+test('the styles of methods go by the names that these have in code/measure/methods', () => {
+  const headers = readdirSync(join(source, 'code/measure/methods')).filter(file => file.endsWith('.h')).map(file => read(`code/measure/methods/${file}`));
   const names = headers.flatMap(text => [...text.matchAll(/\bname = "([^"]+)"/g)].map(([, name]) => name));
   assert.ok(names.length > 20, `${names.length} methods found`);
   const styled = [...read('book/theme/figure.gp').matchAll(/^eval method\("([^"]+)"/gm)].map(([, name]) => name);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // For the tests of the linear systems: what they should answer, and right sides to ask for.
 #pragma once
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <limits>
 #include <vector>
 
@@ -48,6 +48,13 @@ struct Answer {
   double rounding;
 };
 
+// The same of a matrix; the compiler takes long for it.
+struct Solution {
+  Eigen::VectorXd y;
+  double condition;
+};
+Solution solve_with_full_pivoting(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
+
 template <class Vec, class Jacobian>
 Answer<Vec> full_pivot(const Jacobian& jacobian, const Vec& x, const Vec& v, double p, double q,
                        const Vec& change) {
@@ -56,10 +63,9 @@ Answer<Vec> full_pivot(const Jacobian& jacobian, const Vec& x, const Vec& v, dou
   jacobian(x, v, Real(0), [&](Eigen::Index i, Eigen::Index j, Real dadx, Real dadv) {
     matrix(i, j) += p * double(dadx) + q * double(dadv);
   });
-  const Eigen::VectorXd y = matrix.fullPivLu().solve(change.template cast<double>());
-  const double condition = matrix.norm() * matrix.inverse().norm();
+  const auto [y, condition] = solve_with_full_pivoting(matrix, change.template cast<double>());
   const double epsilon = double(std::numeric_limits<Real>::epsilon());
-  return {y.cast<Real>(), 4 * epsilon * condition * y.norm()};
+  return {y.template cast<Real>(), 4 * epsilon * condition * y.norm()};
 }
 
 // Whether 1 - da/dx can be inverted, in the opinion of a system of so many unknowns.

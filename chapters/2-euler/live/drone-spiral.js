@@ -1,10 +1,12 @@
 // The drone, its circle and its fence.
 globalThis.Live.figure('drone-spiral', {
   view: () => ({ x: [-17, 17], y: [-17, 17] }),
+  numbers: () => globalThis.Live.descriptions['drone-spiral'].numbers,
   draw(pen, run, { method }, part) {
+    const { circle, fence } = this.numbers();
     pen.grid([-10, 0, 10], [-10, 0, 10]);
-    pen.circle(0, 0, 10, { colour: 'exact', width: 1.4, dash: [7, 5] });
-    pen.circle(0, 0, 12, { colour: 'limit', width: 2, dash: [2, 6] });
+    pen.circle(0, 0, circle, { colour: 'exact', width: 1.4, dash: [7, 5] });
+    pen.circle(0, 0, fence, { colour: 'limit', width: 2, dash: [2, 6] });
     pen.line(run.past('x', part), run.past('y', part), { colour: method, width: 1.4 });
     const { t } = run.trace;
     const everyTwoSeconds = t.map((_, i) => i).filter(i => Math.floor(t[i] / 2 + 1e-9) > Math.floor(t[i - 1] / 2 + 1e-9));
@@ -14,5 +16,7 @@ globalThis.Live.figure('drone-spiral', {
     pen.dot(0, 0, 4, 'context');
     pen.dot(x, y, 6, method);
   },
-  tell: ({ distance }) => `${globalThis.Live.fixed(distance, 2)}\u202fm from the tower${distance > 12 ? ', over the fence' : ''}.`,
+  tell({ distance }) {
+    return `${globalThis.Live.fixed(distance, 2)}\u202fm from the tower${distance > this.numbers().fence ? ', over the fence' : ''}.`;
+  },
 });

@@ -82,18 +82,15 @@ grade::Curve flight(const std::string& name, const Throw& with, const Vec& v) {
 void meets(Student& student, const Throw& with, const std::string& hint) {
   const Vec got = ask(student, with), expected = with.velocity();
   const Tolerance tolerance = rounding(with.size());
-  grade::Finding finding;
-  finding.held = length(got - expected) <= tolerance.value;
+  grade::Finding finding = off_by(length(got - expected), tolerance);
   finding.asked = "the velocity with which a ball meets the runner";
   finding.input = "from " + describe(with.from, 17) + ", target " + describe(with.target, 17) +
                   ", runner " + describe(with.runner, 17) + ", a = " + describe(with.a, 17) +
                   ", time " + number(with.time, 17);
   finding.expected = describe(expected, 12);
   finding.got = describe(got, 12);
-  finding.error = number(length(got - expected), 3) + " m/s; the ball is " +
-                  number(with.miss(got), 3) + " m away from the runner when the time is over";
-  finding.tolerance = number(tolerance.value, 2);
-  finding.tolerance_from = tolerance.from;
+  finding.error += " m/s; the ball is " + number(with.miss(got), 3) +
+                   " m away from the runner when the time is over";
   if (!finding.held) {
     finding.hint = hint;
     finding.diagnoses = recognise(got, with, tolerance.value);

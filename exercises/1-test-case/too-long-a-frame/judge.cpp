@@ -140,17 +140,14 @@ TEST_CASE("a machine too slow for its steps slows the game and not the screen",
   const Machine machine = draw_machine(random, random.between(1.2, 3));
   const std::vector<Frame> frames = live(student, machine, 200, 0);
   const double got = frames.back().length, expected = machine.settled();
-  const Tolerance tolerance = rounding(expected);
 
-  grade::Finding finding;
-  finding.held = frames.size() == 200 && std::abs(got - expected) <= tolerance.value;
+  grade::Finding finding = off_by(std::abs(got - expected), rounding(expected));
+  finding.held = finding.held && frames.size() == 200;
   finding.asked = "two hundred frames, each as long as its drawing and the steps of the one before";
   finding.input = describe(machine);
   finding.expected = "frames of " + number(expected) + " s in the end";
   finding.got = "frame " + std::to_string(frames.size()) + " takes " + number(got) + " s";
-  finding.error = number(std::abs(got - expected), 3) + " s";
-  finding.tolerance = number(tolerance.value, 2);
-  finding.tolerance_from = tolerance.from;
+  finding.error += " s";
   if (!finding.held) {
     finding.hint = "A step costs more than it covers here. Which number keeps a frame short?";
     if (got > 2 * expected) {
@@ -179,16 +176,13 @@ TEST_CASE("a machine that keeps up makes good a hitch",
   const Tolerance tolerance{sums * time * std::numeric_limits<double>::epsilon(),
                             "rounding: one sum for each frame and each of its steps"};
 
-  grade::Finding finding;
-  finding.held = std::abs(got - time) <= tolerance.value;
+  grade::Finding finding = off_by(std::abs(got - time), tolerance);
   finding.asked = "three hundred frames, one of them longer by " + number(hitch) +
                   " s, which the limit still allows: no time may be lost";
   finding.input = describe(machine);
   finding.expected = "steps and rest for all of the " + number(time, 12) + " s";
   finding.got = number(got, 12) + " s";
-  finding.error = number(std::abs(got - time), 3) + " s";
-  finding.tolerance = number(tolerance.value, 2);
-  finding.tolerance_from = tolerance.from;
+  finding.error += " s";
   if (!finding.held) {
     finding.hint = "Only whole steps beyond the limit may be dropped, and here there are none.";
     finding.diagnoses = {"the game runs at " + number(got / time, 4) + " times its speed"};

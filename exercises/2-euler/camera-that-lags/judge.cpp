@@ -113,19 +113,15 @@ void follows(Student& student, const Shot& shot, const std::string& which,
          length(yours.camera[n] - right.camera[n]) <= tolerance.value) {
     ++n;
   }
-  const double off = length(yours.camera[n] - right.camera[n]);
 
-  grade::Finding finding;
-  finding.held = off <= tolerance.value;
+  grade::Finding finding = off_by(length(yours.camera[n] - right.camera[n]), tolerance);
   finding.asked = "where the camera is after " + which;
   finding.input = "camera " + describe(yours.camera[n - 1], 17) + ", target " +
                   describe(right.target[n], 17) + ", part " + number(shot.part, 17) + ", frame " +
                   number(shot.frames[n - 1], 17) + " s";
   finding.expected = describe(right.camera[n], 12);
   finding.got = describe(yours.camera[n], 12);
-  finding.error = number(off, 3) + " m, after frame " + std::to_string(n);
-  finding.tolerance = number(tolerance.value, 2);
-  finding.tolerance_from = tolerance.from;
+  finding.error += " m, after frame " + std::to_string(n);
   if (!finding.held) {
     finding.hint = hint;
     finding.diagnoses =

@@ -78,15 +78,12 @@ void holds_until(Student& student, const Leash& leash, double lost, const std::s
   tolerance.value *= lost;
   if (lost > 1) tolerance.from += ", and what the difference in the formula with zeta may lose";
 
-  grade::Finding finding;
-  finding.held = std::abs(got - expected) <= tolerance.value;
+  grade::Finding finding = off_by(std::abs(got - expected), tolerance);
   finding.asked = "the longest step with which Euler's method holds a leash [s]";
   finding.input = describe(leash);
   finding.expected = number(expected, 12);
   finding.got = number(got, 12);
-  finding.error = number(std::abs(got - expected), 3) + " s";
-  finding.tolerance = number(tolerance.value, 2);
-  finding.tolerance_from = tolerance.from;
+  finding.error += " s";
   if (!finding.held) {
     finding.hint = hint;
     finding.diagnoses = recognise(got, leash);

@@ -72,17 +72,12 @@ void holds_until(Student& student, const Spring& spring) {
   const double expected = spring.longest();
   const double got = ask(student, longest, spring.theta, spring.omega, spring.zeta);
   const double off = got == expected ? 0 : std::abs(got - expected);
-  const Tolerance tolerance = spring.apart(expected);
 
-  grade::Finding finding;
-  finding.held = off <= tolerance.value;
+  grade::Finding finding = off_by(off, spring.apart(expected));
   finding.asked = "the longest step at which a spring does not grow";
   finding.input = spring.described();
   finding.expected = number(expected, 12);
   finding.got = number(got, 12);
-  finding.error = number(off, 3);
-  finding.tolerance = number(tolerance.value, 2);
-  finding.tolerance_from = tolerance.from;
   if (!finding.held) {
     finding.hint =
         "What are the spring's two lambda here, and what does the condition say of "

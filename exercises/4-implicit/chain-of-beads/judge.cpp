@@ -138,19 +138,15 @@ std::vector<std::string> recognised(const Chain& chain, const Beads& end, double
 void meets_its_lines(Student& student, const Chain& chain, const std::string& hint) {
   const Beads end = chain.after_one(student, chain.start);
   const std::size_t i = worst(chain, end);
-  const double miss = chain.miss(end, i);
   const Tolerance tolerance = chain.tolerance(end);
-  grade::Finding finding;
-  finding.held = miss <= tolerance.value;
+  grade::Finding finding = off_by(chain.miss(end, i), tolerance, " m/s");
   finding.asked = "one step of a chain, and whether the slope at its end leads back to the start";
   finding.input = chain.described();
   finding.expected = "at bead " + std::to_string(i) + " the velocity " +
                      number(chain.start.v[i] + chain.h * chain.acceleration(end, i)) +
                      ", which is v_old + h a with the accelerations at your end";
   finding.got = "the velocity " + number(end.v[i]) + ", at the place " + number(end.x[i]);
-  finding.error = number(miss, 3) + " m/s, the most of all beads";
-  finding.tolerance = number(tolerance.value, 2) + " m/s";
-  finding.tolerance_from = tolerance.from;
+  finding.error += ", the most of all beads";
   if (!finding.held) {
     finding.hint = hint;
     finding.diagnoses = recognised(chain, end, tolerance.value);

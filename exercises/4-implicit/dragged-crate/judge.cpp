@@ -91,16 +91,11 @@ void ends_right(Student& student, const Drag& drag, const std::string& asked,
                 const std::string& hint) {
   const State expected = drag.end(), got = drag.by(student);
   const Tolerance tolerance = drag.tolerance();
-  const double apart = distance(got, expected);
-  grade::Finding finding;
-  finding.held = apart <= tolerance.value;
+  grade::Finding finding = off_by(distance(got, expected), tolerance);
   finding.asked = asked;
   finding.input = drag.described();
   finding.expected = describe(expected);
   finding.got = describe(got);
-  finding.error = number(apart, 3);
-  finding.tolerance = number(tolerance.value, 2);
-  finding.tolerance_from = tolerance.from;
   if (!finding.held) {
     finding.hint = hint;
     finding.diagnoses = recognised(drag, got, tolerance.value);

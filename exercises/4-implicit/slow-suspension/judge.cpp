@@ -143,17 +143,13 @@ TEST_CASE("each step takes the mean of both slopes", "[4-implicit/slow-suspensio
     const Tolerance tolerance = rounding(scene.steps, scene.size(scene.start));
     std::size_t n = 1;
     while (n + 1 < got.size() && scene.apart(got[n], expected[n]) <= tolerance.value) ++n;
-    const double off = scene.apart(got[n], expected[n]);
 
-    grade::Finding finding;
-    finding.held = off <= tolerance.value;
+    grade::Finding finding = off_by(scene.apart(got[n], expected[n]), tolerance, " m");
     finding.asked = std::to_string(scene.steps) + " steps of the trapezoid rule";
     finding.input = scene.described();
     finding.expected = "after step " + std::to_string(n) + ": " + text(expected[n]);
     finding.got = "after step " + std::to_string(n) + ": " + text(got[n]);
-    finding.error = number(off, 3) + " m, with v over omega";
-    finding.tolerance = number(tolerance.value, 2) + " m";
-    finding.tolerance_from = tolerance.from;
+    finding.error += ", with v over omega";
     if (!finding.held) {
       finding.hint =
           "Write down both lines for a spring, and collect what stands before the new "

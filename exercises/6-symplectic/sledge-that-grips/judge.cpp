@@ -14,15 +14,10 @@ namespace {
 
 grade::Finding compare(const Ride& ride, const State& yours, const State& expected,
                        const Tolerance& tolerance) {
-  grade::Finding finding;
-  const double apart = distance(yours, expected);
-  finding.held = apart <= tolerance.value;
+  grade::Finding finding = off_by(distance(yours, expected), tolerance);
   finding.input = ride.input();
   finding.expected = describe(expected);
   finding.got = describe(yours);
-  finding.error = number(apart, 3);
-  finding.tolerance = number(tolerance.value, 2);
-  finding.tolerance_from = tolerance.from;
   return finding;
 }
 

@@ -81,15 +81,11 @@ void check_frames(Student& student, const Needle& start, const std::vector<Frame
     const Tolerance tolerance = rounding(size * static_cast<double>(n + 1));
     const double x = said[2 * n], v = said[2 * n + 1];
     const double apart = std::max(std::abs(x - right.x), std::abs(v - right.v));
-    grade::Finding finding;
-    finding.held = apart <= tolerance.value;
+    grade::Finding finding = off_by(apart, tolerance);
     finding.asked = asked + ": frame " + std::to_string(n + 1);
     finding.input = described(start, frames, n);
     finding.expected = "x = " + number(right.x, 12) + ", v = " + number(right.v, 12);
     finding.got = "x = " + number(x, 12) + ", v = " + number(v, 12);
-    finding.error = number(apart, 3);
-    finding.tolerance = number(tolerance.value, 2);
-    finding.tolerance_from = tolerance.from;
     if (!finding.held) {
       finding.hint = hint;
       const std::string seen = n == 0 ? recognised(before, frames[n], x, v) : "";

@@ -12,16 +12,12 @@ using grade::number;
 
 void is_exact(const std::string& asked, const std::string& input, double got, double expected,
               const Tolerance& tolerance, const std::string& hint) {
-  grade::Finding finding;
-  // Two infinities have no difference, and are equal.
-  finding.held = got == expected || std::abs(got - expected) <= tolerance.value;
+  grade::Finding finding = off_by(std::abs(got - expected), tolerance);
+  if (got == expected) finding.held = true;  // two infinities have no difference
   finding.asked = asked;
   finding.input = input;
   finding.expected = number(expected, 12);
   finding.got = number(got, 12);
-  finding.error = number(std::abs(got - expected), 3);
-  finding.tolerance = number(tolerance.value, 2);
-  finding.tolerance_from = tolerance.from;
   if (!finding.held) {
     finding.hint = hint;
     finding.diagnoses = diagnose(got, expected);

@@ -35,20 +35,16 @@ void runs_backwards(Student& student, const std::string& hint, int function) {
   const Start turned{end.x, end.v, start.t + steps * h};
   const Path back = student.run(turned, -h, steps, steps, force, function);
   const State home{start.x, start.v};
-  const double apart = distance(back.states.back(), home);
   const Tolerance tolerance = rounding(2 * steps, 1 + distance(end, State{}));
 
-  grade::Finding finding;
   const bool moved = moves(there, start, force);
-  finding.held = moved && apart <= tolerance.value;
+  grade::Finding finding = off_by(distance(back.states.back(), home), tolerance);
+  finding.held = finding.held && moved;
   finding.asked =
       std::to_string(steps) + " steps forward and as many back with -h, " + describe(force);
   finding.input = describe(start) + ", h = " + number(h, 17);
   finding.expected = describe(home);
   finding.got = describe(back.states.back());
-  finding.error = number(apart, 3);
-  finding.tolerance = number(tolerance.value, 2);
-  finding.tolerance_from = tolerance.from;
   if (!moved)
     finding.diagnoses.emplace_back(
         "on its way it is further from the truth than half of what a straight line is");

@@ -10,6 +10,8 @@
 #include <charconv>
 #include <system_error>
 
+#include "format_values.h"
+
 namespace judge {
 namespace {
 
@@ -94,6 +96,15 @@ void run_tests(const std::string& exercise) {
   config.noThrow = false;
   catch_session.useConfigData(config);
   catch_session.run();
+}
+
+grade::Finding off_by(double off, const Tolerance& tolerance, const std::string& unit) {
+  grade::Finding finding;
+  finding.held = off <= tolerance.value;
+  finding.error = grade::number(off, 3) + unit;
+  finding.tolerance = grade::number(tolerance.value, 2) + unit;
+  finding.tolerance_from = tolerance.from;
+  return finding;
 }
 
 void check(grade::Finding finding) {
