@@ -61,9 +61,8 @@ void thrown(Record& record) {
   record.number("diving", -diving, 2, "m/s");
   auto& braking = record.table("parachute", {{"t", "s"}, {"speed", "m/s"}});
   scenes::State<double> diver{0, diving};
-  measure::run(measure::rk4, parachute, diver, 1e-3, 1500, [&](double t, const auto& now) {
-    braking.add({t, -now.v});
-  });
+  measure::run(measure::rk4, parachute, diver, 1e-3, 1500,
+               [&](double t, const auto& now) { braking.add({t, -now.v}); });
   record.number("diving-half", braking.rows[500][1].value, 2, "m/s");
 }
 
