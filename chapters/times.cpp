@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
-// Takes every time that the book shows, and keeps it: times FILE [TURNS]. In each turn everything is
-// timed once. Exit code 2 for bad arguments, 1 if the file can't be written.
+// Takes every time that the book shows, and keeps it: times FILE [TURNS]. In each turn everything
+// is timed once. Exit code 2 for bad arguments, 1 if the file can't be written.
 #include "times.h"
 
 #include <cstdio>
@@ -10,8 +10,9 @@
 int main(int argc, char** argv) {
   const int turns = argc > 2 ? std::atoi(argv[2]) : 31;
   if (argc < 2 || argc > 3 || turns < 1) {
-    std::fprintf(stderr, "times: name the file to write, and how often to time everything if not 31 "
-                         "times, as in: times here.csv 11\n");
+    std::fprintf(stderr,
+                 "times: name the file to write, and how often to time everything if not 31 "
+                 "times, as in: times here.csv 11\n");
     return 2;
   }
   std::vector<measure::Timed> all;

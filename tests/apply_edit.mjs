@@ -12,15 +12,18 @@
 //   + <put>
 // All but the first line and the changes may be missing. The head becomes the first lines of what is
 // written, as comments.
-import {readFileSync, writeFileSync, mkdirSync} from 'node:fs';
-import {dirname} from 'node:path';
+import { readFileSync, writeFileSync, mkdirSync } from 'node:fs';
+import { dirname } from 'node:path';
 
 const [file, ...edits] = process.argv.slice(2);
 const text = readFileSync(file, 'utf8');
 
 function lines(block, sign) {
-  return block.split('\n').filter((line) => line.startsWith(sign))
-      .map((line) => line.slice(2)).join('\n');
+  return block
+    .split('\n')
+    .filter(line => line.startsWith(sign))
+    .map(line => line.slice(2))
+    .join('\n');
 }
 
 // From the name where it is declared to the brace that ends it.
@@ -32,7 +35,7 @@ function span(name, fail) {
 }
 
 function apply(edit, out) {
-  const fail = (message) => {
+  const fail = message => {
     console.error(`${edit}: ${message}`);
     process.exit(1);
   };
@@ -43,21 +46,22 @@ function apply(edit, out) {
   const name = /^In: (\w+)$/m.exec(head)?.[1];
   const [start, end] = name ? span(name, fail) : [0, text.length];
   const original = text.slice(start, end);
-  const found = changes.map((change) => {
-    const from = lines(change, '-');
-    const at = original.indexOf(from);
-    const said = `"${from.replace(/\s+/g, ' ')}"`;
-    if (from === '' || at < 0) fail(`${name ?? file} does not hold ${said}`);
-    if (original.indexOf(from, at + 1) >= 0) fail(`${name ?? file} holds ${said} more than once`);
-    return {at, from, to: lines(change, '+')};
-  }).sort((one, other) => other.at - one.at);
+  const found = changes
+    .map(change => {
+      const from = lines(change, '-');
+      const at = original.indexOf(from);
+      const said = `"${from.replace(/\s+/g, ' ')}"`;
+      if (from === '' || at < 0) fail(`${name ?? file} does not hold ${said}`);
+      if (original.indexOf(from, at + 1) >= 0) fail(`${name ?? file} holds ${said} more than once`);
+      return { at, from, to: lines(change, '+') };
+    })
+    .sort((one, other) => other.at - one.at);
   let edited = original;
-  for (const {at, from, to} of found) {
+  for (const { at, from, to } of found) {
     edited = edited.slice(0, at) + to + edited.slice(at + from.length);
   }
-  mkdirSync(dirname(out), {recursive: true});
-  writeFileSync(out, head.replace(/^/gm, '// ') + '\n' +
-      text.slice(0, start) + edited + text.slice(end));
+  mkdirSync(dirname(out), { recursive: true });
+  writeFileSync(out, head.replace(/^/gm, '// ') + '\n' + text.slice(0, start) + edited + text.slice(end));
 }
 
 for (let i = 0; i < edits.length; i += 2) apply(edits[i], edits[i + 1]);

@@ -6,26 +6,51 @@ const CHAPTERS = new URL('../../chapters/', import.meta.url);
 export const STEPS = 20_000;
 
 export function readFigures() {
-  const folders = readdirSync(CHAPTERS).sort().map(chapter => new URL(`${chapter}/live/`, CHAPTERS)).filter(folder => existsSync(folder));
-  return folders.flatMap(folder => readdirSync(folder).filter(file => file.endsWith('.json')).sort()
-    .map(file => ({ name: file.slice(0, -5), ...JSON.parse(readFileSync(new URL(file, folder), 'utf8')) })));
+  const folders = readdirSync(CHAPTERS)
+    .sort()
+    .map(chapter => new URL(`${chapter}/live/`, CHAPTERS))
+    .filter(folder => existsSync(folder));
+  return folders.flatMap(folder =>
+    readdirSync(folder)
+      .filter(file => file.endsWith('.json'))
+      .sort()
+      .map(file => ({ name: file.slice(0, -5), ...JSON.parse(readFileSync(new URL(file, folder), 'utf8')) })),
+  );
 }
 
 // [{ figure, choices, settings: { name: value } }]
 export function cases() {
-  return readFigures().flatMap(({ name, controls }) => combinations(controls).flatMap(choices =>
-    ['start', 'from', 'to'].map(end => ({ figure: name, choices, settings: { ...choices, ...sliders(controls, end) } }))));
+  return readFigures().flatMap(({ name, controls }) =>
+    combinations(controls).flatMap(choices =>
+      ['start', 'from', 'to'].map(end => ({
+        figure: name,
+        choices,
+        settings: { ...choices, ...sliders(controls, end) },
+      })),
+    ),
+  );
 }
 
 function combinations(controls) {
-  return controls.filter(control => control.choices).reduce(
-    (found, { name, choices }) => found.flatMap(chosen => Object.keys(choices).map(choice => ({ ...chosen, [name]: choice }))), [{}]);
+  return controls
+    .filter(control => control.choices)
+    .reduce(
+      (found, { name, choices }) =>
+        found.flatMap(chosen => Object.keys(choices).map(choice => ({ ...chosen, [name]: choice }))),
+      [{}],
+    );
 }
 
 function sliders(controls, end) {
-  const value = ({ values, scale = 1, ...control }) => (values && end !== 'start' ? values.at(end === 'from' ? 0 : -1) : control[end]) * scale;
-  return Object.fromEntries(controls.filter(control => !control.choices).map(control => [control.name, value(control)]));
+  const value = ({ values, scale = 1, ...control }) =>
+    (values && end !== 'start' ? values.at(end === 'from' ? 0 : -1) : control[end]) * scale;
+  return Object.fromEntries(
+    controls.filter(control => !control.choices).map(control => [control.name, value(control)]),
+  );
 }
 
 // The line that asks the native program for this run.
-export const question = ({ figure, settings }) => `${figure} ${STEPS} ${Object.entries(settings).map(([name, value]) => `${name}=${value}`).join(' ')}`;
+export const question = ({ figure, settings }) =>
+  `${figure} ${STEPS} ${Object.entries(settings)
+    .map(([name, value]) => `${name}=${value}`)
+    .join(' ')}`;

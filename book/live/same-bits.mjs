@@ -23,14 +23,20 @@ let different = 0;
 for (const [i, { figure, settings }] of runs.entries()) {
   const node = inNode[i];
   if (node !== native[i]) ++different;
-  const words = Object.entries(settings).map(([name, value]) => `${name}=${Number(value) ? Number(Number(value).toPrecision(4)) : value}`);
-  lines.push(`${figure.padEnd(14)} ${words.join(' ').padEnd(44)} ${native[i]} ${node} ${node === native[i] ? 'same' : 'DIFFERENT'}`);
+  const words = Object.entries(settings).map(
+    ([name, value]) => `${name}=${Number(value) ? Number(Number(value).toPrecision(4)) : value}`,
+  );
+  lines.push(
+    `${figure.padEnd(14)} ${words.join(' ').padEnd(44)} ${native[i]} ${node} ${node === native[i] ? 'same' : 'DIFFERENT'}`,
+  );
 }
 const head = `${'figure'.padEnd(14)} ${'settings'.padEnd(44)} ${'native'.padEnd(16)} ${'Node'.padEnd(16)}`;
 const text = `Fingerprints of ${STEPS} steps\n${head}\n${lines.join('\n')}\n`;
 process.stdout.write(text);
 if (different) {
-  console.error(`${different} of ${runs.length} runs have other bits in the page than here: are they compiled with the options of the target reproducible?`);
+  console.error(
+    `${different} of ${runs.length} runs have other bits in the page than here: are they compiled with the options of the target reproducible?`,
+  );
   process.exit(1);
 }
 writeFileSync(table, text);

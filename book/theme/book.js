@@ -6,15 +6,23 @@
 
   for (const button of all('.theme')) {
     button.addEventListener('click', () => {
-      const dark = root.dataset.theme ? root.dataset.theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+      const dark = root.dataset.theme
+        ? root.dataset.theme === 'dark'
+        : matchMedia('(prefers-color-scheme: dark)').matches;
       root.dataset.theme = dark ? 'light' : 'dark';
-      try { localStorage.setItem('theme', root.dataset.theme); } catch { /* a browser may forbid it; the choice then lasts for this page */ }
+      try {
+        localStorage.setItem('theme', root.dataset.theme);
+      } catch {
+        /* a browser may forbid it; the choice then lasts for this page */
+      }
       document.dispatchEvent(new Event('themechange'));
     });
   }
 
   for (const button of all('.menu')) {
-    button.addEventListener('click', () => button.setAttribute('aria-expanded', button.closest('.side').classList.toggle('open')));
+    button.addEventListener('click', () =>
+      button.setAttribute('aria-expanded', button.closest('.side').classList.toggle('open')),
+    );
   }
 
   // Line numbers are drawn by the style sheet, so the text that is copied has none.
@@ -26,13 +34,18 @@
     button.addEventListener('click', () => {
       copy(box.querySelector('pre').textContent);
       button.textContent = 'Copied';
-      setTimeout(() => { button.textContent = 'Copy'; }, 1200);
+      setTimeout(() => {
+        button.textContent = 'Copy';
+      }, 1200);
     });
     (box.querySelector('figcaption') ?? box).append(button);
   }
 
   function copy(text) {
-    if (navigator.clipboard && window.isSecureContext) { navigator.clipboard.writeText(text).catch(() => copyBySelection(text)); return; }
+    if (navigator.clipboard && window.isSecureContext) {
+      navigator.clipboard.writeText(text).catch(() => copyBySelection(text));
+      return;
+    }
     copyBySelection(text);
   }
 
@@ -53,28 +66,45 @@
   function markScroller(e) {
     e.classList.remove('tight');
     if (e.scrollWidth > e.clientWidth + 1) e.classList.add('tight');
-    if (e.scrollWidth > e.clientWidth + 1) e.tabIndex = 0; else e.removeAttribute('tabindex');
+    if (e.scrollWidth > e.clientWidth + 1) e.tabIndex = 0;
+    else e.removeAttribute('tabindex');
     markCut(e);
   }
-  const markScrollers = () => { for (const e of all(scrollers)) markScroller(e); };
+  const markScrollers = () => {
+    for (const e of all(scrollers)) markScroller(e);
+  };
   markScrollers();
   addEventListener('resize', markScrollers);
   document.fonts.ready.then(markScrollers);
   document.addEventListener('toggle', markScrollers, true);
-  document.addEventListener('scroll', event => { if (event.target.matches?.(scrollers)) markCut(event.target); }, { capture: true, passive: true });
+  document.addEventListener(
+    'scroll',
+    event => {
+      if (event.target.matches?.(scrollers)) markCut(event.target);
+    },
+    { capture: true, passive: true },
+  );
 
-  addEventListener('beforeprint', () => { for (const details of all('details')) details.open = true; });
+  addEventListener('beforeprint', () => {
+    for (const details of all('details')) details.open = true;
+  });
 
   // A page opens where its address says, and goes there again once its live figures run, in case they took more room than was kept for
   // them; but not with a reader who has moved on, or who came back to where they were. From then on it scrolls smoothly.
   const [{ type }] = performance.getEntriesByType('navigation');
   let moved = type === 'reload' || type === 'back_forward';
   for (const means of ['wheel', 'touchstart', 'pointerdown', 'keydown']) {
-    addEventListener(means, () => { moved = true; }, { capture: true, passive: true, once: true });
+    addEventListener(
+      means,
+      () => {
+        moved = true;
+      },
+      { capture: true, passive: true, once: true },
+    );
   }
   addEventListener('load', async () => {
     await Promise.allSettled(globalThis.Live?.started ?? []);
-    const figure = location.hash.match(/^#([\w-]+)\?/)?.[1];  // one with settings, which is no target to the browser
+    const figure = location.hash.match(/^#([\w-]+)\?/)?.[1]; // one with settings, which is no target to the browser
     if (!moved) (document.querySelector(':target') ?? document.getElementById(figure))?.scrollIntoView();
     root.classList.add('arrived');
   });
@@ -109,17 +139,25 @@
   // A finger is wider than a point: the nearest one within its width counts.
   function pointNear({ target, clientX, clientY }) {
     const svg = target.closest?.('.plot svg');
-    const near = svg ? all('[data-tip]', svg).map(point => {
-      const at = point.getBoundingClientRect();
-      return { point, distance: Math.hypot(at.left + at.width / 2 - clientX, at.top + at.height / 2 - clientY) };
-    }).sort((a, b) => a.distance - b.distance)[0] : null;
+    const near = svg
+      ? all('[data-tip]', svg)
+          .map(point => {
+            const at = point.getBoundingClientRect();
+            return { point, distance: Math.hypot(at.left + at.width / 2 - clientX, at.top + at.height / 2 - clientY) };
+          })
+          .sort((a, b) => a.distance - b.distance)[0]
+      : null;
     return near && near.distance < 24 ? near.point : null;
   }
-  const hideTip = () => { tip.hidden = true; };
+  const hideTip = () => {
+    tip.hidden = true;
+  };
   document.addEventListener('pointerover', showTip);
   document.addEventListener('pointerdown', showTip);
   document.addEventListener('focusin', showTip);
   document.addEventListener('focusout', hideTip);
   addEventListener('scroll', hideTip, { passive: true });
-  addEventListener('keydown', event => { if (event.key === 'Escape') hideTip(); });
+  addEventListener('keydown', event => {
+    if (event.key === 'Escape') hideTip();
+  });
 })();

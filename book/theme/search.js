@@ -4,17 +4,19 @@
   const box = document.querySelector('.search input');
   const list = document.querySelector('.search ul');
   let index;
-  const load = src => new Promise((done, failed) => {
-    const script = document.createElement('script');
-    script.src = src;
-    script.onload = done;
-    script.onerror = failed;
-    document.head.append(script);
-  });
+  const load = src =>
+    new Promise((done, failed) => {
+      const script = document.createElement('script');
+      script.src = src;
+      script.onload = done;
+      script.onerror = failed;
+      document.head.append(script);
+    });
   function openIndex() {
     index ??= Promise.all([load('minisearch.js'), load('search-index.js')]).then(() => {
       const search = new window.MiniSearch({
-        fields: ['title', 'text'], storeFields: ['title', 'place', 'url', 'text'],
+        fields: ['title', 'text'],
+        storeFields: ['title', 'place', 'url', 'text'],
         searchOptions: { boost: { title: 3 }, prefix: true, combineWith: 'AND' },
       });
       search.addAll(window.BOOK_SEARCH);
@@ -40,7 +42,10 @@
     const pattern = new RegExp(`(${words.map(w => w.replace(/[^\w\s]/g, '\\$&')).join('|')})`, 'i');
     small.append(at ? '… ' : '');
     const end = text.length <= start + 110 ? text.length : text.lastIndexOf(' ', start + 110);
-    text.slice(start, end).split(pattern).forEach((part, i) => small.append(i % 2 ? element('mark', part) : part));
+    text
+      .slice(start, end)
+      .split(pattern)
+      .forEach((part, i) => small.append(i % 2 ? element('mark', part) : part));
     small.append(end < text.length ? ' …' : '');
     return small;
   }
@@ -54,17 +59,22 @@
   async function search() {
     const query = box.value.trim();
     list.hidden = query.length < 2;
-    if (list.hidden) { list.replaceChildren(); return; }
+    if (list.hidden) {
+      list.replaceChildren();
+      return;
+    }
     const hits = find(await openIndex(), query).slice(0, 12);
     if (query !== box.value.trim()) return;
-    list.replaceChildren(...hits.map(hit => {
-      const a = element('a');
-      a.href = hit.url;
-      a.append(element('span', hit.title), hit.place ? element('small', hit.place) : '', excerpt(hit));
-      const item = element('li');
-      item.append(a);
-      return item;
-    }));
+    list.replaceChildren(
+      ...hits.map(hit => {
+        const a = element('a');
+        a.href = hit.url;
+        a.append(element('span', hit.title), hit.place ? element('small', hit.place) : '', excerpt(hit));
+        const item = element('li');
+        item.append(a);
+        return item;
+      }),
+    );
     if (!hits.length) list.append(element('li', 'Nothing found.', 'none'));
   }
 

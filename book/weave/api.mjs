@@ -13,10 +13,14 @@ export function readApi(xml, source) {
   for (const file of existsSync(xml) ? readdirSync(xml).sort() : []) {
     if (!/^(namespace|struct|class|concept).*\.xml$|_8h\.xml$/.test(file)) continue;
     const $ = loadXml(join(xml, file));
-    $('doxygen > compounddef').each((_, e) => (e.attribs.kind === 'file' ? addHeader(api, e, source) : addCompound(api, $, e, source)));
+    $('doxygen > compounddef').each((_, e) =>
+      e.attribs.kind === 'file' ? addHeader(api, e, source) : addCompound(api, $, e, source),
+    );
   }
-  api.namespaces = [...api.compounds.values()].filter(c => c.kind === 'namespace' && !c.name.includes('::'))
-    .map(compound => ({ name: compound.name, title: titleOf(compound.name), compound })).sort((a, b) => a.title.localeCompare(b.title, 'en'));
+  api.namespaces = [...api.compounds.values()]
+    .filter(c => c.kind === 'namespace' && !c.name.includes('::'))
+    .map(compound => ({ name: compound.name, title: titleOf(compound.name), compound }))
+    .sort((a, b) => a.title.localeCompare(b.title, 'en'));
   for (const header of api.headers.values()) fillHeader(api, header);
   return api;
 }
@@ -32,10 +36,14 @@ function addHeader(api, e, source) {
 }
 
 function fillHeader(api, header) {
-  const within = [...api.compounds.values()].filter(c => c.isType && c.file === header.file).map(c => ({ ...c, name: c.name.split('::').at(-1) }));
+  const within = [...api.compounds.values()]
+    .filter(c => c.isType && c.file === header.file)
+    .map(c => ({ ...c, name: c.name.split('::').at(-1) }));
   const members = api.namespaces.flatMap(({ compound }) => compound.members).filter(m => m.file === header.file);
   Object.assign(header, {
-    types: within, functions: members.filter(m => m.kind === 'function'), constants: members.filter(m => m.kind !== 'function' && m.documented),
+    types: within,
+    functions: members.filter(m => m.kind === 'function'),
+    constants: members.filter(m => m.kind !== 'function' && m.documented),
   });
 }
 
@@ -44,8 +52,16 @@ function addCompound(api, $, e, source) {
   const { kind, id, prot } = e.attribs;
   if (prot === 'private' || /\bdetail\b|@|^std\b/.test(name) || (kind !== 'namespace' && !name.includes('::'))) return;
   const about = description(e, source);
-  const compound = { kind, name, ...address(api, name, kind, about.file), ...about, templates: templates(e), members: [],
-    inner: children(e, 'innerclass').map(textOf), innerNamespaces: children(e, 'innernamespace').map(textOf) };
+  const compound = {
+    kind,
+    name,
+    ...address(api, name, kind, about.file),
+    ...about,
+    templates: templates(e),
+    members: [],
+    inner: children(e, 'innerclass').map(textOf),
+    innerNamespaces: children(e, 'innernamespace').map(textOf),
+  };
   compound.isType = TYPES.includes(kind);
   compound.initializer = textOf(child(e, 'initializer'));
   api.compounds.set(name, compound);
@@ -76,11 +92,22 @@ function addMember(api, compound, e, source) {
   const name = textOf(child(e, 'name'));
   const about = description(e, source);
   const page = headerPage(about.file) ?? compound.page;
-  const anchor = unused(api, page, [compound.anchor, slug(name.replace('operator()', 'call')) || 'operator'].filter(Boolean).join('-'));
+  const anchor = unused(
+    api,
+    page,
+    [compound.anchor, slug(name.replace('operator()', 'call')) || 'operator'].filter(Boolean).join('-'),
+  );
   const member = {
-    kind: e.attribs.kind, name, anchor, href: `${page}#${anchor}`, ...about,
-    templates: templates(e), type: textOf(child(e, 'type')), initializer: textOf(child(e, 'initializer')),
-    parameters: children(e, 'param').map(parameter), suffix: textOf(child(e, 'argsstring')).replace(/^\(.*\)/, ''),
+    kind: e.attribs.kind,
+    name,
+    anchor,
+    href: `${page}#${anchor}`,
+    ...about,
+    templates: templates(e),
+    type: textOf(child(e, 'type')),
+    initializer: textOf(child(e, 'initializer')),
+    parameters: children(e, 'param').map(parameter),
+    suffix: textOf(child(e, 'argsstring')).replace(/^\(.*\)/, ''),
     documented: false,
   };
   member.documented = Boolean(textOf(member.brief) || textOf(member.details));
@@ -93,13 +120,17 @@ function addMember(api, compound, e, source) {
 function description(e, source) {
   const location = child(e, 'location')?.attribs ?? {};
   return {
-    brief: child(e, 'briefdescription'), details: child(e, 'detaileddescription'),
-    file: fromSource(source, location.file ?? ''), line: Number(location.line ?? 0),
+    brief: child(e, 'briefdescription'),
+    details: child(e, 'detaileddescription'),
+    file: fromSource(source, location.file ?? ''),
+    line: Number(location.line ?? 0),
   };
 }
 
 const parameter = e => ({
-  type: textOf(child(e, 'type')), name: textOf(child(e, 'declname')), value: textOf(child(e, 'defval')),
+  type: textOf(child(e, 'type')),
+  name: textOf(child(e, 'declname')),
+  value: textOf(child(e, 'defval')),
 });
 
 const templates = e => children(child(e, 'templateparamlist') ?? { children: [] }, 'param').map(parameter);

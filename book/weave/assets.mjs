@@ -12,7 +12,11 @@ const livePage = fileURLToPath(new URL('../live/page/', import.meta.url));
 const packageFolder = name => dirname(require.resolve(`${name}/package.json`));
 
 const FONTS = [
-  ['@fontsource-variable/source-serif-4', 'source-serif-4', ['latin-wght-normal', 'latin-wght-italic', 'greek-wght-normal', 'greek-wght-italic']],
+  [
+    '@fontsource-variable/source-serif-4',
+    'source-serif-4',
+    ['latin-wght-normal', 'latin-wght-italic', 'greek-wght-normal', 'greek-wght-italic'],
+  ],
   ['@fontsource-variable/inter', 'inter', ['latin-wght-normal', 'greek-wght-normal']],
   ['@fontsource-variable/jetbrains-mono', 'jetbrains-mono', ['latin-wght-normal', 'greek-wght-normal']],
 ];
@@ -37,17 +41,22 @@ function copyLive({ config, live }, folder) {
   copyFileSync(join(uplot, '../LICENSE'), join(folder, 'uplot-LICENSE.txt'));
   const colours = colourRules(readFileSync(join(theme, 'figure.gp'), 'utf8'));
   writeFileSync(join(folder, 'live.css'), colours + readFileSync(join(livePage, 'live.css'), 'utf8'));
-  writeFileSync(join(folder, 'compiled.js'), `(globalThis.Live ??= {}).compiled = "${readFileSync(config.live).toString('base64')}";\n`
-    + `globalThis.Live.descriptions = ${JSON.stringify(Object.fromEntries(live))};\n`);
+  writeFileSync(
+    join(folder, 'compiled.js'),
+    `(globalThis.Live ??= {}).compiled = "${readFileSync(config.live).toString('base64')}";\n` +
+      `globalThis.Live.descriptions = ${JSON.stringify(Object.fromEntries(live))};\n`,
+  );
   for (const script of LIVE_SCRIPTS) copyFileSync(join(livePage, `${script}.js`), join(folder, `${script}.js`));
-  for (const { name, folder: from } of live.values()) copyFileSync(join(config.source, from, `${name}.js`), join(folder, `${name}.js`));
+  for (const { name, folder: from } of live.values())
+    copyFileSync(join(config.source, from, `${name}.js`), join(folder, `${name}.js`));
 }
 
 function copyFonts(folder) {
   mkdirSync(folder, { recursive: true });
   for (const [name, file, faces] of FONTS) {
     const from = packageFolder(name);
-    for (const face of faces) copyFileSync(join(from, 'files', `${file}-${face}.woff2`), join(folder, `${file}-${face}.woff2`));
+    for (const face of faces)
+      copyFileSync(join(from, 'files', `${file}-${face}.woff2`), join(folder, `${file}-${face}.woff2`));
     copyFileSync(join(from, 'LICENSE'), join(folder, `${file}-LICENSE.txt`));
   }
 }
@@ -56,9 +65,13 @@ function copyFonts(folder) {
 function copyKatex(folder) {
   const from = join(packageFolder('katex'), 'dist');
   mkdirSync(join(folder, 'fonts'), { recursive: true });
-  const css = readFileSync(join(from, 'katex.min.css'), 'utf8').replace(/,url\([^)]*\.(woff|ttf)\) format\("[^"]*"\)/g, '');
+  const css = readFileSync(join(from, 'katex.min.css'), 'utf8').replace(
+    /,url\([^)]*\.(woff|ttf)\) format\("[^"]*"\)/g,
+    '',
+  );
   writeFileSync(join(folder, 'katex.css'), css);
-  for (const file of readdirSync(join(from, 'fonts'))) if (file.endsWith('.woff2')) copyFileSync(join(from, 'fonts', file), join(folder, 'fonts', file));
+  for (const file of readdirSync(join(from, 'fonts')))
+    if (file.endsWith('.woff2')) copyFileSync(join(from, 'fonts', file), join(folder, 'fonts', file));
 }
 
 function copyData(data, folder) {

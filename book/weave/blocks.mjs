@@ -12,7 +12,11 @@ export function blockHtml(context, piece) {
 
 export function codeLines(lines, numbers, { id = () => '', gaps = true } = {}) {
   const leftOut = i => gaps && i > 0 && numbers[i] !== numbers[i - 1] + 1;
-  return lines.map((line, i) => `<span class="ln${leftOut(i) ? ' gap' : ''}"${id(numbers[i])} data-n="${numbers[i]}"></span>${line}`).join('\n');
+  return lines
+    .map(
+      (line, i) => `<span class="ln${leftOut(i) ? ' gap' : ''}"${id(numbers[i])} data-n="${numbers[i]}"></span>${line}`,
+    )
+    .join('\n');
 }
 
 function listing({ book, hold }, piece) {
@@ -21,9 +25,11 @@ function listing({ book, hold }, piece) {
   const html = highlightLines(lines.map(l => l.text).join('\n'), 'cpp', linker(book.api, path));
   const numbers = lines.map(l => l.number);
   const words = caption && `<span class="caption">${escapeHtml(smarten(caption))}</span>`;
-  return `<figure class="listing" id="${piece.id}"><figcaption><span class="head"><span class="num">Listing ${piece.number}</span> ${words}</span>`
-    + `<a class="file" href="${sourceHref(path)}#L${numbers[0]}">${escapeHtml(path).replace(/\//g, '/<wbr>')}</a></figcaption>`
-    + `<pre><code>${hold(codeLines(html, numbers))}</code></pre></figure>`;
+  return (
+    `<figure class="listing" id="${piece.id}"><figcaption><span class="head"><span class="num">Listing ${piece.number}</span> ${words}</span>` +
+    `<a class="file" href="${sourceHref(path)}#L${numbers[0]}">${escapeHtml(path).replace(/\//g, '/<wbr>')}</a></figcaption>` +
+    `<pre><code>${hold(codeLines(html, numbers))}</code></pre></figure>`
+  );
 }
 
 function fence({ hold }, { language, code }) {
@@ -42,7 +48,9 @@ function card({ book, hold }, { card: measured }) {
 }
 
 function contents({ book }) {
-  const items = [...book.chapters.values()].map(chapter =>
-    `<li><a href="${chapter.href}"><span class="no">${chapter.number}</span><span class="title">${escapeHtml(smarten(chapter.title))}</span></a></li>`);
+  const items = [...book.chapters.values()].map(
+    chapter =>
+      `<li><a href="${chapter.href}"><span class="no">${chapter.number}</span><span class="title">${escapeHtml(smarten(chapter.title))}</span></a></li>`,
+  );
   return `<ol class="contents">\n${items.join('\n')}\n</ol>`;
 }

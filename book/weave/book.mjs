@@ -24,9 +24,18 @@ export function readBook(config) {
   const problems = createProblems();
   const sources = findSources(config);
   const book = {
-    config, problems,
-    chapters: new Map(), programs: new Map(), pages: [], labels: new Map(), references: new Map(), claims: new Map(),
-    sources, cards: readCards(config.cards, problems), times: readAllTimes(config.times, problems), live: readLive(config, problems),
+    config,
+    problems,
+    chapters: new Map(),
+    programs: new Map(),
+    pages: [],
+    labels: new Map(),
+    references: new Map(),
+    claims: new Map(),
+    sources,
+    cards: readCards(config.cards, problems),
+    times: readAllTimes(config.times, problems),
+    live: readLive(config, problems),
     snippet: createSnippets(config.source, sources),
     short: path => relative(config.source, path),
   };
@@ -54,9 +63,9 @@ function findSources({ source, chapters }) {
   };
   for (const folder of ['code', ...chapters.map(chapter => chapter.folder), 'book/theme', 'book/live']) walk(folder);
   for (const entry of readdirSync(join(source, 'chapters'), { withFileTypes: true })) {
-    if (/\.(h|cpp)$/.test(entry.name)) found.add(`chapters/${entry.name}`);  // what the chapters share
+    if (/\.(h|cpp)$/.test(entry.name)) found.add(`chapters/${entry.name}`); // what the chapters share
   }
-  walk('exercises', ['starter.h', 'given.h']);  // the tests work out what a student is asked for
+  walk('exercises', ['starter.h', 'given.h']); // the tests work out what a student is asked for
   return found;
 }
 
@@ -64,25 +73,53 @@ function readChapter(book, { name, folder, build }) {
   const { source } = book.config;
   const program = join(build, 'program');
   const numbersFile = join(build, 'data', 'numbers.csv');
-  if (!existsSync(numbersFile)) book.problems.add(`${folder}/program.cpp`, 1, `the program has not written ${book.short(numbersFile)}; build the chapter first`);
-  const claims = readClaims(join(build, 'claims.xml'), { source, build: dirname(book.config.output), command: book.short(join(build, 'claims')) });
+  if (!existsSync(numbersFile))
+    book.problems.add(
+      `${folder}/program.cpp`,
+      1,
+      `the program has not written ${book.short(numbersFile)}; build the chapter first`,
+    );
+  const claims = readClaims(join(build, 'claims.xml'), {
+    source,
+    build: dirname(book.config.output),
+    command: book.short(join(build, 'claims')),
+  });
   if (claims.fault) book.problems.add(`${folder}/claims.cpp`, 1, claims.fault);
-  const figures = new Map((existsSync(join(source, folder)) ? readdirSync(join(source, folder)) : []).filter(file => file.endsWith('.gp')).sort().map(file => {
-    const figure = file.slice(0, -3);
-    const drawn = suffix => join(build, 'figures', `${figure}${suffix}.svg`);
-    return [figure, { name: figure, script: `${folder}/${file}`, wide: drawn(''), narrow: drawn('-narrow') }];
-  }));
+  const figures = new Map(
+    (existsSync(join(source, folder)) ? readdirSync(join(source, folder)) : [])
+      .filter(file => file.endsWith('.gp'))
+      .sort()
+      .map(file => {
+        const figure = file.slice(0, -3);
+        const drawn = suffix => join(build, 'figures', `${figure}${suffix}.svg`);
+        return [figure, { name: figure, script: `${folder}/${file}`, wide: drawn(''), narrow: drawn('-narrow') }];
+      }),
+  );
   return {
-    name, folder, number: Number(name.match(/^\d+/)), href: `${name}.html`,
-    program: `${folder}/program.cpp`, command: book.short(program), data: join(build, 'data'),
-    numbers: readNumbers(numbersFile), tables: readTables(join(build, 'data')), tests: claims.tests, figures,
+    name,
+    folder,
+    number: Number(name.match(/^\d+/)),
+    href: `${name}.html`,
+    program: `${folder}/program.cpp`,
+    command: book.short(program),
+    data: join(build, 'data'),
+    numbers: readNumbers(numbersFile),
+    tables: readTables(join(build, 'data')),
+    tests: claims.tests,
+    figures,
   };
 }
 
 function readPages(book) {
   const { source } = book.config;
   const add = (file, about) => {
-    const page = readPage(join(source, file), { file, order: book.pages.length, exercises: join(source, 'exercises'), problems: book.problems, ...about });
+    const page = readPage(join(source, file), {
+      file,
+      order: book.pages.length,
+      exercises: join(source, 'exercises'),
+      problems: book.problems,
+      ...about,
+    });
     book.pages.push(page);
     return page;
   };
@@ -97,7 +134,11 @@ function readPages(book) {
     if (program.number) continue;
     if (program.name === OPENING) Object.assign(program, { page: start, title: 'The start page', href: start.href });
     else {
-      program.page = add(`${program.folder}/chapter.md`, { name: program.name, href: program.href, owner: program.name });
+      program.page = add(`${program.folder}/chapter.md`, {
+        name: program.name,
+        href: program.href,
+        owner: program.name,
+      });
       program.title = program.page.title;
     }
   }
@@ -106,8 +147,14 @@ function readPages(book) {
 
 function registerClaims(book, chapter) {
   for (const test of chapter.tests) {
-    const other = book.claims.get(test.name) ?? [...book.claims.values()].find(claim => slug(claim.test.name) === slug(test.name));
-    if (other) book.problems.add(test.file, test.line, `the test name "${test.name}" is taken by ${other.test.file}:${other.test.line}; names are unique in the book, by their letters and digits`);
+    const other =
+      book.claims.get(test.name) ?? [...book.claims.values()].find(claim => slug(claim.test.name) === slug(test.name));
+    if (other)
+      book.problems.add(
+        test.file,
+        test.line,
+        `the test name "${test.name}" is taken by ${other.test.file}:${other.test.line}; names are unique in the book, by their letters and digits`,
+      );
     else book.claims.set(test.name, { test, chapter, cited: [] });
   }
 }

@@ -13,7 +13,10 @@ export function boxHtml(context, piece, html) {
   return BOXES[piece.name](html, piece, context);
 }
 
-const note = (name, label = '') => html => `<div class="${name}" role="note"${label ? ` aria-label="${label}"` : ''}>${label ? `<p class="label">${label}</p>\n` : ''}${html}</div>`;
+const note =
+  (name, label = '') =>
+  html =>
+    `<div class="${name}" role="note"${label ? ` aria-label="${label}"` : ''}>${label ? `<p class="label">${label}</p>\n` : ''}${html}</div>`;
 
 const BOXES = {
   lead: html => `<div class="lead">${html}</div>`,
@@ -25,33 +28,47 @@ const BOXES = {
   paper: html => `<div class="on-paper">${html}</div>`,
   screen: html => `<div class="on-screen">${html}</div>`,
   answer: html => `<details class="answer"><summary>Answer</summary><div>${html}</div></details>`,
-  eq: (html, piece) => `<div class="equation" id="${piece.id}">${html}<span class="eqno">(${piece.number})</span></div>`,
-  exercise: (html, { id, number, args: [name, title] }, { book, page, hold }) => `<section class="exercise" id="${id}" aria-labelledby="${id}-title">`
-    + `<h3 id="${id}-title"><span class="secno">Exercise ${number}</span> ${escapeHtml(smarten(title))}</h3>\n${aroundTask(html, page.tasks.get(name), { book, hold })}</section>`,
+  eq: (html, piece) =>
+    `<div class="equation" id="${piece.id}">${html}<span class="eqno">(${piece.number})</span></div>`,
+  exercise: (html, { id, number, args: [name, title] }, { book, page, hold }) =>
+    `<section class="exercise" id="${id}" aria-labelledby="${id}-title">` +
+    `<h3 id="${id}-title"><span class="secno">Exercise ${number}</span> ${escapeHtml(smarten(title))}</h3>\n${aroundTask(html, page.tasks.get(name), { book, hold })}</section>`,
   table: (html, { id, number }) => {
     const at = html.indexOf('<div class="tablescroll">');
     const caption = at < 0 ? html : html.slice(0, at);
     return `<figure class="tablebox" id="${id}"><figcaption>${startWith(`<b>Table ${number}.</b> `, caption)}</figcaption>${at < 0 ? '' : html.slice(at)}</figure>`;
   },
   figure: (html, piece, { book, page, hold }) => {
-    const { id, number, figure, args: [, title] } = piece;
+    const {
+      id,
+      number,
+      figure,
+      args: [, title],
+    } = piece;
     const words = smarten(title);
     const onPaper = html.replace(/<div class="on-screen">[^]*?<\/div>\s*/g, '');
-    const description = textOfHtml(onPaper).replace(TOKEN, (_, n) => inlineText(page.pieces[n])).replace(/\s+/g, ' ').trim();
-    const draw = (file, size) => adoptSvg(readFileSync(file, 'utf8'), { id: `${id}-${size}`, title: words, description: description || words });
+    const description = textOfHtml(onPaper)
+      .replace(TOKEN, (_, n) => inlineText(page.pieces[n]))
+      .replace(/\s+/g, ' ')
+      .trim();
+    const draw = (file, size) =>
+      adoptSvg(readFileSync(file, 'utf8'), { id: `${id}-${size}`, title: words, description: description || words });
     const svgs = `<div class="wide">${draw(figure.wide, 'wide')}</div>\n<div class="narrow">${draw(figure.narrow, 'narrow')}</div>`;
     const live = book.config.live && piece.live;
     const stage = live ? ` data-live="${live.name}"` : '';
     const caption = live ? html : onPaper;
     const still = live ? `<div class="still">${svgs}</div>\n${liveHtml({ book }, live)}` : svgs;
-    return `<figure class="plot" id="${id}"${stage}>${hold(still)}\n<figcaption>${startWith(`<b>Figure ${number}. ${escapeHtml(words.replace(/\.$/, ''))}.</b> `, caption)}`
-      + `${figureLinks(book.programs.get(page.owner), figure, book, live)}</figcaption></figure>`;
+    return (
+      `<figure class="plot" id="${id}"${stage}>${hold(still)}\n<figcaption>${startWith(`<b>Figure ${number}. ${escapeHtml(words.replace(/\.$/, ''))}.</b> `, caption)}` +
+      `${figureLinks(book.programs.get(page.owner), figure, book, live)}</figcaption></figure>`
+    );
   },
 };
 
 const aroundTask = (html, task, context) => (task ? `${taskHead(task)}${html}\n${taskFoot(context, task)}` : html);
 
-const startWith = (label, html) => (html.startsWith('<p>') ? html.replace('<p>', `<p>${label}`) : `<p>${label.trim()}</p>${html}`);
+const startWith = (label, html) =>
+  html.startsWith('<p>') ? html.replace('<p>', `<p>${label}`) : `<p>${label.trim()}</p>${html}`;
 
 function figureLinks(chapter, figure, book, live) {
   const links = csvFiles(chapter, figure, book).map(file => `<a href="data/${chapter.name}/${file}">${file}</a>`);
@@ -64,11 +81,20 @@ function figureLinks(chapter, figure, book, live) {
 // Where a variable or a function is given to file(), every quoted word may be a name.
 export function csvFiles(chapter, figure, book) {
   const script = readFileSync(join(book.config.source, figure.script), 'utf8');
-  const there = existsSync(chapter.data) ? readdirSync(chapter.data).filter(file => file.endsWith('.csv')).sort() : [];
-  const names = [...script.matchAll(/([\w.%-]+)\.csv|\bfile\((?:sprintf\()?["']([\w.%-]+)["']/g)].map(found => found[1] ?? found[2]);
+  const there = existsSync(chapter.data)
+    ? readdirSync(chapter.data)
+        .filter(file => file.endsWith('.csv'))
+        .sort()
+    : [];
+  const names = [...script.matchAll(/([\w.%-]+)\.csv|\bfile\((?:sprintf\()?["']([\w.%-]+)["']/g)].map(
+    found => found[1] ?? found[2],
+  );
   if (/\bfile\([A-Za-z_]\w*/.test(script.replace(/\bfile\(sprintf\(["']/g, ''))) {
-    for (const [, , quoted] of script.matchAll(/(["'])(.*?)\1/g)) names.push(...quoted.split(/\s+/).filter(word => /^\w[\w-]*(%[\d.]*[dsfg])?$/.test(word)));
+    for (const [, , quoted] of script.matchAll(/(["'])(.*?)\1/g))
+      names.push(...quoted.split(/\s+/).filter(word => /^\w[\w-]*(%[\d.]*[dsfg])?$/.test(word)));
   }
-  const wanted = names.map(name => new RegExp(`^${name.replace(/\./g, '\\.').replace(/%[\d.\\]*[dsfg]/g, '[\\w.-]+')}\\.csv$`));
+  const wanted = names.map(
+    name => new RegExp(`^${name.replace(/\./g, '\\.').replace(/%[\d.\\]*[dsfg]/g, '[\\w.-]+')}\\.csv$`),
+  );
   return there.filter(file => wanted.some(pattern => pattern.test(file)));
 }

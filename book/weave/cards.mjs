@@ -15,7 +15,11 @@ export const LISTED_IN = 'code/measure/methods';
 export function readCards(folder, problems) {
   const list = join(folder, 'tables.csv');
   if (!existsSync(list)) {
-    problems.add(MEASURED_BY, 1, 'the cards of the methods are not measured yet; build the target measured_cards first');
+    problems.add(
+      MEASURED_BY,
+      1,
+      'the cards of the methods are not measured yet; build the target measured_cards first',
+    );
     return new Map();
   }
   const names = [...new Set(readRecords(list).map(({ table }) => table))];
@@ -38,7 +42,14 @@ export function checkCards(book) {
     if (!book.cards.has(name)) book.problems.add(file, line, `${name} steps and has no card; list it in ${LISTED_IN}`);
   }
   for (const name of book.cards.keys()) {
-    if (!known.some(member => member.name === name)) book.problems.add(...placeOf(book, name), `a card of "${name}", which is no function in code/integrate that steps.${didYouMean(name, known.map(m => m.name))}`);
+    if (!known.some(member => member.name === name))
+      book.problems.add(
+        ...placeOf(book, name),
+        `a card of "${name}", which is no function in code/integrate that steps.${didYouMean(
+          name,
+          known.map(m => m.name),
+        )}`,
+      );
   }
 }
 
@@ -54,9 +65,17 @@ function placeOf({ config }, name) {
 
 // `title` is the HTML of the head.
 export function cardHtml(card, times, title) {
-  const parts = [...new Set(card.rows.map(row => row.about))]
-    .map(about => `<div class="part"><p class="label">${variables(about)}</p><dl>${card.rows.filter(row => row.about === about).map(row => line(row, times)).join('')}</dl></div>`);
-  const timed = aboutTimes(times, card.rows.map(row => row.measured));
+  const parts = [...new Set(card.rows.map(row => row.about))].map(
+    about =>
+      `<div class="part"><p class="label">${variables(about)}</p><dl>${card.rows
+        .filter(row => row.about === about)
+        .map(row => line(row, times))
+        .join('')}</dl></div>`,
+  );
+  const timed = aboutTimes(
+    times,
+    card.rows.map(row => row.measured),
+  );
   const note = card.note ? `<p class="note">${escapeHtml(card.note)}</p>` : '';
   return `<div class="card" role="note" aria-label="Card of ${escapeHtml(card.name)}">
 <div class="cardhead"><p>${title}</p><p class="sources"><a href="data/cards/${card.name}.csv">${card.name}.csv</a>, <a href="${sourceHref(MEASURED_BY)}">every_card.cpp</a></p></div>
@@ -64,7 +83,8 @@ export function cardHtml(card, times, title) {
 ${note}${timed}</div>`;
 }
 
-const line = (row, times) => `<div><dt>${variables(row.asked)}</dt><dd>${isTime(row.measured) ? `${timeHtml(times, row.measured)}\u202fns` : value(row)}</dd></div>`;
+const line = (row, times) =>
+  `<div><dt>${variables(row.asked)}</dt><dd>${isTime(row.measured) ? `${timeHtml(times, row.measured)}\u202fns` : value(row)}</dd></div>`;
 
 export function value({ about, measured, digits, unit }, shown = Number(digits)) {
   const number = Number(measured.replace(/^([-+]?)inf$/, '$1Infinity'));

@@ -13,14 +13,24 @@ export function checkWhole(book) {
 function checkFigureScripts(book) {
   for (const chapter of book.programs.values()) {
     for (const figure of chapter.figures.values()) {
-      if (!figure.used) book.problems.add(figure.script, 1, `no \\figure{${figure.name}, ...} in ${chapter.page.file} shows this figure; show it, or delete the script`);
+      if (!figure.used)
+        book.problems.add(
+          figure.script,
+          1,
+          `no \\figure{${figure.name}, ...} in ${chapter.page.file} shows this figure; show it, or delete the script`,
+        );
     }
   }
 }
 
 function checkLiveFigures(book) {
   for (const live of book.live.values()) {
-    if (!live.used) book.problems.add(live.file, 1, `no page shows this with \\live{${live.name}, ...}; show it, or delete what is named ${live.name}`);
+    if (!live.used)
+      book.problems.add(
+        live.file,
+        1,
+        `no page shows this with \\live{${live.name}, ...}; show it, or delete what is named ${live.name}`,
+      );
   }
 }
 
@@ -28,8 +38,10 @@ function checkClaims(book) {
   for (const claim of book.claims.values()) {
     if (claim.test.passed) continue;
     const { test } = claim;
-    for (const { page, piece } of claim.cited) book.problems.add(page.file, piece.line, `the claim is false: "${test.name}"${failureText(test)}`);
-    if (!claim.cited.length) book.problems.add(test.file, test.line, `this test fails: "${test.name}"${failureText(test)}`);
+    for (const { page, piece } of claim.cited)
+      book.problems.add(page.file, piece.line, `the claim is false: "${test.name}"${failureText(test)}`);
+    if (!claim.cited.length)
+      book.problems.add(test.file, test.line, `this test fails: "${test.name}"${failureText(test)}`);
   }
 }
 
@@ -39,18 +51,38 @@ function checkCaptions(book) {
   const bare = bareCaptions(book);
   const most = book.config.bareCaptions ?? 0;
   if (bare.length <= most) return;
-  for (const { page, piece } of bare) book.problems.add(page.file, piece.line, `the caption of "${piece.args[0]}" has neither \\number nor \\claim nor \\look; ${most} of the book may, and ${bare.length} do`);
+  for (const { page, piece } of bare)
+    book.problems.add(
+      page.file,
+      piece.line,
+      `the caption of "${piece.args[0]}" has neither \\number nor \\claim nor \\look; ${most} of the book may, and ${bare.length} do`,
+    );
 }
 
 // A pair of boxes holds what it numbers, and one of it.
 function checkContents(book, page) {
-  const boxes = name => page.pieces.filter(piece => piece.type === 'open' && piece.name === name && piece.closed && !piece.incomplete);
+  const boxes = name =>
+    page.pieces.filter(piece => piece.type === 'open' && piece.name === name && piece.closed && !piece.incomplete);
   for (const box of boxes('eq')) {
     const n = page.pieces.filter(piece => piece.name === 'display' && piece.box === box).length;
-    if (n !== 1) book.problems.add(page.file, box.line, `\\eq{${box.args[0]}} holds ${n} displayed formulas; it numbers one: \\f[ ... \\f]`);
+    if (n !== 1)
+      book.problems.add(
+        page.file,
+        box.line,
+        `\\eq{${box.args[0]}} holds ${n} displayed formulas; it numbers one: \\f[ ... \\f]`,
+      );
   }
   for (const box of boxes('table')) {
-    const n = page.pieces.filter(piece => (piece.name === 'rows' && piece.box === box) || (piece.type === 'tablestart' && box.line <= piece.line && piece.line <= box.closed.line)).length;
-    if (n !== 1) book.problems.add(page.file, box.line, `\\table{${box.args[0]}} holds ${n} tables; put one between its caption and \\endtable: \\rows{name}, or rows in Markdown`);
+    const n = page.pieces.filter(
+      piece =>
+        (piece.name === 'rows' && piece.box === box) ||
+        (piece.type === 'tablestart' && box.line <= piece.line && piece.line <= box.closed.line),
+    ).length;
+    if (n !== 1)
+      book.problems.add(
+        page.file,
+        box.line,
+        `\\table{${box.args[0]}} holds ${n} tables; put one between its caption and \\endtable: \\rows{name}, or rows in Markdown`,
+      );
   }
 }

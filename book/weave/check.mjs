@@ -27,17 +27,29 @@ function collectLabels(book) {
   for (const page of book.pages) {
     for (const piece of page.pieces) {
       if (!piece.number || piece.type === 'heading') continue;
-      const key = piece.name === 'listing' ? `listing:${page.name}:${piece.args[0]}:${piece.args[1]}` : `${piece.name}:${piece.args[0]}`;
+      const key =
+        piece.name === 'listing'
+          ? `listing:${page.name}:${piece.args[0]}:${piece.args[1]}`
+          : `${piece.name}:${piece.args[0]}`;
       const first = book.labels.get(key);
       if (first && piece.name !== 'listing') {
-        book.problems.add(page.file, piece.line, `the ${NUMBERED[piece.name].toLowerCase()} name "${piece.args[0]}" is taken by ${first.page.file}:${first.piece.line}; names are unique in the book`);
+        book.problems.add(
+          page.file,
+          piece.line,
+          `the ${NUMBERED[piece.name].toLowerCase()} name "${piece.args[0]}" is taken by ${first.page.file}:${first.piece.line}; names are unique in the book`,
+        );
       }
       if (!first) book.labels.set(key, { page, piece });
     }
     for (const piece of page.pieces.filter(p => p.name === 'bibitem')) {
       const [key] = piece.args;
       const first = book.references.get(key);
-      if (first) book.problems.add(page.file, piece.line, `the reference "${key}" is taken by ${first.page.file}:${first.piece.line}; give this one another key`);
+      if (first)
+        book.problems.add(
+          page.file,
+          piece.line,
+          `the reference "${key}" is taken by ${first.page.file}:${first.piece.line}; give this one another key`,
+        );
       else book.references.set(key, { page, piece });
     }
   }
@@ -45,50 +57,73 @@ function collectLabels(book) {
 
 function checkPlace(piece, report) {
   const box = piece.box;
-  if (piece.type === 'heading' && box?.closed) report(`a heading inside \\${box.name} of line ${box.line}; is \\end${box.name} missing?`);
+  if (piece.type === 'heading' && box?.closed)
+    report(`a heading inside \\${box.name} of line ${box.line}; is \\end${box.name} missing?`);
   const { kind, within } = MARKS[piece.name] ?? {};
-  if (kind === 'box' && within !== 'live' && ['figure', 'table', 'eq'].includes(box?.name)) report(`\\${piece.name} stands inside \\${box.name} of line ${box.line}, which can hold no box`);
+  if (kind === 'box' && within !== 'live' && ['figure', 'table', 'eq'].includes(box?.name))
+    report(`\\${piece.name} stands inside \\${box.name} of line ${box.line}, which can hold no box`);
 }
 
 const CHECKS = {
   number({ book, page, piece, report }) {
     piece.value = findNumber(book, page, piece.args[0], report);
   },
-  math: ({ book, page, piece, report }) => { piece.html = formula(book, page, piece, false, report); },
-  display: ({ book, page, piece, report }) => { piece.html = formula(book, page, piece, true, report); },
-  claim, tested: claim,
-  figref: reference, eqref: reference, tabref: reference, exerciseref: reference,
+  math: ({ book, page, piece, report }) => {
+    piece.html = formula(book, page, piece, false, report);
+  },
+  display: ({ book, page, piece, report }) => {
+    piece.html = formula(book, page, piece, true, report);
+  },
+  claim,
+  tested: claim,
+  figref: reference,
+  eqref: reference,
+  tabref: reference,
+  exerciseref: reference,
   lstref({ book, page, piece, report }) {
     const [path, tag] = piece.args;
-    piece.target = book.labels.get(`listing:${page.name}:${path}:${tag}`)
-      ?? [...book.labels].find(([key]) => key.startsWith('listing:') && key.endsWith(`:${path}:${tag}`))?.[1];
+    piece.target =
+      book.labels.get(`listing:${page.name}:${path}:${tag}`) ??
+      [...book.labels].find(([key]) => key.startsWith('listing:') && key.endsWith(`:${path}:${tag}`))?.[1];
     if (piece.target) return;
-    const known = [...book.labels.values()].filter(label => label.piece.name === 'listing').map(label => label.piece.args.slice(0, 2).join(', '));
+    const known = [...book.labels.values()]
+      .filter(label => label.piece.name === 'listing')
+      .map(label => label.piece.args.slice(0, 2).join(', '));
     report(`no \\listing{${path}, ${tag}} stands in the book.${nameOneOf(`${path}, ${tag}`, known)}`);
   },
   citep({ book, piece, report }) {
     for (const key of piece.args) {
-      if (!book.references.has(key)) report(`there is no reference "${key}" in book/references.md.${nameOneOf(key, book.references.keys())}`);
+      if (!book.references.has(key))
+        report(`there is no reference "${key}" in book/references.md.${nameOneOf(key, book.references.keys())}`);
     }
   },
-  chapterref: chapter, minutes: chapter,
+  chapterref: chapter,
+  minutes: chapter,
   sectionref({ book, piece, report }) {
     const [name, id] = piece.args;
     piece.target = findChapter(book, name, report);
     if (!piece.target) return;
     piece.section = piece.target.page.sections.find(section => section.id === id);
-    if (!piece.section) report(`${name} has no section "${id}".${nameOneOf(id, piece.target.page.sections.map(s => s.id))}`);
+    if (!piece.section)
+      report(
+        `${name} has no section "${id}".${nameOneOf(
+          id,
+          piece.target.page.sections.map(s => s.id),
+        )}`,
+      );
   },
   term({ book, piece, report }) {
     const [name] = piece.args;
     piece.target = introduction(book, name);
-    if (!piece.target) report(`no chapter says *${name}* in italics, as where a term is introduced.${didYouMean(name, italics(book))}`);
+    if (!piece.target)
+      report(`no chapter says *${name}* in italics, as where a term is introduced.${didYouMean(name, italics(book))}`);
   },
   listing({ book, piece, report }) {
     const [path, tag, caption = ''] = piece.args;
     piece.snippet = book.snippet(path, tag);
     if (piece.snippet.fault) report(piece.snippet.fault);
-    else if (!book.sources.has(path)) report(`${path} is not a C++ file under code/ or chapters/, so nothing compiles it`);
+    else if (!book.sources.has(path))
+      report(`${path} is not a C++ file under code/ or chapters/, so nothing compiles it`);
     plainTitle(caption, report);
   },
   figure({ book, page, piece, report }) {
@@ -97,7 +132,9 @@ const CHECKS = {
     piece.figure = figures.get(name);
     plainTitle(title, report);
     if (!piece.figure) {
-      report(`there is no ${folder && `${folder}/`}${name}.gp that draws the figure "${name}".${didYouMean(name, figures.keys())}`);
+      report(
+        `there is no ${folder && `${folder}/`}${name}.gp that draws the figure "${name}".${didYouMean(name, figures.keys())}`,
+      );
       return;
     }
     piece.figure.used = true;
@@ -129,7 +166,9 @@ function checkLive(book, page, piece, report) {
   const folder = liveFolder(book.programs.get(page.owner));
   piece.live = book.live.get(name);
   if (!piece.live) {
-    report(`there is no ${folder}/${name}.json that describes the live figure "${name}".${nameOneOf(name, book.live.keys())}`);
+    report(
+      `there is no ${folder}/${name}.json that describes the live figure "${name}".${nameOneOf(name, book.live.keys())}`,
+    );
     return;
   }
   piece.live.used = true;
@@ -139,7 +178,8 @@ function checkLive(book, page, piece, report) {
   }
   for (const kind of ['cpp', 'js']) {
     const file = `${folder}/${name}.${kind}`;
-    if (!existsSync(join(book.config.source, file))) report(`there is no ${file}, which the live figure "${name}" needs`);
+    if (!existsSync(join(book.config.source, file)))
+      report(`there is no ${file}, which the live figure "${name}" needs`);
   }
   for (const { path, tag } of methodsOf(piece.live)) {
     const { fault } = book.snippet(path, tag);
@@ -153,12 +193,18 @@ function findLiveTable(book, page, live, report) {
   const tables = book.programs.get(page.owner)?.tables ?? new Map();
   const table = tables.get(live.table);
   if (table) live.columns = numberColumns(table);
-  else report(`${live.file} wants the table "${live.table}", and the program of this chapter writes none of that name.${nameOneOf(live.table, tables.keys())}`);
+  else
+    report(
+      `${live.file} wants the table "${live.table}", and the program of this chapter writes none of that name.${nameOneOf(live.table, tables.keys())}`,
+    );
 }
 
 // { name: value } of the recorded numbers that a picture draws.
 function findLiveNumbers(book, page, live, report) {
-  const found = (live.numbers ?? []).map(name => [name, findNumber(book, page, name, fault => report(`${live.file}: ${fault}`))?.value]);
+  const found = (live.numbers ?? []).map(name => [
+    name,
+    findNumber(book, page, name, fault => report(`${live.file}: ${fault}`))?.value,
+  ]);
   live.numbers = Object.fromEntries(found);
 }
 
@@ -170,7 +216,10 @@ function claim({ book, page, piece, report }) {
   const [name] = piece.args;
   piece.claim = book.claims.get(name);
   if (piece.claim) piece.claim.cited.push({ page, piece });
-  else report(`no test bears the name of the claim "${name}".${didYouMean(name, book.claims.keys()) || ' Write the test, or give the sentence another proof.'}`);
+  else
+    report(
+      `no test bears the name of the claim "${name}".${didYouMean(name, book.claims.keys()) || ' Write the test, or give the sentence another proof.'}`,
+    );
 }
 
 function reference({ book, piece, report }) {
@@ -178,17 +227,22 @@ function reference({ book, piece, report }) {
   const [name] = piece.args;
   piece.target = book.labels.get(`${kind}:${name}`);
   if (piece.target) return;
-  const known = [...book.labels.keys()].filter(key => key.startsWith(`${kind}:`)).map(key => key.slice(kind.length + 1));
+  const known = [...book.labels.keys()]
+    .filter(key => key.startsWith(`${kind}:`))
+    .map(key => key.slice(kind.length + 1));
   report(`there is no \\${kind}{${name}}.${nameOneOf(name, known)}`);
 }
 
 function plainTitle(title, report) {
-  if (/\\f[$[{]/.test(title)) report('a formula in a title: write the title in words and put the formula into the text below');
+  if (/\\f[$[{]/.test(title))
+    report('a formula in a title: write the title in words and put the formula into the text below');
   else if (/\\[a-z]/i.test(title)) report('a mark in a title: titles are plain text');
 }
 
 function formula(book, page, piece, display, report) {
   const problems = book.problems.list.length;
-  const tex = substituteNumbers(piece.tex, (name, line) => findNumber(book, page, name, message => report(message, line)));
+  const tex = substituteNumbers(piece.tex, (name, line) =>
+    findNumber(book, page, name, message => report(message, line)),
+  );
   return problems === book.problems.list.length ? renderTex(tex, display, report) : '';
 }

@@ -6,29 +6,41 @@ import { escapeHtml, smarten } from './text.mjs';
 export function claimsPage(book) {
   const chapters = [...book.programs.values()].filter(chapter => chapter.tests.length);
   const total = book.claims.size;
-  const body = `<p class="lead">Each sentence below is the name of a test that runs whenever the book is built. `
-    + `If one of the ${total} fails, there is no book. A check mark in the text leads here, and from here to the test.</p>\n`
-    + chapters.map(chapter => section(book, chapter)).join('\n');
+  const body =
+    `<p class="lead">Each sentence below is the name of a test that runs whenever the book is built. ` +
+    `If one of the ${total} fails, there is no book. A check mark in the text leads here, and from here to the test.</p>\n` +
+    chapters.map(chapter => section(book, chapter)).join('\n');
   return {
-    href: 'claims.html', title: 'Claims', kind: 'claims', body,
+    href: 'claims.html',
+    title: 'Claims',
+    kind: 'claims',
+    body,
     sections: chapters.map(chapter => ({ id: chapter.name, title: chapter.title })),
   };
 }
 
 function section(book, chapter) {
   const claims = chapter.tests.map(test => book.claims.get(test.name));
-  return `<h2 id="${chapter.name}">${chapter.number ? `<span class="secno">${chapter.number}</span> ` : ''}${escapeHtml(smarten(chapter.title))}</h2>\n`
-    + `<ul class="claims">\n${claims.map(item).join('\n')}\n</ul>`;
+  return (
+    `<h2 id="${chapter.name}">${chapter.number ? `<span class="secno">${chapter.number}</span> ` : ''}${escapeHtml(smarten(chapter.title))}</h2>\n` +
+    `<ul class="claims">\n${claims.map(item).join('\n')}\n</ul>`
+  );
 }
 
 const placeOf = ({ number, name }) => (number ? `chapter ${number}` : `the ${name === 'index' ? 'start page' : name}`);
 
 function item({ test, cited }) {
   const places = cited.map(({ page, piece }, i) => {
-    const words = i ? (page === cited[i - 1].page ? 'and again' : `and in ${placeOf(page)}`) : `said in ${placeOf(page)}`;
+    const words = i
+      ? page === cited[i - 1].page
+        ? 'and again'
+        : `and in ${placeOf(page)}`
+      : `said in ${placeOf(page)}`;
     return `<a href="${page.href}#${piece.id}">${words}</a>`;
   });
   if (!places.length) places.push('not said in the text');
-  return `<li id="${claimId(test.name)}"><span class="sentence">${escapeHtml(smarten(test.name))}</span>`
-    + `<span class="proof"><span class="passed">passed</span> <a href="${sourceHref(test.file)}#L${test.line}"><code>${escapeHtml(test.file)}:${test.line}</code></a> <span>${places.join(', ')}</span></span></li>`;
+  return (
+    `<li id="${claimId(test.name)}"><span class="sentence">${escapeHtml(smarten(test.name))}</span>` +
+    `<span class="proof"><span class="passed">passed</span> <a href="${sourceHref(test.file)}#L${test.line}"><code>${escapeHtml(test.file)}:${test.line}</code></a> <span>${places.join(', ')}</span></span></li>`
+  );
 }

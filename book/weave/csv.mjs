@@ -2,7 +2,10 @@ import { readFileSync } from 'node:fs';
 
 // The rows of a CSV file as arrays of text; a quoted field may hold commas and doubled quotes.
 export function readCsv(path) {
-  return readFileSync(path, 'utf8').split(/\r?\n/).filter(line => line !== '').map(splitRow);
+  return readFileSync(path, 'utf8')
+    .split(/\r?\n/)
+    .filter(line => line !== '')
+    .map(splitRow);
 }
 
 function splitRow(line) {

@@ -7,7 +7,9 @@ export function docTextHtml(text, before) {
     .replace(/(?<=[\w)|′″]) - (?=[\w(|])/g, ' − ')
     .replace(/(?<=^|[\s([/^])-(?=[\w(|])/g, '−')
     .replace(/(?<=[\w)|′″])( ?)\*\1(?=[\w(|])/g, '$1·$1')
-    .replace(/<=/g, '≤').replace(/>=/g, '≥');
-  return escapeHtml(smarten(signs, before)).replace(/&quot;/g, '"')
+    .replace(/<=/g, '≤')
+    .replace(/>=/g, '≥');
+  return escapeHtml(smarten(signs, before))
+    .replace(/&quot;/g, '"')
     .replace(/(?<=[\p{L}\p{N})|′″])\^(−?\d+|[a-z]\b)/gu, '<sup>$1</sup>');
 }

@@ -27,7 +27,10 @@ export function runDoxygen(book) {
   writeFileSync(join(pages, 'namespaces.dox'), namespaceDocs());
   const filter = join(work, 'apostrophes.sed');
   writeFileSync(filter, HIDE_APOSTROPHES);
-  const doxyfile = readFileSync(TEMPLATE, 'utf8').replace('@OUTPUT@', work).replace('@SOURCE@', source).replace('@FILTER@', filter)
+  const doxyfile = readFileSync(TEMPLATE, 'utf8')
+    .replace('@OUTPUT@', work)
+    .replace('@SOURCE@', source)
+    .replace('@FILTER@', filter)
     .replace('@INPUT@', `"${pages}" "${join(source, 'code')}"`);
   writeFileSync(join(work, 'Doxyfile'), doxyfile);
   const run = spawnSync(doxygen, [join(work, 'Doxyfile')], { encoding: 'utf8', cwd: work });
@@ -52,7 +55,8 @@ function report(book, byFile, output) {
     last = { ...place(book, byFile, found[1], Number(found[2])), message: found[3] };
   }
   tell();
-  if (book.problems.list.length === before) book.problems.add('book/Doxyfile.in', 0, `Doxygen failed: ${output.trim()}`);
+  if (book.problems.list.length === before)
+    book.problems.add('book/Doxyfile.in', 0, `Doxygen failed: ${output.trim()}`);
 }
 
 function place(book, byFile, path, line) {
@@ -63,7 +67,9 @@ function place(book, byFile, path, line) {
 
 function advise(message) {
   const name = message.match(/unable to resolve reference to '([^']*)'/)?.[1];
-  if (name) return `a reference to nothing: \\ref ${name}; name something that is documented in code/, with its namespace`;
-  if (/Unsupported xml\/html tag/.test(message)) return `${message.replace(' found', '')}: write < as \\<, or put code into backticks`;
+  if (name)
+    return `a reference to nothing: \\ref ${name}; name something that is documented in code/, with its namespace`;
+  if (/Unsupported xml\/html tag/.test(message))
+    return `${message.replace(' found', '')}: write < as \\<, or put code into backticks`;
   return `Doxygen: ${message}`;
 }

@@ -3,7 +3,17 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { cardHtml, steps } from './cards.mjs';
 import { highlightLines } from './highlight.mjs';
-import { brief, details, entryHeading, fields, include, memberSection, signature, templateLine, where } from './reference-entries.mjs';
+import {
+  brief,
+  details,
+  entryHeading,
+  fields,
+  include,
+  memberSection,
+  signature,
+  templateLine,
+  where,
+} from './reference-entries.mjs';
 import { isMark } from './snippets.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { escapeHtml } from './text.mjs';
@@ -17,23 +27,47 @@ export function headerPages(book) {
 // The page is enough to use a header: each function is called in its example, or one that takes the same arguments.
 function checkExample(book, header) {
   const source = readFileSync(join(book.config.source, header.file), 'utf8');
-  const words = new Set([...source.matchAll(/^\/\/\/ @code\n([\s\S]*?)@endcode/gm)].flatMap(([, code]) => code.match(/\w+/g)));
+  const words = new Set(
+    [...source.matchAll(/^\/\/\/ @code\n([\s\S]*?)@endcode/gm)].flatMap(([, code]) => code.match(/\w+/g)),
+  );
   const { functions, types } = header;
   const shown = functions.filter(({ name }) => words.has(name)).map(argumentsOf);
-  const missing = (functions.length ? functions : types).filter(entry => !words.has(entry.name) && !shown.includes(argumentsOf(entry)));
-  for (const { name, file, line } of missing) book.problems.add(file, line, `no example shows how ${name} is used; put one between @code and @endcode into the first comment of ${header.name}`);
+  const missing = (functions.length ? functions : types).filter(
+    entry => !words.has(entry.name) && !shown.includes(argumentsOf(entry)),
+  );
+  for (const { name, file, line } of missing)
+    book.problems.add(
+      file,
+      line,
+      `no example shows how ${name} is used; put one between @code and @endcode into the first comment of ${header.name}`,
+    );
 }
 
 const argumentsOf = ({ parameters = [{}] }) => parameters.map(({ type, name }) => `${type} ${name}`).join(', ');
 
 function headerPage(book, header) {
   const functions = [...header.functions.filter(steps), ...header.functions.filter(member => !steps(member))];
-  const members = [...functions, ...header.constants].map(member => memberSection(book, member, { level: 2, card: cardFor(book, member) }));
+  const members = [...functions, ...header.constants].map(member =>
+    memberSection(book, member, { level: 2, card: cardFor(book, member) }),
+  );
   const types = header.types.map(type => typeSection(book, type));
   return {
-    href: header.href, title: header.name, titleHtml: `<code>${escapeHtml(header.name)}</code>`, kind: 'api', kicker: header.file.replace(/\/[^/]*$/, ''),
-    body: [`<p class="lead">${brief(book, header)}</p>`, take(book, header), usage(book, header), ...members, ...types].join('\n'),
-    sections: [...functions, ...header.constants, ...header.types].map(({ name, anchor }) => ({ id: anchor, title: name })),
+    href: header.href,
+    title: header.name,
+    titleHtml: `<code>${escapeHtml(header.name)}</code>`,
+    kind: 'api',
+    kicker: header.file.replace(/\/[^/]*$/, ''),
+    body: [
+      `<p class="lead">${brief(book, header)}</p>`,
+      take(book, header),
+      usage(book, header),
+      ...members,
+      ...types,
+    ].join('\n'),
+    sections: [...functions, ...header.constants, ...header.types].map(({ name, anchor }) => ({
+      id: anchor,
+      title: name,
+    })),
   };
 }
 
@@ -43,23 +77,33 @@ function cardFor(book, member) {
 }
 
 function take(book, header) {
-  const lines = readFileSync(join(book.config.source, header.file), 'utf8').trimEnd().split('\n').filter(line => !isMark(line));
+  const lines = readFileSync(join(book.config.source, header.file), 'utf8')
+    .trimEnd()
+    .split('\n')
+    .filter(line => !isMark(line));
   const libraries = [...new Set(lines.map(line => line.match(/^#include <(\w+)\//)?.[1]).filter(Boolean))];
-  return `<p class="take">Take <a href="headers/${header.name}" download>${escapeHtml(header.name)}</a>, <a href="${sourceHref(header.file)}">${lines.length} lines</a> `
-    + `under MIT-0, which owe you nothing. It needs C++17${libraries.length ? ` and ${libraries.join(' and ')}` : ' and nothing else'}.${vectors(header, libraries)}</p>`;
+  return (
+    `<p class="take">Take <a href="headers/${header.name}" download>${escapeHtml(header.name)}</a>, <a href="${sourceHref(header.file)}">${lines.length} lines</a> ` +
+    `under MIT-0, which owe you nothing. It needs C++17${libraries.length ? ` and ${libraries.join(' and ')}` : ' and nothing else'}.${vectors(header, libraries)}</p>`
+  );
 }
 
 function vectors({ functions }, libraries) {
   if (libraries.includes('Eigen')) return ' Its <code>Vec</code> is an Eigen vector of all unknowns.';
   if (!functions.some(steps)) return '';
-  return ' A <code>Vec</code> is whatever has <code>Vec + Vec</code> and <code>h * Vec</code>: a number, <code>glm::vec3</code>, an Eigen vector, a struct of yours. '
-    + 'Bodies that pull at each other go into one <code>Vec</code>, and one call moves them all.';
+  return (
+    ' A <code>Vec</code> is whatever has <code>Vec + Vec</code> and <code>h * Vec</code>: a number, <code>glm::vec3</code>, an Eigen vector, a struct of yours. ' +
+    'Bodies that pull at each other go into one <code>Vec</code>, and one call moves them all.'
+  );
 }
 
 // The first example starts with the line that brings the header in.
 function usage(book, header) {
   const line = highlightLines(`#include "${header.name}"`, 'cpp').join('');
-  return details(book, header).replace(/<pre><code>(?=(.*))/, (start, next) => `${start}${line}\n${next.includes('#include') ? '' : '\n'}`);
+  return details(book, header).replace(
+    /<pre><code>(?=(.*))/,
+    (start, next) => `${start}${line}\n${next.includes('#include') ? '' : '\n'}`,
+  );
 }
 
 function typeSection(book, type) {
@@ -76,7 +120,9 @@ ${[details(book, type), variables.length ? fields(book, variables) : '', where(t
 export function headerList(book, headers) {
   const entry = ({ name, href }) => `<a href="${href}"><code>${escapeHtml(name)}</code></a>`;
   const items = headers.map(header => {
-    const inside = [...header.functions, ...header.types].filter((e, i, all) => all.findIndex(other => other.name === e.name) === i);
+    const inside = [...header.functions, ...header.types].filter(
+      (e, i, all) => all.findIndex(other => other.name === e.name) === i,
+    );
     return `<dt>${entry(header)}</dt><dd>${brief(book, header)}<br><span class="inside">${inside.map(entry).join(', ')}</span></dd>`;
   });
   return `<dl class="summary">${items.join('\n')}</dl>`;

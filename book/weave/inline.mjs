@@ -27,19 +27,24 @@ const HTML = {
     const name = escapeHtml(smarten(claim.test.name));
     return `<a class="claim" id="${id}" href="claims.html#${claimId(claim.test.name)}" aria-label="Tested: ${name}" data-tip="Tested: ${name}"></a>`;
   },
-  tested: ({ claim, id }) => `<a class="tested" id="${id}" href="claims.html#${claimId(claim.test.name)}">${escapeHtml(smarten(claim.test.name))}</a>`,
+  tested: ({ claim, id }) =>
+    `<a class="tested" id="${id}" href="claims.html#${claimId(claim.test.name)}">${escapeHtml(smarten(claim.test.name))}</a>`,
   figref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
   tabref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
   exerciseref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
   lstref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
   eqref: ({ target }, page) => `<a href="${address(target, page)}">(${target.piece.number})</a>`,
-  citep: (piece, page, book) => `[${piece.args.map(key => `<a href="references.html#bib-${slug(key)}">${escapeHtml(book.references.get(key).piece.args[1])}</a>`).join('; ')}]`,
+  citep: (piece, page, book) =>
+    `[${piece.args.map(key => `<a href="references.html#bib-${slug(key)}">${escapeHtml(book.references.get(key).piece.args[1])}</a>`).join('; ')}]`,
   bibitem: ({ args: [key, name] }) => `<span class="bibkey" id="bib-${slug(key)}">[${escapeHtml(name)}]</span>`,
-  term: ({ id, args: [name], target }) => `<dfn id="${id}">${escapeHtml(smarten(name))}</dfn> `
-    + `<a class="introduced" href="${target.page.href}${target.section ? `#${target.section.id}` : ''}" aria-label="${escapeHtml(smarten(name))}: ${place(target)}">${target.section?.number ?? target.page.number}</a>`,
-  chapterref: ({ target }) => `<a href="${target.href}">Chapter ${target.number}, <em>${escapeHtml(smarten(target.title))}</em></a>`,
+  term: ({ id, args: [name], target }) =>
+    `<dfn id="${id}">${escapeHtml(smarten(name))}</dfn> ` +
+    `<a class="introduced" href="${target.page.href}${target.section ? `#${target.section.id}` : ''}" aria-label="${escapeHtml(smarten(name))}: ${place(target)}">${target.section?.number ?? target.page.number}</a>`,
+  chapterref: ({ target }) =>
+    `<a href="${target.href}">Chapter ${target.number}, <em>${escapeHtml(smarten(target.title))}</em></a>`,
   minutes: ({ target }) => `${target.page.minutes}\u202fmin`,
-  sectionref: ({ target, section }, page) => `<a href="${target.page === page ? '' : target.href}#${section.id}">section ${section.number}</a>`,
+  sectionref: ({ target, section }, page) =>
+    `<a href="${target.page === page ? '' : target.href}#${section.id}">section ${section.number}</a>`,
 };
 
 const place = ({ page, section }) => (section ? `section ${section.number}` : `chapter ${page.number}`);
@@ -56,5 +61,10 @@ export function inlineText(piece) {
 }
 
 // A formula in one line, as far as letters go: what KaTeX wrote for screen readers, without its tags.
-const mathText = html => html.replace(/<annotation[\s\S]*$/, '').replace(/<[^>]*>/g, '')
-  .replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&');
+const mathText = html =>
+  html
+    .replace(/<annotation[\s\S]*$/, '')
+    .replace(/<[^>]*>/g, '')
+    .replace(/&lt;/g, '<')
+    .replace(/&gt;/g, '>')
+    .replace(/&amp;/g, '&');

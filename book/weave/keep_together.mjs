@@ -9,7 +9,10 @@ const CLAIM = '\ue004\\d+\ue005';
 const REST = `(?:${CLAIM}|[^\\s<>—–/\ue000-\ue005])*`;
 const WITH_CLAIM = `(?:[^\\s<>—–/\ue000-\ue005]*${CLAIM})+[.,;:!?)\\]”’…]*`;
 const TOKENS = new RegExp(`([(“‘[]*)\ue000(\\d+)\ue001(${REST})`, 'g');
-const WORDS = new RegExp(`((?:[^\\s<>\ue000-\ue005]+|<(a|code)\\b[^>]*>[^<]*</\\2>)?)((?:</(?:em|strong)>)*)(${WITH_CLAIM})`, 'g');
+const WORDS = new RegExp(
+  `((?:[^\\s<>\ue000-\ue005]+|<(a|code)\\b[^>]*>[^<]*</\\2>)?)((?:</(?:em|strong)>)*)(${WITH_CLAIM})`,
+  'g',
+);
 
 export function keepTogether(html, expand, piece) {
   const claims = text => text.replace(/\ue004(\d+)\ue005/g, (_, n) => `\u2060${expand(n)}`);

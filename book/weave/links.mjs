@@ -6,8 +6,10 @@ export function checkLinks(book, pages, files) {
       if (/^(https?:|mailto:)/.test(url)) continue;
       const [path, fragment] = url.split('#');
       const target = path || href;
-      if (!ids.has(target) && !files.has(target)) book.problems.add(file, lineOf(book, file, url), `a link to nothing: ${url}`);
-      else if (fragment && ids.has(target) && !ids.get(target).has(fragment)) book.problems.add(file, lineOf(book, file, url), `a link to nothing: ${target} has no "#${fragment}"`);
+      if (!ids.has(target) && !files.has(target))
+        book.problems.add(file, lineOf(book, file, url), `a link to nothing: ${url}`);
+      else if (fragment && ids.has(target) && !ids.get(target).has(fragment))
+        book.problems.add(file, lineOf(book, file, url), `a link to nothing: ${target} has no "#${fragment}"`);
     }
   }
 }
@@ -16,7 +18,8 @@ function idsOf(book, file, href, html) {
   const ids = new Set();
   for (const [, id] of html.matchAll(/<[^>]*? id="([^"]*)"/g)) {
     const named = book.pages.find(page => page.file === file)?.pieces.findLast(piece => piece.id === id);
-    if (ids.has(id)) book.problems.add(file, named?.line ?? 1, `the id "${id}" stands twice in ${href}; rename the section or box`);
+    if (ids.has(id))
+      book.problems.add(file, named?.line ?? 1, `the id "${id}" stands twice in ${href}; rename the section or box`);
     ids.add(id);
   }
   return ids;

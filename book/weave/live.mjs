@@ -16,19 +16,36 @@ export const LIVE_SCRIPTS = ['module', 'words', 'settings', 'run', 'pen', 'chart
 export function liveHead(body) {
   const names = [...body.matchAll(/<figure class="plot" id="[^"]*" data-live="([^"]*)"/g)].map(found => found[1]);
   if (!names.length) return '';
-  const scripts = ['uplot', 'compiled', ...LIVE_SCRIPTS, ...names].map(name => `<script defer src="live/${name}.js"></script>\n`);
+  const scripts = ['uplot', 'compiled', ...LIVE_SCRIPTS, ...names].map(
+    name => `<script defer src="live/${name}.js"></script>\n`,
+  );
   return `<link rel="stylesheet" href="live/uplot.css">\n<link rel="stylesheet" href="live/live.css">\n${scripts.join('')}`;
 }
 
 // name -> { name, folder, file, controls, ... } of each NAME.json; a fault where one cannot be read.
 export function readLive({ source, chapters }, problems) {
-  return new Map(chapters.map(liveFolder).flatMap(folder => {
-    const files = existsSync(join(source, folder)) ? readdirSync(join(source, folder)).filter(file => file.endsWith('.json')).sort() : [];
-    return files.map(name => {
-      const file = `${folder}/${name}`;
-      return { name: name.slice(0, -5), folder, file, controls: [], ...readJson(join(source, file), file, problems) };
-    });
-  }).map(live => [live.name, live]));
+  return new Map(
+    chapters
+      .map(liveFolder)
+      .flatMap(folder => {
+        const files = existsSync(join(source, folder))
+          ? readdirSync(join(source, folder))
+              .filter(file => file.endsWith('.json'))
+              .sort()
+          : [];
+        return files.map(name => {
+          const file = `${folder}/${name}`;
+          return {
+            name: name.slice(0, -5),
+            folder,
+            file,
+            controls: [],
+            ...readJson(join(source, file), file, problems),
+          };
+        });
+      })
+      .map(live => [live.name, live]),
+  );
 }
 
 function readJson(path, file, problems) {
@@ -41,8 +58,14 @@ function readJson(path, file, problems) {
 }
 
 // The code of each method that a figure has to choose from: what moves x and v, cut from its header, or from where `code` says.
-export const methodsOf = live => Object.entries(live.controls.find(({ name }) => name === 'method')?.choices ?? {})
-  .map(([name, label]) => ({ name, label, path: `code/integrate/${name}.h`, tag: 'move', ...live.code?.[name] }));
+export const methodsOf = live =>
+  Object.entries(live.controls.find(({ name }) => name === 'method')?.choices ?? {}).map(([name, label]) => ({
+    name,
+    label,
+    path: `code/integrate/${name}.h`,
+    tag: 'move',
+    ...live.code?.[name],
+  }));
 
 // What stands ready for the scripts; a page whose scripts do not run never shows it.
 export function liveHtml({ book }, live) {
@@ -54,12 +77,17 @@ export function liveHtml({ book }, live) {
 <p class="readout"></p><small>${paceText(pace)}</small></div>
 <div class="below"><div class="controls">${live.controls.map(control => controlHtml(live, control)).join('')}
 <button type="button" data-do="link">Link to these settings</button></div>
-${methodsOf(live).map(method => codeHtml(book, method)).join('\n')}</div>
+${methodsOf(live)
+  .map(method => codeHtml(book, method))
+  .join('\n')}</div>
 <p class="unseen" role="status"></p></div></template>`;
 }
 
 // A curve says what it is where it bears a label.
-const keyHtml = ({ colour, label }) => (label ? ` <span class="key${colour === 'exact' ? ' dashed' : ''}" style="--key:var(--${colour.replace(/_/g, '-')})">${escapeHtml(smarten(label))}</span>` : '');
+const keyHtml = ({ colour, label }) =>
+  label
+    ? ` <span class="key${colour === 'exact' ? ' dashed' : ''}" style="--key:var(--${colour.replace(/_/g, '-')})">${escapeHtml(smarten(label))}</span>`
+    : '';
 
 function paceText(pace) {
   if (pace === 1) return 'real time';
@@ -69,13 +97,18 @@ function paceText(pace) {
 function controlHtml(live, { name, label, choices, start, values, from, to, by, mark }) {
   const words = escapeHtml(smarten(label));
   if (choices) {
-    const radios = Object.entries(choices).map(([value, text]) => `<label><input type="radio" name="${live.name}-${name}" value="${value}"${value === start ? ' checked' : ''}> ${escapeHtml(smarten(text))}</label>`);
+    const radios = Object.entries(choices).map(
+      ([value, text]) =>
+        `<label><input type="radio" name="${live.name}-${name}" value="${value}"${value === start ? ' checked' : ''}> ${escapeHtml(smarten(text))}</label>`,
+    );
     return `<fieldset data-control="${name}"><legend>${words}</legend>${radios.join('')}</fieldset>`;
   }
   const range = values ? [0, values.length - 1, 1, values.indexOf(start)] : [from, to, by, start];
   const [min, max, step, value] = range;
-  return `<label class="slider" data-control="${name}"><span>${words}</span><span class="value"></span><span class="track"><input type="range" min="${min}" max="${max}" step="${step}" value="${value}">`
-    + `${mark ? '<span class="mark" hidden></span>' : ''}</span></label>`;
+  return (
+    `<label class="slider" data-control="${name}"><span>${words}</span><span class="value"></span><span class="track"><input type="range" min="${min}" max="${max}" step="${step}" value="${value}">` +
+    `${mark ? '<span class="mark" hidden></span>' : ''}</span></label>`
+  );
 }
 
 function codeHtml(book, { name, label, path, tag }) {
@@ -86,7 +119,8 @@ function codeHtml(book, { name, label, path, tag }) {
 
 // The colours of figure.gp under the names that the figures use: EULER's becomes --euler.
 export function colourRules(script) {
-  const rules = [...script.matchAll(/^eval (?:method\("[^"]*", |line_style\()"(\w+)", "lc rgb '#0000([0-9a-f]{2})'/gm)]
-    .map(([, name, colour]) => `--${name.toLowerCase().replace(/_/g, '-')}:var(--plot-${parseInt(colour, 16)})`);
+  const rules = [
+    ...script.matchAll(/^eval (?:method\("[^"]*", |line_style\()"(\w+)", "lc rgb '#0000([0-9a-f]{2})'/gm),
+  ].map(([, name, colour]) => `--${name.toLowerCase().replace(/_/g, '-')}:var(--plot-${parseInt(colour, 16)})`);
   return `:root{${rules.join(';')}}\n`;
 }

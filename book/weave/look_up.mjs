@@ -17,8 +17,15 @@ export function findNumber(book, page, name, report) {
   if (number) return { ...number, chapter };
   const elsewhere = [...book.programs.values()].filter(c => c.numbers.has(own)).map(c => `${c.name}/${own}`);
   const near = didYouMean(own, chapter?.numbers.keys() ?? []).replace(/"(?=\w)/g, name === own ? '"' : `"${owner}/`);
-  if (!chapter && !name.includes('/')) report(`this page has no program; name the number's chapter, too: \\number{${elsewhere[0] ?? `2-euler/${name}`}}`);
-  else if (!chapter) report(`there is no chapter "${owner}" that could write the number "${name}".${nameOneOf(owner, book.chapters.keys())}`);
-  else report(`unknown number "${name}"; ${chapter.program} writes none of that name.${elsewhere.length ? didYouMean(elsewhere[0], elsewhere) : near || ` Let it do so: record.number("${own}", ...)`}`);
+  if (!chapter && !name.includes('/'))
+    report(`this page has no program; name the number's chapter, too: \\number{${elsewhere[0] ?? `2-euler/${name}`}}`);
+  else if (!chapter)
+    report(
+      `there is no chapter "${owner}" that could write the number "${name}".${nameOneOf(owner, book.chapters.keys())}`,
+    );
+  else
+    report(
+      `unknown number "${name}"; ${chapter.program} writes none of that name.${elsewhere.length ? didYouMean(elsewhere[0], elsewhere) : near || ` Let it do so: record.number("${own}", ...)`}`,
+    );
   return null;
 }

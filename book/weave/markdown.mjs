@@ -20,7 +20,10 @@ export function fence({ source, report }, at) {
   }
   if (CPP.test(language)) report('C++ typed into the prose; cut it from a compiled file with \\listing{path, tag}');
   const indent = all.match(/^[ \t]*/)[0].length;
-  const code = source.slice(from, from + close.index).replace(new RegExp(`^ {0,${indent}}`, 'gm'), '').replace(/\n$/, '');
+  const code = source
+    .slice(from, from + close.index)
+    .replace(new RegExp(`^ {0,${indent}}`, 'gm'), '')
+    .replace(/\n$/, '');
   return { end: from + close.index + close[0].length, piece: { type: 'block', name: 'fence', language, code } };
 }
 
@@ -71,7 +74,10 @@ export function codeSpan({ source, report }, at) {
     report(`this code span is never closed; put ${ticks} after it, or write \\\` for a backtick`);
     return { end: at + ticks.length, piece: null };
   }
-  if (ticks.length > 2 && span[2].includes('\n')) report(`a fence starts on a line of its own; put ${ticks} on the next line, indented like the text of its list item`);
+  if (ticks.length > 2 && span[2].includes('\n'))
+    report(
+      `a fence starts on a line of its own; put ${ticks} on the next line, indented like the text of its list item`,
+    );
   const code = span[2].replace(/\s+/g, ' ').replace(/^ (.*`.*) $/, '$1');
   return { end: at + span[0].length, piece: { type: 'inline', name: 'code', code } };
 }

@@ -5,7 +5,12 @@ import { quantityTex } from './numbers.mjs';
 // `problem` is told what is wrong with the TeX, and in which of its lines (0: the first).
 export function renderTex(tex, display, problem) {
   try {
-    return katex.renderToString(tex.trim(), { displayMode: display, output: 'htmlAndMathml', strict: 'error', throwOnError: true });
+    return katex.renderToString(tex.trim(), {
+      displayMode: display,
+      output: 'htmlAndMathml',
+      strict: 'error',
+      throwOnError: true,
+    });
   } catch (error) {
     const at = tex.length - tex.trimStart().length + (error.position ?? 0);
     problem(`bad TeX: ${faultText(error.message)}`, linesBefore(tex, at));
@@ -14,8 +19,14 @@ export function renderTex(tex, display, problem) {
 }
 
 // KaTeX underlines the place with combining characters.
-const faultText = message => message.replace(/[\u0332\u0333]/g, '').replace(/^KaTeX parse error: /, '').replace(/^LaTeX-incompatible.*?'error': /, '')
-  .replace(/ \[\w+\](?= at )/, '').replace(/ at (?:position \d+|end of input): ([\s\S]*)$/, ', in "$1"').replace(/\s+/g, ' ');
+const faultText = message =>
+  message
+    .replace(/[\u0332\u0333]/g, '')
+    .replace(/^KaTeX parse error: /, '')
+    .replace(/^LaTeX-incompatible.*?'error': /, '')
+    .replace(/ \[\w+\](?= at )/, '')
+    .replace(/ at (?:position \d+|end of input): ([\s\S]*)$/, ', in "$1"')
+    .replace(/\s+/g, ' ');
 
 const linesBefore = (text, at) => text.slice(0, at).split('\n').length - 1;
 

@@ -21,8 +21,13 @@ export function readTimes(path) {
 // Pairs of files, { recorded, here }: what was recorded, and what this machine took, if it did.
 export function readAllTimes(pairs = [], problems) {
   return pairs.flatMap(({ recorded, here }) => {
-    if (existsSync(recorded)) return [{ recorded: readTimes(recorded), here: existsSync(here) ? readTimes(here) : undefined }];
-    problems.add('code/measure/times.cpp', 1, `there are no ${basename(recorded)}; build the target record_times on a quiet machine, or record_libraries of the preset peers`);
+    if (existsSync(recorded))
+      return [{ recorded: readTimes(recorded), here: existsSync(here) ? readTimes(here) : undefined }];
+    problems.add(
+      'code/measure/times.cpp',
+      1,
+      `there are no ${basename(recorded)}; build the target record_times on a quiet machine, or record_libraries of the preset peers`,
+    );
     return [];
   });
 }
@@ -41,15 +46,22 @@ export function timeHtml(pairs, field) {
   const time = recorded.of.get(name);
   const number = value => numberHtml(value, 2);
   const own = here && quiet(here) && here.of.get(name);
-  return `<span class="time" title="half of the runs between ${time.lower} and ${time.upper} ns">${number(time.median)}</span>`
-    + (own ? ` <span class="here" title="here half of the runs between ${own.lower} and ${own.upper} ns">(${number(own.median)})</span>` : '');
+  return (
+    `<span class="time" title="half of the runs between ${time.lower} and ${time.upper} ns">${number(time.median)}</span>` +
+    (own
+      ? ` <span class="here" title="here half of the runs between ${own.lower} and ${own.upper} ns">(${number(own.median)})</span>`
+      : '')
+  );
 }
 
 const share = ({ others }) => `${Number((100 * others).toPrecision(2))}\u202f%`;
 
 // What has to be known of the times in these fields; nothing if there are none.
 export function aboutTimes(pairs, fields) {
-  const pair = fields.filter(isTime).map(field => pairOf(pairs, field)).find(Boolean);
+  const pair = fields
+    .filter(isTime)
+    .map(field => pairOf(pairs, field))
+    .find(Boolean);
   return pair ? `<p class="times">${escapeHtml(`${about(pair.recorded)} ${aboutHere(pair.here)}`.trim())}</p>` : '';
 }
 
@@ -58,6 +70,7 @@ const about = ({ runs, processor, clock, compiler, date, ...times }) =>
 
 function aboutHere(here) {
   if (!here) return '';
-  if (!quiet(here)) return `The machine that this copy was built on was not quiet: other programs took ${share(here)} of a processor, so its times are not shown.`;
+  if (!quiet(here))
+    return `The machine that this copy was built on was not quiet: other programs took ${share(here)} of a processor, so its times are not shown.`;
   return `In brackets: on the machine that this copy was built on, ${here.processor} at ${here.clock} with ${here.compiler}.`;
 }

@@ -3,7 +3,10 @@
 import { slug } from './text.mjs';
 
 export const NAMESPACES = [
-  { name: 'integrate', about: 'The methods, one per header, each of which stands alone and can be copied into any project.' },
+  {
+    name: 'integrate',
+    about: 'The methods, one per header, each of which stands alone and can be copied into any project.',
+  },
 ];
 
 const TITLES = { integrate: 'Methods', measure: 'Measurements' };

@@ -8,7 +8,21 @@ import { forDoxygen } from './prose.mjs';
 import { putInTasks } from './tasks.mjs';
 
 export function readPage(path, { file, order, name, owner, number, href, exercises, problems }) {
-  const page = { file, order, name, owner, number, href, source: '', title: '', sections: [], pieces: [], doxygenText: '', lineMap: [1], tasks: new Map() };
+  const page = {
+    file,
+    order,
+    name,
+    owner,
+    number,
+    href,
+    source: '',
+    title: '',
+    sections: [],
+    pieces: [],
+    doxygenText: '',
+    lineMap: [1],
+    tasks: new Map(),
+  };
   if (!existsSync(path)) {
     problems.add(file, 1, 'there is no such file; each chapter has one, and each page around them');
     return page;
@@ -18,7 +32,9 @@ export function readPage(path, { file, order, name, owner, number, href, exercis
   const all = scan(page.source, file, problems);
   page.minutes = minutesToRead(all);
   page.pieces = all.filter(piece => piece.type !== 'text');
-  page.pieces.forEach((piece, i) => { piece.token = i; });
+  page.pieces.forEach((piece, i) => {
+    piece.token = i;
+  });
   checkBoxes(page, problems);
   takeLiveForFigures(page);
   nameHeadings(page, problems);
@@ -38,12 +54,19 @@ function checkBoxes(page, problems) {
   for (const piece of page.pieces) {
     const within = MARKS[piece.name]?.within;
     if (piece.type === 'open') {
-      if (within && !open.some(box => box.name === within)) problems.add(page.file, piece.line, `\\${piece.name} stands outside of \\${within}; put it between \\${within} and \\end${within}`);
+      if (within && !open.some(box => box.name === within))
+        problems.add(
+          page.file,
+          piece.line,
+          `\\${piece.name} stands outside of \\${within}; put it between \\${within} and \\end${within}`,
+        );
       open.push(piece);
     } else if (piece.type === 'close') closeBox(page, open, piece, problems);
     if (piece.type !== 'close') piece.box = open.findLast(box => box !== piece) ?? null;
   }
-  for (const box of open) if (!box.told) problems.add(page.file, box.line, `\\${box.name} is never closed; put \\end${box.name} where it ends`);
+  for (const box of open)
+    if (!box.told)
+      problems.add(page.file, box.line, `\\${box.name} is never closed; put \\end${box.name} where it ends`);
 }
 
 function closeBox(page, open, piece, problems) {
@@ -54,10 +77,18 @@ function closeBox(page, open, piece, problems) {
     return;
   }
   if (!open.some(box => box.name === piece.name)) {
-    problems.add(page.file, piece.line, `\\end${piece.name} closes nothing; there is no open \\${piece.name} before it`);
+    problems.add(
+      page.file,
+      piece.line,
+      `\\end${piece.name} closes nothing; there is no open \\${piece.name} before it`,
+    );
     return;
   }
-  problems.add(page.file, piece.line, `\\end${piece.name} comes before \\end${top.name}: \\${top.name} of line ${top.line} is still open; close it first`);
+  problems.add(
+    page.file,
+    piece.line,
+    `\\end${piece.name} comes before \\end${top.name}: \\${top.name} of line ${top.line} is still open; close it first`,
+  );
   const at = open.findLastIndex(box => box.name === piece.name);
   for (const box of open.slice(at)) box.told = true;
   open.splice(at, 1);
@@ -73,19 +104,36 @@ function takeLiveForFigures(page) {
 function nameHeadings(page, problems) {
   const headings = page.pieces.filter(piece => piece.type === 'heading');
   const [first, ...rest] = headings;
-  if (first?.line !== 1 || first.level !== 1) problems.add(page.file, 1, 'a page starts with its title; write "# Title" in the first line');
+  if (first?.line !== 1 || first.level !== 1)
+    problems.add(page.file, 1, 'a page starts with its title; write "# Title" in the first line');
   page.title = first?.level === 1 ? first.text : '';
   const seen = new Map();
-  let section = 0, sub = 0, previous = 1;
+  let section = 0,
+    sub = 0,
+    previous = 1;
   for (const heading of rest) {
     heading.id = slug(heading.text);
     if (heading.level === 1) problems.add(page.file, heading.line, 'a second title; sections start with ##');
-    else if (heading.level > previous + 1) problems.add(page.file, heading.line, `a heading of level ${heading.level} right below one of level ${previous}; leave no level out`);
-    if (seen.has(heading.id)) problems.add(page.file, heading.line, `this section has the same name as the one in line ${seen.get(heading.id)}; links could not tell them apart`);
+    else if (heading.level > previous + 1)
+      problems.add(
+        page.file,
+        heading.line,
+        `a heading of level ${heading.level} right below one of level ${previous}; leave no level out`,
+      );
+    if (seen.has(heading.id))
+      problems.add(
+        page.file,
+        heading.line,
+        `this section has the same name as the one in line ${seen.get(heading.id)}; links could not tell them apart`,
+      );
     seen.set(heading.id, heading.line);
     previous = heading.level;
-    if (heading.level === 2) { ++section; sub = 0; } else if (heading.level === 3) ++sub;
-    if (page.number && heading.level <= 3) heading.number = `${page.number}.${section}${heading.level === 3 ? `.${sub}` : ''}`;
+    if (heading.level === 2) {
+      ++section;
+      sub = 0;
+    } else if (heading.level === 3) ++sub;
+    if (page.number && heading.level <= 3)
+      heading.number = `${page.number}.${section}${heading.level === 3 ? `.${sub}` : ''}`;
     page.sections.push(heading);
   }
 }
@@ -94,11 +142,10 @@ function numberBoxes(page) {
   const count = {};
   for (const piece of page.pieces) {
     if (piece.name === 'term') piece.id = `term-${slug(piece.args[0])}`;
-    if (['claim', 'tested'].includes(piece.name)) piece.id = `cited-${count.claim = (count.claim ?? 0) + 1}`;
+    if (['claim', 'tested'].includes(piece.name)) piece.id = `cited-${(count.claim = (count.claim ?? 0) + 1)}`;
     if (piece.type === 'close' || piece.incomplete || !NUMBERED[piece.name]) continue;
     count[piece.name] = (count[piece.name] ?? 0) + 1;
     piece.number = page.number ? `${page.number}.${count[piece.name]}` : String(count[piece.name]);
     piece.id = piece.name === 'listing' ? `listing-${count.listing}` : `${piece.name}-${slug(piece.args[0])}`;
   }
 }
-

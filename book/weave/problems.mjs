@@ -5,15 +5,21 @@ export function createProblems() {
   return {
     list,
     // Where the lines of a file came from, if it was put together from several.
-    madeOf(file, lines) { places.set(file, lines); },
+    madeOf(file, lines) {
+      places.set(file, lines);
+    },
     add(madeFile, madeLine, madeMessage) {
       const lines = places.get(madeFile);
       const { file, line } = lines?.[madeLine - 1] ?? { file: madeFile, line: madeLine };
-      const message = madeMessage.replace(/\b(of|in) line (\d+)/g, (all, word, n) => (lines?.[n - 1] ? `${word} line ${lines[n - 1].line}` : all));
+      const message = madeMessage.replace(/\b(of|in) line (\d+)/g, (all, word, n) =>
+        lines?.[n - 1] ? `${word} line ${lines[n - 1].line}` : all,
+      );
       const known = list.some(p => p.file === file && p.line === line && p.message === message);
       if (!known) list.push({ file, line, message });
     },
-    get any() { return list.length > 0; },
+    get any() {
+      return list.length > 0;
+    },
     print(stream = process.stderr) {
       const sorted = [...list].sort((a, b) => a.file.localeCompare(b.file) || a.line - b.line);
       for (const p of sorted) stream.write(`${p.line ? `${p.file}:${p.line}` : p.file}: ${p.message}\n`);
@@ -36,7 +42,13 @@ export function didYouMean(name, known) {
 export function nameOneOf(name, known) {
   const all = [...new Set(known)];
   if (!all.length) return ' There is none yet.';
-  return didYouMean(name, all) || ` There is ${all.slice(0, 5).map(one => `"${one}"`).join(', ')}${all.length > 5 ? ' and more' : ''}.`;
+  return (
+    didYouMean(name, all) ||
+    ` There is ${all
+      .slice(0, 5)
+      .map(one => `"${one}"`)
+      .join(', ')}${all.length > 5 ? ' and more' : ''}.`
+  );
 }
 
 function distance(a, b) {

@@ -12,5 +12,9 @@ export function minutesToRead(pieces) {
   return Math.round((words / WORDS_A_MINUTE + looks) / 5) * 5;
 }
 
-const wordsOf = ({ type, name, text }) => (READ_AS_A_WORD.includes(name) ? 1
-  : type === 'text' || type === 'heading' ? text.split(/\s+/).filter(word => /[\p{L}\p{N}]/u.test(word)).length : 0);
+const wordsOf = ({ type, name, text }) =>
+  READ_AS_A_WORD.includes(name)
+    ? 1
+    : type === 'text' || type === 'heading'
+      ? text.split(/\s+/).filter(word => /[\p{L}\p{N}]/u.test(word)).length
+      : 0;

@@ -10,13 +10,21 @@ import { createXmlToHtml, plainText } from './xml.mjs';
 function converter(book, where) {
   const report = message => book.problems.add(where.file, where.line, `in the documentation here: ${message}`);
   return createXmlToHtml({
-    opens: () => false, closes: () => false, isBlock: () => false, isTableStart: () => false, stray() {}, block: () => '', box: () => '',
+    opens: () => false,
+    closes: () => false,
+    isBlock: () => false,
+    isTableStart: () => false,
+    stray() {},
+    block: () => '',
+    box: () => '',
     heading: html => `<p><strong>${html}</strong></p>`,
     code: code => codeSpan(book, code),
     text: (text, before) => linkNames(book, docTextHtml(text, before), where),
-    verbatim: code => `<div class="codebox"><pre><code>${highlightLines(code, 'cpp', linker(book.api, where.file)).join('\n')}</code></pre></div>`,
+    verbatim: code =>
+      `<div class="codebox"><pre><code>${highlightLines(code, 'cpp', linker(book.api, where.file)).join('\n')}</code></pre></div>`,
     formula: tex => renderTex(tex.replace(/^\$|\$$|^\\\[|\\\]$/g, ''), false, report),
-    link: (refid, html) => (book.api.hrefs.has(refid) ? `<a href="${book.api.hrefs.get(refid)}"><code>${html}</code></a>` : html),
+    link: (refid, html) =>
+      book.api.hrefs.has(refid) ? `<a href="${book.api.hrefs.get(refid)}"><code>${html}</code></a>` : html,
     fault: report,
   });
 }
@@ -41,35 +49,58 @@ const inlineOf = e => (e?.children ?? []).flatMap(c => (c.name === 'para' ? c.ch
 
 // Doxygen puts parameters and "see also" into the running text; the page shows them apart.
 export function details(book, entry) {
-  const parameters = [], sections = [];
-  const prose = (entry.details?.children ?? []).map(para => (para.name === 'para' ? {
-    ...para, children: para.children.filter(node => {
-      if (node.name === 'parameterlist') parameters.push(node);
-      else if (node.name === 'simplesect') sections.push(node);
-      return node.name !== 'parameterlist' && node.name !== 'simplesect';
-    }),
-  } : para));
+  const parameters = [],
+    sections = [];
+  const prose = (entry.details?.children ?? []).map(para =>
+    para.name === 'para'
+      ? {
+          ...para,
+          children: para.children.filter(node => {
+            if (node.name === 'parameterlist') parameters.push(node);
+            else if (node.name === 'simplesect') sections.push(node);
+            return node.name !== 'parameterlist' && node.name !== 'simplesect';
+          }),
+        }
+      : para,
+  );
   const { flow, inline } = converter(book, entry);
-  return [flow(prose), ...parameters.map(list => parameterList(list, inline)), ...sections.map(node => remark(node, inline))].filter(Boolean).join('\n');
+  return [
+    flow(prose),
+    ...parameters.map(list => parameterList(list, inline)),
+    ...sections.map(node => remark(node, inline)),
+  ]
+    .filter(Boolean)
+    .join('\n');
 }
 
 function parameterList(list, inline) {
   const label = { templateparam: 'Template parameters', exception: 'Throws' }[list.attribs.kind] ?? 'Parameters';
-  const items = list.children.filter(c => c.name === 'parameteritem').map(item => {
-    const names = item.children.filter(c => c.name === 'parameternamelist').map(n => plainText(n).trim());
-    const words = inline(inlineOf(item.children.find(c => c.name === 'parameterdescription'))).trim();
-    return `<dt><code>${escapeHtml(names.join(', '))}</code></dt><dd>${words}</dd>`;
-  });
+  const items = list.children
+    .filter(c => c.name === 'parameteritem')
+    .map(item => {
+      const names = item.children.filter(c => c.name === 'parameternamelist').map(n => plainText(n).trim());
+      const words = inline(inlineOf(item.children.find(c => c.name === 'parameterdescription'))).trim();
+      return `<dt><code>${escapeHtml(names.join(', '))}</code></dt><dd>${words}</dd>`;
+    });
   return `<p class="label">${label}</p>\n<dl class="params">${items.join('')}</dl>`;
 }
 
-const SECTIONS = { see: 'See', return: 'Returns', note: 'Note', pre: 'Before', post: 'After', warning: 'Warning', remark: 'Remark' };
+const SECTIONS = {
+  see: 'See',
+  return: 'Returns',
+  note: 'Note',
+  pre: 'Before',
+  post: 'After',
+  warning: 'Warning',
+  remark: 'Remark',
+};
 
 function remark(node, inline) {
   return `<p class="also"><strong>${SECTIONS[node.attribs.kind] ?? 'Note'}</strong> ${inline(inlineOf(node)).trim()}</p>`;
 }
 
-export const where = ({ file, line }) => `<p class="where"><a href="${sourceHref(file)}#L${line}"><code>${escapeHtml(file)}:${line}</code></a></p>`;
+export const where = ({ file, line }) =>
+  `<p class="where"><a href="${sourceHref(file)}#L${line}"><code>${escapeHtml(file)}:${line}</code></a></p>`;
 export const include = ({ file }) => `#include "${file.replace(/^code\//, '')}"`;
 
 export function signature(book, code, file) {
@@ -81,15 +112,24 @@ export function templateLine(templates) {
   return `template <${templates.map(t => [t.type, t.name, t.value && `= ${t.value}`].filter(Boolean).join(' ')).join(', ')}>\n`;
 }
 
-const tidyType = type => type.replace(/ ([&*])/g, '$1').replace(/< /g, '<').replace(/ >/g, '>');
+const tidyType = type =>
+  type
+    .replace(/ ([&*])/g, '$1')
+    .replace(/< /g, '<')
+    .replace(/ >/g, '>');
 
 function declaration(member) {
   const type = tidyType(member.type);
   if (member.kind === 'typedef') return `using ${member.name} = ${type};`;
   if (member.kind === 'variable') return `${type} ${member.name}${member.initializer && ` ${member.initializer}`};`;
-  const parameters = member.parameters.map(p => [tidyType(p.type), p.name, p.value && `= ${p.value}`].filter(Boolean).join(' '));
+  const parameters = member.parameters.map(p =>
+    [tidyType(p.type), p.name, p.value && `= ${p.value}`].filter(Boolean).join(' '),
+  );
   const start = `${type} ${member.name}(`.trimStart();
-  return templateLine(member.templates) + fill(start, [...parameters.slice(0, -1).map(p => `${p}, `), `${parameters.at(-1) ?? ''})${member.suffix};`]);
+  return (
+    templateLine(member.templates) +
+    fill(start, [...parameters.slice(0, -1).map(p => `${p}, `), `${parameters.at(-1) ?? ''})${member.suffix};`])
+  );
 }
 
 // As many parameters to a line as fit, those of the next below those of the first.
@@ -114,17 +154,29 @@ ${[text && `<p class="brief">${text}</p>`, card, details(book, member), where(me
 export const entryHeading = ({ name, anchor }, level) =>
   `<h${level} id="${anchor}"><code>${escapeHtml(name)}</code> <a class="anchor-link" href="#${anchor}" aria-label="Link to this entry">#</a></h${level}>`;
 
-export const summary = (book, entries) => `<dl class="summary">${entries.map(e =>
-  `<dt><a href="${e.href}"><code>${escapeHtml(e.name)}${e.kind === 'function' ? '()' : ''}</code></a></dt><dd>${brief(book, e)}</dd>`).join('\n')}</dl>`;
+export const summary = (book, entries) =>
+  `<dl class="summary">${entries
+    .map(
+      e =>
+        `<dt><a href="${e.href}"><code>${escapeHtml(e.name)}${e.kind === 'function' ? '()' : ''}</code></a></dt><dd>${brief(book, e)}</dd>`,
+    )
+    .join('\n')}</dl>`;
 
 export function fields(book, variables) {
-  const rows = variables.map(v => `<tr id="${v.anchor}"><td><code>${escapeHtml(v.name)}</code></td><td><code>${escapeHtml(tidyType(v.type))}</code></td>`
-    + `<td>${initial(v)}</td><td>${brief(book, v) || details(book, v).replace(/<\/?p>/g, '')}</td></tr>`);
-  return `<div class="tablescroll"><table><thead><tr><th scope="col">Name</th><th scope="col">Type</th><th scope="col">Default</th><th scope="col">Meaning</th></tr></thead>`
-    + `<tbody>\n${rows.join('\n')}\n</tbody></table></div>`;
+  const rows = variables.map(
+    v =>
+      `<tr id="${v.anchor}"><td><code>${escapeHtml(v.name)}</code></td><td><code>${escapeHtml(tidyType(v.type))}</code></td>` +
+      `<td>${initial(v)}</td><td>${brief(book, v) || details(book, v).replace(/<\/?p>/g, '')}</td></tr>`,
+  );
+  return (
+    `<div class="tablescroll"><table><thead><tr><th scope="col">Name</th><th scope="col">Type</th><th scope="col">Default</th><th scope="col">Meaning</th></tr></thead>` +
+    `<tbody>\n${rows.join('\n')}\n</tbody></table></div>`
+  );
 }
 
 function initial({ initializer, file, line }) {
   const value = initializer.replace(/^=\s*/, '');
-  return value.length > 32 ? `<a href="${sourceHref(file)}#L${line}">in the file</a>` : value && `<code>${escapeHtml(value)}</code>`;
+  return value.length > 32
+    ? `<a href="${sourceHref(file)}#L${line}">in the file</a>`
+    : value && `<code>${escapeHtml(value)}</code>`;
 }

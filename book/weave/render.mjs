@@ -24,7 +24,9 @@ export function renderPage(book, page, xml) {
     box: (n, html) => boxHtml(context, piece(n).opens ?? piece(n), html),
     heading: html => headingHtml(piece(html.match(/\d+/)?.[0] ?? -1) ?? page.sections[0]),
     code: code => `<code>${escapeHtml(code)}</code>`,
-    verbatim: code => report(lineOf(page, code), 'code by indentation; put it between ``` lines, or indent it less if it is no code') ?? '',
+    verbatim: code =>
+      report(lineOf(page, code), 'code by indentation; put it between ``` lines, or indent it less if it is no code') ??
+      '',
     formula: () => '',
     link: (refid, html) => link(book, refid, html),
     fault: (message, n, excerpt) => report(n === undefined ? lineOf(page, excerpt) : piece(n).line, message),
@@ -34,7 +36,10 @@ export function renderPage(book, page, xml) {
   const raw = flow($('doxygen > compounddef > detaileddescription').get(0)?.children ?? []);
   findLeftovers(page, raw, report);
   const expand = html => html.replace(/\ue002(\d+)\ue003/g, (_, n) => held[n]);
-  return { html: expand(keepTogether(raw, n => inlineHtml(context, piece(n)), piece)), sections: sectionsOf(page, raw, n => inlineText(piece(n))) };
+  return {
+    html: expand(keepTogether(raw, n => inlineHtml(context, piece(n)), piece)),
+    sections: sectionsOf(page, raw, n => inlineText(piece(n))),
+  };
 }
 
 function link(book, refid, html) {
@@ -43,40 +48,63 @@ function link(book, refid, html) {
 }
 
 function strayToken(report, piece) {
-  if (piece.type === 'tablestart') report(piece.line, 'this table came out as a paragraph; check that each of its rows starts and ends with | and that the line above it is empty');
-  else if (piece.type !== 'inline') report(piece.line, `\\${piece.name} landed inside a paragraph; put an empty line before and after it`);
+  if (piece.type === 'tablestart')
+    report(
+      piece.line,
+      'this table came out as a paragraph; check that each of its rows starts and ends with | and that the line above it is empty',
+    );
+  else if (piece.type !== 'inline')
+    report(piece.line, `\\${piece.name} landed inside a paragraph; put an empty line before and after it`);
 }
 
 function headingHtml(heading) {
   const level = `h${heading.level}`;
   const number = heading.number ? `<span class="secno">${heading.number}</span> ` : '';
-  const text = heading.text.split(/(`[^`]+`)/).map(part => (/^`.+`$/.test(part) ? `<code>${escapeHtml(part.slice(1, -1))}</code>` : escapeHtml(smarten(part)))).join('');
+  const text = heading.text
+    .split(/(`[^`]+`)/)
+    .map(part => (/^`.+`$/.test(part) ? `<code>${escapeHtml(part.slice(1, -1))}</code>` : escapeHtml(smarten(part))))
+    .join('');
   return `<${level} id="${heading.id}">${number}${text} <a class="anchor-link" href="#${heading.id}" aria-label="Link to this section">#</a></${level}>`;
 }
 
 function sectionsOf(page, raw, expand) {
-  const words = html => textOfHtml(html.replace(/\ue002\d+\ue003/g, ' ')).replace(TOKEN, (_, n) => expand(n)).replace(/\s+/g, ' ').replace(/ (?=[.,;:!?])/g, '');
+  const words = html =>
+    textOfHtml(html.replace(/\ue002\d+\ue003/g, ' '))
+      .replace(TOKEN, (_, n) => expand(n))
+      .replace(/\s+/g, ' ')
+      .replace(/ (?=[.,;:!?])/g, '');
   const [intro, ...rest] = raw.split(/(?=<h2 )/);
-  return [{ id: '', title: '', text: words(intro) }, ...rest.map(part => {
-    const section = page.sections.find(s => part.startsWith(`<h2 id="${s.id}"`));
-    return { id: section.id, title: section.text.replace(/`/g, ''), text: words(part.slice(part.indexOf('</h2>'))) };
-  })];
+  return [
+    { id: '', title: '', text: words(intro) },
+    ...rest.map(part => {
+      const section = page.sections.find(s => part.startsWith(`<h2 id="${s.id}"`));
+      return { id: section.id, title: section.text.replace(/`/g, ''), text: words(part.slice(part.indexOf('</h2>'))) };
+    }),
+  ];
 }
 
 // Markup that Doxygen did not take for markup.
 function findLeftovers(page, raw, report) {
   const text = raw.replace(/<code>[^<]*<\/code>/g, '').replace(/<[^>]*>/g, ' ');
   const strayTable = [...text.matchAll(TOKEN)].some(([, n]) => page.pieces[n].type === 'tablestart');
-  for (const [all, found] of text.matchAll(/[^\n\ue000-\ue003]{0,12}(\*\*|\*(?=\w)|(?<=\w)\*|\]\(|\]\[|\[\^|\||`|@ref|\\\w+)[^\n\ue000-\ue003]{0,12}/g)) {
+  for (const [all, found] of text.matchAll(
+    /[^\n\ue000-\ue003]{0,12}(\*\*|\*(?=\w)|(?<=\w)\*|\]\(|\]\[|\[\^|\||`|@ref|\\\w+)[^\n\ue000-\ue003]{0,12}/g,
+  )) {
     if (found === '|' && strayTable) continue;
-    report(lineOf(page, all.trim()), `"${found}" was left standing in "${all.trim()}": Doxygen did not take it for markup; write \\${found[0]} if it is meant so`);
+    report(
+      lineOf(page, all.trim()),
+      `"${found}" was left standing in "${all.trim()}": Doxygen did not take it for markup; write \\${found[0]} if it is meant so`,
+    );
   }
 }
 
 // The excerpt went through Doxygen, which joins lines, and has quotes and dashes of the page's kind.
 function lineOf(page, excerpt) {
   const words = excerpt.match(/[\w*`\\]{3,}[^\ue000-\ue003\n]*/)?.[0].trim() ?? excerpt;
-  const pattern = words.split('\n')[0].replace(/[^\w\s]/g, '[^\\w\\s]{1,3}').replace(/\s+/g, '\\s+');
+  const pattern = words
+    .split('\n')[0]
+    .replace(/[^\w\s]/g, '[^\\w\\s]{1,3}')
+    .replace(/\s+/g, '\\s+');
   const at = page.source.search(new RegExp(pattern));
   return at < 0 ? 1 : page.source.slice(0, at).split('\n').length;
 }

@@ -7,7 +7,10 @@ const FORMULA_END = { '$': '\\f$', '[': '\\f]', '{': '\\f}' };
 
 export function scan(source, file, problems) {
   const pieces = [];
-  let at = 0, textFrom = 0, line = 1, textLine = 1;
+  let at = 0,
+    textFrom = 0,
+    line = 1,
+    textLine = 1;
 
   const moveTo = end => {
     for (let i = source.indexOf('\n', at); i >= 0 && i < end; i = source.indexOf('\n', i + 1)) ++line;
@@ -25,8 +28,13 @@ export function scan(source, file, problems) {
 
   while (at < source.length) {
     const lineStart = at === 0 || source[at - 1] === '\n';
-    const step = (lineStart && (fence(context, at) ?? heading(context, at) ?? underline(context, at)))
-      || comment(context, at) || image(context, at) || dollars(context, at) || codeSpan(context, at) || command(context, at);
+    const step =
+      (lineStart && (fence(context, at) ?? heading(context, at) ?? underline(context, at))) ||
+      comment(context, at) ||
+      image(context, at) ||
+      dollars(context, at) ||
+      codeSpan(context, at) ||
+      command(context, at);
     if (!step) moveTo(nextSpecial(source, at));
     else if (step.piece === undefined) moveTo(step.end);
     else take(step.end, step.piece);
@@ -73,7 +81,9 @@ function skipTo(source, closing, at) {
 
 // Carried past Doxygen like a mark, so that what is left standing behind Doxygen was not meant.
 function escaped(character, at) {
-  return /[!-/:-@[-`{-~]/.test(character ?? '') ? { end: at + 2, piece: { type: 'inline', name: 'character', character } } : { end: at + 2 };
+  return /[!-/:-@[-`{-~]/.test(character ?? '')
+    ? { end: at + 2, piece: { type: 'inline', name: 'character', character } }
+    : { end: at + 2 };
 }
 
 function formula({ source, report }, at) {
@@ -96,7 +106,10 @@ function formula({ source, report }, at) {
   }
   const display = kind !== '$';
   const wrapped = environment ? `\\begin{${environment[1]}}${tex}\\end{${environment[1]}}` : tex;
-  return { end: end + 3, piece: { type: display ? 'block' : 'inline', name: display ? 'display' : 'math', tex: wrapped } };
+  return {
+    end: end + 3,
+    piece: { type: display ? 'block' : 'inline', name: display ? 'display' : 'math', tex: wrapped },
+  };
 }
 
 function mark({ source, report }, at, word) {

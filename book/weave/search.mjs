@@ -7,15 +7,27 @@ export function searchScript(documents) {
 export function chapterDocuments(page, title, sections) {
   const place = page.number ? `Chapter ${page.number}` : '';
   return sections.map(section => ({
-    title: section.title || title, place: section.title && place ? `${place}, ${title}` : place,
-    url: page.href + (section.id && `#${section.id}`), text: section.text,
+    title: section.title || title,
+    place: section.title && place ? `${place}, ${title}` : place,
+    url: page.href + (section.id && `#${section.id}`),
+    text: section.text,
   }));
 }
 
 export function apiDocuments(book) {
-  return [...book.api.names].map(([name, { href }]) => ({ title: name, place: 'Code reference', url: href, text: name.split('::').at(-1).replace(/_/g, ' ') }));
+  return [...book.api.names].map(([name, { href }]) => ({
+    title: name,
+    place: 'Code reference',
+    url: href,
+    text: name.split('::').at(-1).replace(/_/g, ' '),
+  }));
 }
 
 export function claimDocuments(book, claimId) {
-  return [...book.claims.keys()].map(name => ({ title: name, place: 'Claim', url: `claims.html#${claimId(name)}`, text: '' }));
+  return [...book.claims.keys()].map(name => ({
+    title: name,
+    place: 'Claim',
+    url: `claims.html#${claimId(name)}`,
+    text: '',
+  }));
 }

@@ -6,7 +6,11 @@ import { escapeHtml, slug } from './text.mjs';
 
 // Of each column: the words over it, those beside the value on a phone, the value.
 const COLUMNS = [
-  ['alone', 'order', row => `${row('order', 1)}${row('order-velocity', 1) === row('order', 1) ? '' : `, ${row('order-velocity', 1)}`}`],
+  [
+    'alone',
+    'order',
+    row => `${row('order', 1)}${row('order-velocity', 1) === row('order', 1) ? '' : `, ${row('order-velocity', 1)}`}`,
+  ],
   ['with drag', 'order with drag', row => row('drag-order', 1)],
   ['', 'evaluations', row => row('evaluations')],
   ['drag, <i>ch</i>', 'drag: <i>ch</i> up to', row => row('drag-limit')],
@@ -18,7 +22,9 @@ const COLUMNS = [
 
 const HEAD = `<thead>
 <tr><th scope="col" rowspan="2">Method</th><th scope="colgroup" colspan="2">Order</th><th scope="col" rowspan="2">Evalu­ations</th><th scope="colgroup" colspan="4">Stable up to</th><th scope="col" rowspan="2">Energy</th></tr>
-<tr>${COLUMNS.filter(([head]) => head).map(([head]) => `<th scope="col">${head}</th>`).join('')}</tr>
+<tr>${COLUMNS.filter(([head]) => head)
+  .map(([head]) => `<th scope="col">${head}</th>`)
+  .join('')}</tr>
 </thead>`;
 
 const ABOUT = `<p class="lead">Every method of the book: one header each, to copy. The name leads to its page, with an example and the whole card.</p>
@@ -46,13 +52,26 @@ const NONE = '–';
 export function snippetsPage(book) {
   const members = new Map(stepping(book.api).map(member => [member.name, member]));
   const cards = [...book.cards.values()].filter(({ name }) => members.has(name));
-  const kinds = [...new Set(cards.map(card => card.suits))].map(kind => ({ id: `for-${slug(kind)}`, title: `For ${kind}`, cards: cards.filter(card => card.suits === kind) }));
-  const tables = kinds.map(({ id, title, cards: own }) => `<h2 id="${id}">${escapeHtml(title)}</h2>\n<table class="methods">${HEAD}`
-    + `<tbody>\n${own.map(card => methodRow(book, card, members.get(card.name))).join('\n')}\n</tbody></table>`);
+  const kinds = [...new Set(cards.map(card => card.suits))].map(kind => ({
+    id: `for-${slug(kind)}`,
+    title: `For ${kind}`,
+    cards: cards.filter(card => card.suits === kind),
+  }));
+  const tables = kinds.map(
+    ({ id, title, cards: own }) =>
+      `<h2 id="${id}">${escapeHtml(title)}</h2>\n<table class="methods">${HEAD}` +
+      `<tbody>\n${own.map(card => methodRow(book, card, members.get(card.name))).join('\n')}\n</tbody></table>`,
+  );
   const beside = [...book.api.headers.values()].filter(header => !header.functions.some(steps));
   const systems = { id: 'linear-systems', title: 'Linear systems for the implicit methods' };
   if (beside.length) tables.push(`<h2 id="${systems.id}">${systems.title}</h2>\n${headerList(book, beside)}`);
-  return { href: 'snippets.html', title: 'Snippets', kind: 'snippets', body: [ABOUT, ...tables].join('\n'), sections: [] };
+  return {
+    href: 'snippets.html',
+    title: 'Snippets',
+    kind: 'snippets',
+    body: [ABOUT, ...tables].join('\n'),
+    sections: [],
+  };
 }
 
 function methodRow(book, card, member) {
@@ -62,6 +81,8 @@ function methodRow(book, card, member) {
   };
   const file = member.file.replace(/.*\//, '');
   const cells = COLUMNS.map(([, words, cell]) => `<td><span class="head">${words}</span> ${cell(row)}</td>`);
-  return `<tr><th scope="row"><a href="${member.href}"><code>${escapeHtml(member.name)}</code></a> `
-    + `<span>${brief(book, member)} <a href="headers/${file}" download>${file}</a></span></th>${cells.join('')}</tr>`;
+  return (
+    `<tr><th scope="row"><a href="${member.href}"><code>${escapeHtml(member.name)}</code></a> ` +
+    `<span>${brief(book, member)} <a href="headers/${file}" download>${file}</a></span></th>${cells.join('')}</tr>`
+  );
 }

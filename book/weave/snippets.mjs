@@ -14,7 +14,10 @@ export function createSnippets(source, sources) {
   return (path, tags) => {
     if (!files.has(path)) files.set(path, readTagged(join(source, path)));
     const file = files.get(path);
-    if (!file) return { fault: `there is no file ${path}; paths start at the top of the repository.${didYouMean(path, sources)}` };
+    if (!file)
+      return {
+        fault: `there is no file ${path}; paths start at the top of the repository.${didYouMean(path, sources)}`,
+      };
     const pieces = tags.split(' + ').map(tag => piece(path, file, tag));
     return pieces.find(({ fault }) => fault) ?? { lines: unindented(pieces.flatMap(({ lines }) => lines)) };
   };
@@ -23,12 +26,18 @@ export function createSnippets(source, sources) {
 function piece(path, file, tag) {
   const at = file.tags.get(tag);
   if (!at) return { fault: `${path} has no tag "${tag}".${didYouMean(tag, file.tags.keys()) || noTag(tag)}` };
-  if (at.length !== 2) return { fault: `tag "${tag}" stands ${times(at, path)}; it must stand twice, before and after the lines to show` };
+  if (at.length !== 2)
+    return { fault: `tag "${tag}" stands ${times(at, path)}; it must stand twice, before and after the lines to show` };
   const found = cut(file.lines, at);
-  return found.length ? { lines: found } : { fault: `nothing but documentation stands between the two tags of "${tag}" in ${path} (lines ${at.join(' and ')})` };
+  return found.length
+    ? { lines: found }
+    : {
+        fault: `nothing but documentation stands between the two tags of "${tag}" in ${path} (lines ${at.join(' and ')})`,
+      };
 }
 
-const times = (at, path) => (at.length === 1 ? `once in ${path} (line ${at[0]})` : `${at.length} times in ${path} (lines ${at.join(', ')})`);
+const times = (at, path) =>
+  at.length === 1 ? `once in ${path} (line ${at[0]})` : `${at.length} times in ${path} (lines ${at.join(', ')})`;
 const noTag = tag => ` Put a line "// [${tag}]" before and after the lines to show.`;
 
 function readTagged(path) {
@@ -43,7 +52,9 @@ function readTagged(path) {
 }
 
 function cut(lines, [first, last]) {
-  const kept = lines.slice(first, last - 1).map((text, i) => ({ text: text.replace(/\s+$/, ''), number: first + 1 + i }))
+  const kept = lines
+    .slice(first, last - 1)
+    .map((text, i) => ({ text: text.replace(/\s+$/, ''), number: first + 1 + i }))
     .filter(({ text }) => !MARKER.test(text) && !DOC.test(text))
     .map(({ text, number }) => ({ text: text.replace('///<', '//'), number }));
   while (kept.length && !kept[0].text) kept.shift();

@@ -12,11 +12,26 @@ export const sourceHref = path => `source-${path.replace(/[^\w-]+/g, '-').toLowe
 export function sourcePages(book) {
   return [...book.sources].map(path => {
     const code = readFileSync(join(book.config.source, path), 'utf8').replace(/\n+$/, '');
-    const shown = code.split('\n').map((text, i) => ({ text, number: i + 1 })).filter(({ text }) => !isMark(text));
-    const lines = highlightLines(shown.map(({ text }) => text).join('\n'), extname(path).slice(1), linker(book.api, path));
+    const shown = code
+      .split('\n')
+      .map((text, i) => ({ text, number: i + 1 }))
+      .filter(({ text }) => !isMark(text));
+    const lines = highlightLines(
+      shown.map(({ text }) => text).join('\n'),
+      extname(path).slice(1),
+      linker(book.api, path),
+    );
     const numbers = shown.map(({ number }) => number);
-    const body = `<figure class="listing source"><figcaption><span class="file">${lines.length} lines</span></figcaption>`
-      + `<pre><code>${codeLines(lines, numbers, { id: n => ` id="L${n}"`, gaps: false })}</code></pre></figure>`;
-    return { href: sourceHref(path), title: path, kind: 'source', kicker: 'Source', titleHtml: `<code>${escapeHtml(path).replace(/\//g, '/<wbr>')}</code>`, body };
+    const body =
+      `<figure class="listing source"><figcaption><span class="file">${lines.length} lines</span></figcaption>` +
+      `<pre><code>${codeLines(lines, numbers, { id: n => ` id="L${n}"`, gaps: false })}</code></pre></figure>`;
+    return {
+      href: sourceHref(path),
+      title: path,
+      kind: 'source',
+      kicker: 'Source',
+      titleHtml: `<code>${escapeHtml(path).replace(/\//g, '/<wbr>')}</code>`,
+      body,
+    };
   });
 }

@@ -18,16 +18,35 @@ export function printSummary(book, pages, watch) {
     const all = mark => page.pieces.filter(p => p.name === mark && p.type !== 'close');
     const count = mark => all(mark).length;
     const different = mark => new Set(all(mark).map(p => p.args[0])).size;
-    return [name, page.words, count('figure'), count('listing'), `${different('claim')} of ${tests.length}`, `${different('number')} of ${numbers.size}`, count('exercise'), page.tasks.size];
+    return [
+      name,
+      page.words,
+      count('figure'),
+      count('listing'),
+      `${different('claim')} of ${tests.length}`,
+      `${different('number')} of ${numbers.size}`,
+      count('exercise'),
+      page.tasks.size,
+    ];
   });
   printTable([['chapter', 'words', 'figures', 'listings', 'claims', 'numbers', 'exercises', 'graded'], ...rows]);
-  console.log(`${bareCaptions(book).length} of ${captions(book).length} captions have neither \\number nor \\claim nor \\look (at most ${book.config.bareCaptions ?? 0} may)`);
+  console.log(
+    `${bareCaptions(book).length} of ${captions(book).length} captions have neither \\number nor \\claim nor \\look (at most ${book.config.bareCaptions ?? 0} may)`,
+  );
   const times = watch.parts.map(([name, seconds]) => `${name} ${seconds.toFixed(2)} s`).join(', ');
-  console.log(`${pages.length} pages woven in ${watch.parts.reduce((sum, [, s]) => sum + s, 0).toFixed(2)} s: ${times}`);
+  console.log(
+    `${pages.length} pages woven in ${watch.parts.reduce((sum, [, s]) => sum + s, 0).toFixed(2)} s: ${times}`,
+  );
   console.log(`open ${book.config.output}/index.html`);
 }
 
 function printTable(rows) {
   const widths = rows[0].map((_, i) => Math.max(...rows.map(row => String(row[i]).length)));
-  for (const row of rows) console.log(row.map((cell, i) => (i ? String(cell).padStart(widths[i]) : String(cell).padEnd(widths[i]))).join('  ').trimEnd());
+  for (const row of rows)
+    console.log(
+      row
+        .map((cell, i) => (i ? String(cell).padStart(widths[i]) : String(cell).padEnd(widths[i])))
+        .join('  ')
+        .trimEnd(),
+    );
 }

@@ -12,7 +12,8 @@ export function readTables(folder) {
   const tables = new Map();
   if (!existsSync(path)) return tables;
   for (const row of readRecords(path)) {
-    if (!tables.has(row.table)) tables.set(row.table, { name: row.table, path: `${folder}/${row.table}.csv`, columns: [] });
+    if (!tables.has(row.table))
+      tables.set(row.table, { name: row.table, path: `${folder}/${row.table}.csv`, columns: [] });
     tables.get(row.table).columns.push(row);
   }
   return tables;
@@ -20,7 +21,8 @@ export function readTables(folder) {
 
 // What is wrong with the table's file, or nothing.
 export function tableFault(table) {
-  if (!existsSync(table.path)) return `tables.csv describes the table "${table.name}", but ${basename(table.path)} is not there`;
+  if (!existsSync(table.path))
+    return `tables.csv describes the table "${table.name}", but ${basename(table.path)} is not there`;
   const header = readCsv(table.path)[0] ?? [];
   const undescribed = header.find(name => !table.columns.some(c => c.column === name));
   return undescribed && `column "${undescribed}" of ${basename(table.path)} has no row in tables.csv`;
@@ -38,7 +40,9 @@ export function tableHtml(table, times) {
   const right = (c, i) => c.digits !== 'text' || rows.some(row => isTime(row[i]));
   const align = columns.map((c, i) => (right(c, i) ? ' class="right"' : ''));
   const heads = columns.map((c, i) => `<th scope="col"${align[i]}>${head(c)}</th>`);
-  const body = rows.map(row => `<tr>${row.map((field, i) => `<td${align[i]}>${cell(field, columns[i], times)}</td>`).join('')}</tr>`);
+  const body = rows.map(
+    row => `<tr>${row.map((field, i) => `<td${align[i]}>${cell(field, columns[i], times)}</td>`).join('')}</tr>`,
+  );
   return `<table><thead><tr>${heads.join('')}</tr></thead><tbody>\n${body.join('\n')}\n</tbody></table>${aboutTimes(times, rows.flat())}`;
 }
 

@@ -11,9 +11,11 @@ const GIVEN = 'exercises/grader/harness/given.h';
 
 export function taskHead({ goal, kind, difficulty, minutes }) {
   const words = ['', 'easy', 'takes some thought', 'hard'][difficulty];
-  return `<p class="task"><span class="difficulty" role="img" aria-label="Difficulty ${difficulty} of 3: ${words}">${'●'.repeat(difficulty)}${'○'.repeat(3 - difficulty)}</span> `
-    + `<span>${KINDS[kind]}</span> <span>${minutes} minutes</span> <span>graded</span></p>\n`
-    + `<p class="goal"><b>Goal.</b> ${escapeHtml(smarten(goal))}</p>\n`;
+  return (
+    `<p class="task"><span class="difficulty" role="img" aria-label="Difficulty ${difficulty} of 3: ${words}">${'●'.repeat(difficulty)}${'○'.repeat(3 - difficulty)}</span> ` +
+    `<span>${KINDS[kind]}</span> <span>${minutes} minutes</span> <span>graded</span></p>\n` +
+    `<p class="goal"><b>Goal.</b> ${escapeHtml(smarten(goal))}</p>\n`
+  );
 }
 
 export function taskFoot({ book, hold }, { name, exercise, folder }) {
@@ -21,9 +23,18 @@ export function taskFoot({ book, hold }, { name, exercise, folder }) {
   const code = readFileSync(join(book.config.source, starter), 'utf8').replace(/\n+$/, '');
   const lines = highlightLines(code, 'h');
   const commands = `cp ${starter} ${name}.h\nbuild/exercises/grade ${exercise} ${name}.h`;
-  return `<details class="starter"><summary>The starter</summary><div><figure class="listing"><figcaption><span class="head"></span>`
-    + `<a class="file" href="${sourceHref(starter)}">${escapeHtml(starter).replace(/\//g, '/<wbr>')}</a></figcaption>`
-    + `<pre><code>${hold(codeLines(lines, lines.map((_, i) => i + 1)))}</code></pre></figure></div></details>\n`
-    + `<div class="codebox terminal"><pre><code>${hold(highlightLines(commands, 'sh').join('\n'))}</code></pre></div>\n`
-    + (book.sources.has(GIVEN) ? `<p class="sources">What you are given: <a href="${sourceHref(GIVEN)}">given.h</a></p>` : '');
+  return (
+    `<details class="starter"><summary>The starter</summary><div><figure class="listing"><figcaption><span class="head"></span>` +
+    `<a class="file" href="${sourceHref(starter)}">${escapeHtml(starter).replace(/\//g, '/<wbr>')}</a></figcaption>` +
+    `<pre><code>${hold(
+      codeLines(
+        lines,
+        lines.map((_, i) => i + 1),
+      ),
+    )}</code></pre></figure></div></details>\n` +
+    `<div class="codebox terminal"><pre><code>${hold(highlightLines(commands, 'sh').join('\n'))}</code></pre></div>\n` +
+    (book.sources.has(GIVEN)
+      ? `<p class="sources">What you are given: <a href="${sourceHref(GIVEN)}">given.h</a></p>`
+      : '')
+  );
 }

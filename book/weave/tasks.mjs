@@ -5,19 +5,29 @@ import { didYouMean, nameOneOf } from './problems.mjs';
 
 const HEAD = ['Goal', 'Kind', 'Difficulty', 'Minutes'];
 export const KINDS = {
-  write: 'write it', bug: 'find the bug', stability: 'stability', cost: 'accuracy against cost', design: 'design',
+  write: 'write it',
+  bug: 'find the bug',
+  stability: 'stability',
+  cost: 'accuracy against cost',
+  design: 'design',
 };
 
 // The chapter's source with each \task put in, and for each of its lines the file and the line that it came from.
 export function putInTasks(source, { file, name, folder, problems }) {
   const there = tasksIn(join(folder, name));
-  const text = [], places = [], tasks = new Map();
-  const put = (line, from, number) => { text.push(line); places.push({ file: from, line: number }); };
+  const text = [],
+    places = [],
+    tasks = new Map();
+  const put = (line, from, number) => {
+    text.push(line);
+    places.push({ file: from, line: number });
+  };
   source.split('\n').forEach((line, i) => {
     const found = line.match(/^\\task\{([\w-]+)\}\s*$/);
     if (!found) return put(line, file, i + 1);
     const [, wanted] = found;
-    if (!there.includes(wanted)) return problems.add(file, i + 1, `there is no exercises/${name}/${wanted}/task.md.${nameOneOf(wanted, there)}`);
+    if (!there.includes(wanted))
+      return problems.add(file, i + 1, `there is no exercises/${name}/${wanted}/task.md.${nameOneOf(wanted, there)}`);
     const from = `exercises/${name}/${wanted}/task.md`;
     const task = readTask(readFileSync(join(folder, name, wanted, 'task.md'), 'utf8'), from, problems);
     tasks.set(wanted, { ...task, name: wanted, exercise: `${name}/${wanted}`, folder: `exercises/${name}/${wanted}` });
@@ -25,11 +35,22 @@ export function putInTasks(source, { file, name, folder, problems }) {
     task.lines.forEach((words, n) => put(words, from, task.from + n));
     return put('\\endexercise', from, task.from + task.lines.length - 1);
   });
-  for (const one of there) if (!tasks.has(one)) problems.add(`exercises/${name}/${one}/task.md`, 1, `${file} does not show this exercise; write \\task{${one}} there`);
+  for (const one of there)
+    if (!tasks.has(one))
+      problems.add(
+        `exercises/${name}/${one}/task.md`,
+        1,
+        `${file} does not show this exercise; write \\task{${one}} there`,
+      );
   return { source: text.join('\n'), places, tasks };
 }
 
-const tasksIn = folder => (existsSync(folder) ? readdirSync(folder).filter(one => existsSync(join(folder, one, 'task.md'))).sort() : []);
+const tasksIn = folder =>
+  existsSync(folder)
+    ? readdirSync(folder)
+        .filter(one => existsSync(join(folder, one, 'task.md')))
+        .sort()
+    : [];
 
 // "# Title", four lines of what it is, an empty line, and the task.
 function readTask(text, file, problems) {
@@ -42,8 +63,14 @@ function readTask(text, file, problems) {
     if (value) task[word.toLowerCase()] = value;
     else problems.add(file, i + 2, `line ${i + 2} of a task says "${word}: ..."`);
   });
-  if (task.kind && !KINDS[task.kind]) problems.add(file, 3, `a task is of one of the kinds ${Object.keys(KINDS).join(', ')}, not "${task.kind}".${didYouMean(task.kind, Object.keys(KINDS))}`);
-  if (task.difficulty && !/^[123]$/.test(task.difficulty)) problems.add(file, 4, 'the difficulty of a task is 1, 2 or 3');
+  if (task.kind && !KINDS[task.kind])
+    problems.add(
+      file,
+      3,
+      `a task is of one of the kinds ${Object.keys(KINDS).join(', ')}, not "${task.kind}".${didYouMean(task.kind, Object.keys(KINDS))}`,
+    );
+  if (task.difficulty && !/^[123]$/.test(task.difficulty))
+    problems.add(file, 4, 'the difficulty of a task is 1, 2 or 3');
   if (task.minutes && !/^\d+$/.test(task.minutes)) problems.add(file, 5, 'the minutes of a task are a whole number');
   return { ...task, lines: lines.slice(HEAD.length), from: HEAD.length + 2 };
 }

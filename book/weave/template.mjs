@@ -7,7 +7,12 @@ export function pageHtml(book, page) {
   const name = escapeHtml(smarten(book.title));
   const title = escapeHtml(smarten(page.title));
   // The path of a file is long, and says enough.
-  const head = page.href === 'index.html' ? name : page.kind === 'source' ? title : `${page.number ? `${page.number}. ` : ''}${title} · ${name}`;
+  const head =
+    page.href === 'index.html'
+      ? name
+      : page.kind === 'source'
+        ? title
+        : `${page.number ? `${page.number}. ` : ''}${title} · ${name}`;
   return `<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -38,11 +43,18 @@ ${onThisPage(page)}</div>
 }
 
 function sideNav(book, page, name) {
-  const link = (href, text, number = '') => `<li><a href="${href}"${current(page, href)}><span class="no">${number}</span><span>${text}</span></a></li>`;
+  const link = (href, text, number = '') =>
+    `<li><a href="${href}"${current(page, href)}><span class="no">${number}</span><span>${text}</span></a></li>`;
   const prose = ({ href, title, number }) => link(href, escapeHtml(smarten(title)), number);
   const numbered = book.pages.findLastIndex(p => p.number) + 1;
-  const before = book.pages.slice(1, numbered), after = book.pages.slice(numbered);
-  const more = [link('snippets.html', 'Snippets'), ...after.map(prose), link('claims.html', 'Claims'), link('reference.html', 'Code reference')];
+  const before = book.pages.slice(1, numbered),
+    after = book.pages.slice(numbered);
+  const more = [
+    link('snippets.html', 'Snippets'),
+    ...after.map(prose),
+    link('claims.html', 'Claims'),
+    link('reference.html', 'Code reference'),
+  ];
   return `<nav class="side" aria-label="Book">
 <div class="bar"><a class="brand" href="index.html">${name}</a><button type="button" class="menu" aria-expanded="false">Contents</button></div>
 <div class="search" role="search"><input type="search" placeholder="Search" aria-label="Search the book" aria-keyshortcuts="/" autocomplete="off"><kbd>/</kbd><ul hidden></ul></div>
@@ -63,7 +75,8 @@ function current(page, href) {
 
 function pager({ previous, next }) {
   if (!previous && !next) return '';
-  const link = (rel, label, page) => (page ? `<a rel="${rel}" href="${page.href}"><small>${label}</small>${escapeHtml(smarten(page.title))}</a>` : '');
+  const link = (rel, label, page) =>
+    page ? `<a rel="${rel}" href="${page.href}"><small>${label}</small>${escapeHtml(smarten(page.title))}</a>` : '';
   return `<nav class="pager" aria-label="Previous and next page">${link('prev', 'Previous', previous)}${link('next', 'Next', next)}</nav>\n`;
 }
 

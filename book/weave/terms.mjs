@@ -2,9 +2,11 @@
 const ITALICS = /(?<![\\*])\*(?=[^\s*])([^*]+)(?<=[^\s\\*])\*(?!\*)/g;
 
 const plain = words => words.replace(/\s+/g, ' ').toLowerCase();
-const inItalics = page => [...page.source.matchAll(ITALICS)].map(({ index, 1: words }) => ({ index, words: plain(words) }));
+const inItalics = page =>
+  [...page.source.matchAll(ITALICS)].map(({ index, 1: words }) => ({ index, words: plain(words) }));
 
-export const italics = book => [...book.chapters.values()].flatMap(({ page }) => inItalics(page).map(({ words }) => words));
+export const italics = book =>
+  [...book.chapters.values()].flatMap(({ page }) => inItalics(page).map(({ words }) => words));
 
 // The page and the section in which a chapter first says it in italics, or nothing.
 export function introduction(book, term) {

@@ -1,13 +1,25 @@
 // Small helpers on text that several parts of the weaver need.
-export const escapeHtml = text => text
-  .replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;').replace(/"/g, '&quot;');
+export const escapeHtml = text =>
+  text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;').replace(/"/g, '&quot;');
 
-export const slug = text => text.normalize('NFKD').replace(/[\u0300-\u036f]/g, '').toLowerCase()
-  .replace(/['’]/g, '').replace(/[^a-z0-9]+/g, '-').replace(/^-+|-+$/g, '');
+export const slug = text =>
+  text
+    .normalize('NFKD')
+    .replace(/[\u0300-\u036f]/g, '')
+    .toLowerCase()
+    .replace(/['’]/g, '')
+    .replace(/[^a-z0-9]+/g, '-')
+    .replace(/^-+|-+$/g, '');
 
-export const textOfHtml = html => html.replace(/<[^>]*>/g, ' ')
-  .replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&amp;/g, '&')
-  .replace(/\s+/g, ' ').trim();
+export const textOfHtml = html =>
+  html
+    .replace(/<[^>]*>/g, ' ')
+    .replace(/&lt;/g, '<')
+    .replace(/&gt;/g, '>')
+    .replace(/&quot;/g, '"')
+    .replace(/&amp;/g, '&')
+    .replace(/\s+/g, ' ')
+    .trim();
 
 const UNITS = '[kcmµ]?m|[mµn]?s|[kMG]?Hz|[kMG]?B|[km]?[gNJW]|rad|AU|(?:[kcm]?m|rad|AU)/s(?:²|\\^2)?|km/h|°|%';
 const BEFORE_UNIT = new RegExp(`(?<=[\\d\\ue001]) (?=(?:${UNITS})(?![\\w/^²]))`, 'g');
@@ -15,8 +27,11 @@ const BEFORE_UNIT = new RegExp(`(?<=[\\d\\ue001]) (?=(?:${UNITS})(?![\\w/^²]))`
 // Typographic quotes, apostrophes and ellipses, units that stay with their numbers; `before` is the character that precedes the text.
 export function smarten(text, before = ' ') {
   const opens = (all, at) => /[\s([{\u2013\u2014\u2018\u201c/]/.test(at > 0 ? all[at - 1] : before);
-  return text.replace(/\.\.\./g, '…').replace(BEFORE_UNIT, '\u202f').replace(/["']/g, (quote, at, all) => {
-    if (quote === '"') return opens(all, at) ? '“' : '”';
-    return opens(all, at) && !/^\d\ds?\b/.test(all.slice(at + 1)) ? '‘' : '’';
-  });
+  return text
+    .replace(/\.\.\./g, '…')
+    .replace(BEFORE_UNIT, '\u202f')
+    .replace(/["']/g, (quote, at, all) => {
+      if (quote === '"') return opens(all, at) ? '“' : '”';
+      return opens(all, at) && !/^\d\ds?\b/.test(all.slice(at + 1)) ? '‘' : '’';
+    });
 }

@@ -42,7 +42,9 @@ function giveUpOn({ problems, config }) {
   if (!problems.any) return;
   problems.print();
   const n = problems.list.length;
-  console.error(`The book is not woven: ${n} ${n === 1 ? 'mistake' : 'mistakes'} to mend. ${existsSync(config.output) ? 'The book of the last build stays as it was.' : ''}`);
+  console.error(
+    `The book is not woven: ${n} ${n === 1 ? 'mistake' : 'mistakes'} to mend. ${existsSync(config.output) ? 'The book of the last build stays as it was.' : ''}`,
+  );
   process.exit(1);
 }
 
@@ -53,13 +55,23 @@ function makePages(book, xml) {
     documents.push(...chapterDocuments(page, page.title, sections));
     page.words = sections.reduce((sum, { text }) => sum + text.split(/\s+/).filter(Boolean).length, 0);
     return {
-      href: page.href, file: page.file, title: page.title, number: page.number, kind: page.number ? 'chapter' : page.name, body: html,
-      kicker: page.number ? `Chapter ${page.number}` : '', previous: book.pages[page.order - 1], next: book.pages[page.order + 1],
+      href: page.href,
+      file: page.file,
+      title: page.title,
+      number: page.number,
+      kind: page.number ? 'chapter' : page.name,
+      body: html,
+      kicker: page.number ? `Chapter ${page.number}` : '',
+      previous: book.pages[page.order - 1],
+      next: book.pages[page.order + 1],
       sections: sections.filter(s => s.id).map(({ id, title }) => ({ id, title })),
     };
   });
   documents.push(...apiDocuments(book), ...claimDocuments(book, claimId));
-  const made = [claimsPage(book), snippetsPage(book), ...referencePages(book), ...sourcePages(book)].map(page => ({ ...page, file: page.kind === 'source' ? page.title : `page ${page.href}` }));
+  const made = [claimsPage(book), snippetsPage(book), ...referencePages(book), ...sourcePages(book)].map(page => ({
+    ...page,
+    file: page.kind === 'source' ? page.title : `page ${page.href}`,
+  }));
   const pages = [...prose, ...made].map(page => ({ ...page, html: pageHtml(book, page) }));
   return { pages, documents };
 }
@@ -67,7 +79,8 @@ function makePages(book, xml) {
 // Written beside the old book and put in its place only when whole.
 function writeBook(book, pages, documents) {
   const { output } = book.config;
-  const fresh = `${output}.new`, old = `${output}.old`;
+  const fresh = `${output}.new`,
+    old = `${output}.old`;
   rmSync(fresh, { recursive: true, force: true });
   process.on('exit', () => rmSync(fresh, { recursive: true, force: true }));
   mkdirSync(fresh, { recursive: true });

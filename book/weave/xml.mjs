@@ -10,10 +10,42 @@ export const APOSTROPHE = '\ue002';
 export const loadXml = path => cheerio.load(readFileSync(path, 'utf8').replaceAll(APOSTROPHE, "'"), { xml: true });
 
 const INLINE = { emphasis: 'em', bold: 'strong', subscript: 'sub', superscript: 'sup', strike: 's', small: 'small' };
-const BLOCKS = new Set(['para', 'itemizedlist', 'orderedlist', 'table', 'blockquote', 'heading', 'verbatim', 'programlisting',
-  'preformatted', 'sect1', 'sect2', 'sect3', 'hruler', 'parameterlist', 'simplesect', 'variablelist']);
-const CHARACTERS = { ndash: '–', mdash: '—', nonbreakablespace: '\u00a0', lsquo: '‘', rsquo: '’', ldquo: '“', rdquo: '”',
-  hellip: '…', minus: '−', times: '×', deg: '°', middot: '·', copy: '©', zwj: '', anchor: '', linebreak: '<br>' };
+const BLOCKS = new Set([
+  'para',
+  'itemizedlist',
+  'orderedlist',
+  'table',
+  'blockquote',
+  'heading',
+  'verbatim',
+  'programlisting',
+  'preformatted',
+  'sect1',
+  'sect2',
+  'sect3',
+  'hruler',
+  'parameterlist',
+  'simplesect',
+  'variablelist',
+]);
+const CHARACTERS = {
+  ndash: '–',
+  mdash: '—',
+  nonbreakablespace: '\u00a0',
+  lsquo: '‘',
+  rsquo: '’',
+  ldquo: '“',
+  rdquo: '”',
+  hellip: '…',
+  minus: '−',
+  times: '×',
+  deg: '°',
+  middot: '·',
+  copy: '©',
+  zwj: '',
+  anchor: '',
+  linebreak: '<br>',
+};
 
 // `host` says how tokens, boxes, formulas and links come out, and is told what could not be turned:
 //   block(n), box(n, html), isBlock(n), opens(n), closes(n), link(refid, html), formula(tex), fault(message, n, excerpt)
@@ -35,7 +67,14 @@ export function createXmlToHtml(host) {
     if (node.name === 'formula') return host.formula(plainText(node));
     if (node.name in CHARACTERS) return CHARACTERS[node.name];
     const tag = INLINE[node.name];
-    if (!tag) return host.fault(`what Doxygen calls <${node.name}> has no looks in this book; write it in another way`, undefined, plainText(node)) ?? inline(node.children, state);
+    if (!tag)
+      return (
+        host.fault(
+          `what Doxygen calls <${node.name}> has no looks in this book; write it in another way`,
+          undefined,
+          plainText(node),
+        ) ?? inline(node.children, state)
+      );
     return `<${tag}>${inline(node.children, state)}</${tag}>`;
   }
 
@@ -49,7 +88,10 @@ export function createXmlToHtml(host) {
       if (html) parts.push(paragraph(html));
     };
     for (const node of nodes) {
-      if (!BLOCKS.has(node.name)) { run.push(node); continue; }
+      if (!BLOCKS.has(node.name)) {
+        run.push(node);
+        continue;
+      }
       endRun();
       if (node.name === 'para') parts.push(...blockParts(node.children));
       else parts.push({ html: blockNode(node) });
@@ -76,10 +118,15 @@ export function createXmlToHtml(host) {
       else if (part.close !== undefined && stack.length > 1) {
         const box = stack.pop();
         stack.at(-1).html.push(host.box(box.n, box.html.join('\n')));
-      } else if (part.close !== undefined) host.fault('this box ends in another list item or quotation than it starts in; indent both ends alike', part.close);
+      } else if (part.close !== undefined)
+        host.fault(
+          'this box ends in another list item or quotation than it starts in; indent both ends alike',
+          part.close,
+        );
       else stack.at(-1).html.push(part.html);
     }
-    for (const box of stack.slice(1)) host.fault('this box ends in another list item or quotation than it starts in; indent both ends alike', box.n);
+    for (const box of stack.slice(1))
+      host.fault('this box ends in another list item or quotation than it starts in; indent both ends alike', box.n);
     return stack[0].html.join('\n');
   }
 
@@ -87,37 +134,55 @@ export function createXmlToHtml(host) {
 
   function item(node) {
     const parts = blockParts(node.children);
-    if (parts.filter(part => part.text).length === 1 && parts[0].text) return [parts[0].text, nest(parts.slice(1))].join('\n').trim();
+    if (parts.filter(part => part.text).length === 1 && parts[0].text)
+      return [parts[0].text, nest(parts.slice(1))].join('\n').trim();
     return nest(parts);
   }
 
   function blockNode(node) {
     const items = name => node.children.filter(child => child.name === name);
     switch (node.name) {
-      case 'itemizedlist': return list('ul', items('listitem'));
-      case 'orderedlist': return list('ol', items('listitem'));
-      case 'table': return table(items('row'));
-      case 'blockquote': return `<blockquote>${flow(node.children)}</blockquote>`;
-      case 'hruler': return '<hr>';
-      case 'heading': return host.heading(inline(node.children).trim());
-      case 'programlisting': return host.verbatim(items('codeline').map(codeText).join('\n'));
-      case 'verbatim': case 'preformatted': return host.verbatim(plainText(node));
-      default: return flow(node.children.filter(child => child.name !== 'title'));
+      case 'itemizedlist':
+        return list('ul', items('listitem'));
+      case 'orderedlist':
+        return list('ol', items('listitem'));
+      case 'table':
+        return table(items('row'));
+      case 'blockquote':
+        return `<blockquote>${flow(node.children)}</blockquote>`;
+      case 'hruler':
+        return '<hr>';
+      case 'heading':
+        return host.heading(inline(node.children).trim());
+      case 'programlisting':
+        return host.verbatim(items('codeline').map(codeText).join('\n'));
+      case 'verbatim':
+      case 'preformatted':
+        return host.verbatim(plainText(node));
+      default:
+        return flow(node.children.filter(child => child.name !== 'title'));
     }
   }
 
   const list = (tag, entries) => `<${tag}>\n${entries.map(entry => `<li>${item(entry)}</li>`).join('\n')}\n</${tag}>`;
 
   function table(rows) {
-    const line = row => `<tr>${row.children.filter(c => c.name === 'entry').map(cell).join('')}</tr>`;
+    const line = row =>
+      `<tr>${row.children
+        .filter(c => c.name === 'entry')
+        .map(cell)
+        .join('')}</tr>`;
     const isHead = row => row.children.some(c => c.attribs?.thead === 'yes');
-    const head = rows.filter(isHead), body = rows.filter(row => !isHead(row));
+    const head = rows.filter(isHead),
+      body = rows.filter(row => !isHead(row));
     return `<div class="tablescroll"><table><thead>${head.map(line).join('')}</thead><tbody>\n${body.map(line).join('\n')}\n</tbody></table></div>`;
   }
 
   function cell(entry) {
     const { thead, align } = entry.attribs;
-    const html = inline(entry.children.flatMap(c => (c.name === 'para' ? c.children : [c]))).trim().replace(TOKEN, (all, n) => (host.isTableStart(n) ? '' : all));
+    const html = inline(entry.children.flatMap(c => (c.name === 'para' ? c.children : [c])))
+      .trim()
+      .replace(TOKEN, (all, n) => (host.isTableStart(n) ? '' : all));
     const side = ['right', 'center'].includes(align) ? ` class="${align}"` : '';
     return thead === 'yes' && html ? `<th scope="col"${side}>${html}</th>` : `<td${side}>${html}</td>`;
   }
@@ -127,6 +192,7 @@ export function createXmlToHtml(host) {
 
 const proseHtml = (text, before) => escapeHtml(smarten(text, before)).replace(/&quot;/g, '"');
 
-const codeText = node => (node.name === 'sp' ? ' ' : node.type === 'text' ? node.data : (node.children ?? []).map(codeText).join(''));
+const codeText = node =>
+  node.name === 'sp' ? ' ' : node.type === 'text' ? node.data : (node.children ?? []).map(codeText).join('');
 
 export const plainText = node => (node.type === 'text' ? node.data : (node.children ?? []).map(plainText).join(''));

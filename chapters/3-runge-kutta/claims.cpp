@@ -616,7 +616,8 @@ TEST_CASE("Folded into one matrix, a step of RK4 takes less than a seventh of th
              WithinAbs(1, 0.05));
 }
 
-TEST_CASE("A spring left alone is a denormal number after six minutes, and still after three hours") {
+TEST_CASE(
+    "A spring left alone is a denormal number after six minutes, and still after three hours") {
   CHECK_THAT(comes_to_rest() / 60, WithinAbs(6, 0.2));
   auto s = at_rest.start();
   s = measure::after(rk4, at_rest, s, frame, 3 * 3600 * 60);

@@ -152,8 +152,8 @@ void matrix(Record& record) {
 
   auto& speed = record.table("speed", {{"a step of"}, {"swinging", "ns"}, {"at rest", "ns"}});
   speed.add({"RK4, four evaluations", "time:spring/RK4", "time:spring/RK4 at rest"});
-  speed.add({"RK4, folded into one matrix", "time:spring/RK4 folded",
-             "time:spring/RK4 folded at rest"});
+  speed.add(
+      {"RK4, folded into one matrix", "time:spring/RK4 folded", "time:spring/RK4 folded at rest"});
   speed.add({"the exact step, folded likewise", "time:spring/exact folded", "–"});
   record.number("rests-after", comes_to_rest() / 60, 2, "min");
   const measure::Times& times = measure::recorded_times();

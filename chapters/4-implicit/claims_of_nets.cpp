@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
-// The claims of chapter 4 about nets: chain, rope and cloth. Each name is a sentence that the chapter
-// says.
+// The claims of chapter 4 about nets: chain, rope and cloth. Each name is a sentence that the
+// chapter says.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>

@@ -8,7 +8,7 @@
 #include "../cast.h"
 #include "integrate/backward_euler.h"
 
-inline constexpr double slow = 0.1;    ///< ten steps a second [s]
+inline constexpr double slow = 0.1;  ///< ten steps a second [s]
 
 // [solve]
 /// The linear system of a single unknown is a division.

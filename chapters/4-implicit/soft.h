@@ -36,7 +36,8 @@ inline constexpr auto soft_step = [](double& x, double& v, double, double h,
 /// @returns  what the exact motion would need to have for the same step; {rad/s, 1}
 template <class Step>
 scenes::Spring<> moved(Step step, const scenes::Spring<>& spring, double h) {
-  const std::complex<double> factor = measure::eigenvalues(measure::step_matrix(step, spring, h))[0];
+  const std::complex<double> factor =
+      measure::eigenvalues(measure::step_matrix(step, spring, h))[0];
   const std::complex<double> rate = std::log(factor) / h;
   return {.omega = std::abs(rate), .zeta = -rate.real() / std::abs(rate)};
 }

@@ -6,8 +6,8 @@
 
 #include "cat.h"
 #include "integrate/symplectic_euler.h"
-#include "measure/record.h"
 #include "measure/compiled.h"
+#include "measure/record.h"
 
 inline void cats(measure::Record& record) {
   auto& shears = record.table("shears", {{"x"}, {"v"}, {"kicked v"}, {"drifted x"}});

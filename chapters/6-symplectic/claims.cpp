@@ -201,7 +201,8 @@ TEST_CASE("Every step keeps areas, also where steps are uneven") {
   CHECK_THAT(area(points), WithinRel(before, 1e-9));
 }
 
-TEST_CASE("On eight runs of uneven steps velocity Verlet's spring swings less than ten times too far") {
+TEST_CASE(
+    "On eight runs of uneven steps velocity Verlet's spring swings less than ten times too far") {
   double most = 0;
   for (unsigned seed = 1; seed <= 8; ++seed) {
     INFO(seed);
@@ -252,8 +253,7 @@ TEST_CASE("Started half a kick back, symplectic Euler takes the steps of leapfro
 
 TEST_CASE("Started half a kick back, symplectic Euler goes through the places of velocity Verlet") {
   const auto hopping = measure::after(method::leapfrog, shuttle, shuttle.start(), tick, 1000);
-  const auto kicked =
-      measure::after(method::velocity_verlet, shuttle, shuttle.start(), tick, 1000);
+  const auto kicked = measure::after(method::velocity_verlet, shuttle, shuttle.start(), tick, 1000);
   CHECK((hopping.x - kicked.x).norm() < 1e-9);
   CHECK((hopping.v - kicked.v).norm() < 1e-9);
   const auto plain = measure::after(symplectic_euler, shuttle, shuttle.start(), tick, 1000);
@@ -432,9 +432,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Divided by 1 + c h before the force, drag shrinks the limit towards the root of two") {
-  const auto bound = [](double zeta) {
-    return limit(method::linear_damping_implicit_first, zeta);
-  };
+  const auto bound = [](double zeta) { return limit(method::linear_damping_implicit_first, zeta); };
   CHECK_THAT(bound(0), WithinRel(2, 1e-6));
   CHECK_THAT(bound(1000), WithinRel(std::sqrt(2), 1e-3));
   CHECK(bound(0.5) < bound(0.1));

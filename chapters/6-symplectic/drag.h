@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "../cast.h"
-#include "measure/record.h"
 #include "measure/compiled.h"
+#include "measure/record.h"
 #include "measure/stability.h"
 
 /// One way to brake within a step of symplectic Euler.

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "../cast_of_many.h"
-#include "measure/record.h"
 #include "measure/compiled.h"
+#include "measure/record.h"
 #include "measure/run.h"
 
 /// The outer solar system with all its unknowns in one column, as the implicit methods want it.

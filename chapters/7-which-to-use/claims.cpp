@@ -435,7 +435,8 @@ TEST_CASE("In float RK4's shuttle stays a tenth of a millimetre off, and more th
   }
   CHECK(error_of_a_turn<float>(measure::rk4, 120) < 2e-5);
   for (long rate = 480; rate < 7680; rate *= 2) {
-    CHECK(error_of_a_turn<float>(measure::rk4, 2 * rate) > error_of_a_turn<float>(measure::rk4, rate));
+    CHECK(error_of_a_turn<float>(measure::rk4, 2 * rate) >
+          error_of_a_turn<float>(measure::rk4, rate));
   }
 }
 
@@ -448,7 +449,8 @@ TEST_CASE(
                WithinRel(error_of_a_turn<double>(measure::symplectic_euler, rate), 0.01));
   }
   const double rounded = error_of_a_turn<float>(measure::velocity_verlet, 240);
-  CHECK_THAT(rounded / error_of_a_turn<double>(measure::velocity_verlet, 240), WithinAbs(0.92, 0.01));
+  CHECK_THAT(rounded / error_of_a_turn<double>(measure::velocity_verlet, 240),
+             WithinAbs(0.92, 0.01));
 }
 
 TEST_CASE("Packs move the particles to where structs do") {
@@ -671,7 +673,8 @@ TEST_CASE("Alone, a shuttle takes symplectic Euler as long as midpoint, twice as
   CHECK_THAT(alone("symplectic Euler") / alone("Euler"), WithinAbs(2, 0.2));
 }
 
-TEST_CASE("Of 512 shuttles the swapped lines and Verlet take Euler's time, midpoint twice as much") {
+TEST_CASE(
+    "Of 512 shuttles the swapped lines and Verlet take Euler's time, midpoint twice as much") {
   const double one = time_of_many(euler);
   for (const Method* asks_once :
        {&symplectic_euler, &velocity_verlet, &method::leapfrog, &method::stormer_verlet})
@@ -693,10 +696,12 @@ TEST_CASE("Of 512 shuttles Yoshida's step takes about as long as RK4's, not thre
              WithinRel(3 * measure::recorded_times().at("shuttle/velocity Verlet").median, 0.1));
 }
 
-TEST_CASE("Of 512 shuttles an implicit step takes nearly twice the time of its evaluations, or more") {
+TEST_CASE(
+    "Of 512 shuttles an implicit step takes nearly twice the time of its evaluations, or more") {
   const double one = time_of_many(euler);
   CHECK(time_of_many(backward_euler) > 1.8 * one * double(price(backward_euler, shuttle, frame)));
-  CHECK(time_of_many(method::trapezoid) > 1.8 * one * double(price(method::trapezoid, shuttle, frame)));
+  CHECK(time_of_many(method::trapezoid) >
+        1.8 * one * double(price(method::trapezoid, shuttle, frame)));
 }
 
 namespace {
@@ -715,7 +720,8 @@ TEST_CASE("To move particles never takes less time than to touch their memory") 
   }
 }
 
-TEST_CASE("While the nearest caches hold the particles, packs take a fifth of the time of structs") {
+TEST_CASE(
+    "While the nearest caches hold the particles, packs take a fifth of the time of structs") {
   for (const long count : {4'096, 16'384})
     CHECK_THAT(particle_time("packs", count) / particle_time("structs", count),
                WithinAbs(0.2, 0.04));

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <vector>
 
-#include "measure/evaluations.h"
 #include "measure/compiled.h"
+#include "measure/evaluations.h"
 
 /// The methods that take any acceleration.
 inline constexpr auto entrants = measure::all_compiled(list::Contenders());

@@ -14,8 +14,8 @@ inline double library_time(const std::string& method, const std::string& called)
 }
 
 inline void libraries(measure::Record& record) {
-  auto& table = record.table(
-      "libraries", {{"a step of"}, {"called"}, {"time", "ns"}, {"by hand = 1", "", 2}});
+  auto& table = record.table("libraries",
+                             {{"a step of"}, {"called"}, {"time", "ns"}, {"by hand = 1", "", 2}});
   for (const std::string method : {"symplectic_euler", "velocity_verlet", "rk4"}) {
     for (const std::string called : {"by hand", "header struct", "header Vector2d", "odeint array",
                                      "odeint Eigen", "GSL", "SUNDIALS ERKStep"}) {

@@ -48,8 +48,8 @@ template <class... Listed>
 void add_entrants(std::vector<measure::Timed>& all, std::tuple<Listed...>) {
   const auto add = [&all](auto method) {
     const std::string name(method.name);
-    all.push_back(
-        {"shuttle/" + name, [method] { return measure::seconds_per_step(method, shuttle, brief); }});
+    all.push_back({"shuttle/" + name,
+                   [method] { return measure::seconds_per_step(method, shuttle, brief); }});
     all.push_back({"512 shuttles/" + name, [method] {
                      return measure::seconds_per_step_of_many(method, shuttle, brief, 512);
                    }});

@@ -6,16 +6,20 @@ import { cpus } from 'node:os';
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
 
-const warmUp = 60, frames = 600;
-const { values: load } = parseArgs({ options: {
-  sparks: { type: 'string', default: '1000' }, // discs drawn in a frame, on average
-  swing: { type: 'string', default: '800' }, // how far their number swells and ebbs
-  room: { type: 'string', default: '150000' }, // things made and sorted for each new room
-} });
+const warmUp = 60,
+  frames = 600;
+const { values: load } = parseArgs({
+  options: {
+    sparks: { type: 'string', default: '1000' }, // discs drawn in a frame, on average
+    swing: { type: 'string', default: '800' }, // how far their number swells and ebbs
+    room: { type: 'string', default: '150000' }, // things made and sorted for each new room
+  },
+});
 
 async function record() {
-  const executablePath = process.env.CHROMIUM
-    ?? ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
+  const executablePath =
+    process.env.CHROMIUM ??
+    ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
   const args = ['--disable-gpu', '--no-first-run', '--disable-background-networking'];
   const browser = await chromium.launch({ executablePath, chromiumSandbox: false, args });
   try {
@@ -32,16 +36,24 @@ async function record() {
 function check(lengths) {
   const share = fits => lengths.filter(fits).length / lengths.length;
   const mean = lengths.reduce((sum, length) => sum + length) / lengths.length;
-  const jitters = mean > 0.017 && mean < 0.025 && share(s => Math.abs(s - 1 / 60) < 0.002) > 0.5
-    && share(s => s > 1 / 30) > 0.02;
+  const jitters =
+    mean > 0.017 && mean < 0.025 && share(s => Math.abs(s - 1 / 60) < 0.002) > 0.5 && share(s => s > 1 / 30) > 0.02;
   if (jitters) return;
-  console.error(`Too even or too slow, with a mean of ${(1000 * mean).toFixed(1)} ms: try again with more or fewer --sparks`);
+  console.error(
+    `Too even or too slow, with a mean of ${(1000 * mean).toFixed(1)} ms: try again with more or fewer --sparks`,
+  );
   process.exit(1);
 }
 
 function header(lengths, version) {
   const rows = [];
-  for (let i = 0; i < lengths.length; i += 12) rows.push(lengths.slice(i, i + 12).map(s => s.toFixed(4)).join(', '));
+  for (let i = 0; i < lengths.length; i += 12)
+    rows.push(
+      lengths
+        .slice(i, i + 12)
+        .map(s => s.toFixed(4))
+        .join(', '),
+    );
   return `// SPDX-License-Identifier: MIT-0
 /// @file
 /// Frames that a machine really took, one after the other.

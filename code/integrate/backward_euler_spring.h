@@ -22,8 +22,8 @@ namespace integrate {
 /// @param h  step size [s]; a negative step goes back in time, but from zeta = 1 on only while
 /// |h|*omega < zeta - sqrt(zeta^2 - 1), where it divides by zero
 /// @param omega  natural frequency [rad/s]; not negative
-/// @param zeta  damping ratio; 0 swings for ever; at 1 it overshoots only if it comes in faster than
-/// omega*|x|, above 1 only if faster still; not negative
+/// @param zeta  damping ratio; 0 swings for ever; at 1 it overshoots only if it comes in faster
+/// than omega*|x|, above 1 only if faster still; not negative
 /// @see Hairer and Wanner, Solving Ordinary Differential Equations II (1996), section IV.3
 template <class Vec, class Real>
 constexpr void backward_euler_spring(Vec& x, Vec& v, Real h, Real omega, Real zeta) {

@@ -36,8 +36,8 @@ namespace integrate {
 /// @param v  velocity, advanced in place
 /// @param h  step size [s]; a negative step goes back in time
 /// @param omega  natural frequency [rad/s]; not negative
-/// @param zeta  damping ratio; 0 swings for ever; at 1 it overshoots only if it comes in faster than
-/// omega*|x|, above 1 only if faster still; not negative
+/// @param zeta  damping ratio; 0 swings for ever; at 1 it overshoots only if it comes in faster
+/// than omega*|x|, above 1 only if faster still; not negative
 /// @see L. D. Landau and E. M. Lifshitz, Mechanics (1976), section 25
 template <class Vec, class Real>
 void spring_exact(Vec& x, Vec& v, Real h, Real omega, Real zeta) {

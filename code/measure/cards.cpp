@@ -16,8 +16,9 @@ std::string note(const measure::Card& card) {
   });
   std::string words = limits ? "Limits are rounded down. " : "";
   if (!card.timed_on.empty()) {
-    words += "The time is one body's, each step waiting for the one before: in double, on one "
-             "thread, compiled like the other programs of the book.";
+    words +=
+        "The time is one body's, each step waiting for the one before: in double, on one "
+        "thread, compiled like the other programs of the book.";
   }
   return words.substr(0, words.find_last_not_of(' ') + 1);
 }
@@ -30,7 +31,8 @@ void write(measure::Record& record, const measure::Card& card) {
     table.add({name, about, asked, measured, double(digits), unit});
   }
   if (!card.timed_on.empty()) {
-    table.add({"time", "Cost of a step", "time, on " + card.timed_on, "time:card/" + card.method, 2, "ns"});
+    table.add({"time", "Cost of a step", "time, on " + card.timed_on, "time:card/" + card.method, 2,
+               "ns"});
   }
   if (const std::string words = note(card); !words.empty()) {
     table.add({"note", "card", "note", words, measure::whole, "1"});

@@ -5,6 +5,7 @@
 
 namespace measure {
 
-constinit const CompiledOf<list::EveryImplicit> compiled_implicit = methods_of(list::EveryImplicit());
+constinit const CompiledOf<list::EveryImplicit> compiled_implicit =
+    methods_of(list::EveryImplicit());
 
 }  // namespace measure

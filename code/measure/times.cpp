@@ -94,8 +94,8 @@ void write_times(const Times& times, const std::filesystem::path& file) {
          "below.\n"
       << "# processor: " << times.processor << "\n# clock: " << times.clock
       << "\n# compiler: " << times.compiler << "\n# date: " << times.date
-      << "\n# runs: " << times.runs
-      << "\n# others: " << std::setprecision(2) << times.others << "\n"
+      << "\n# runs: " << times.runs << "\n# others: " << std::setprecision(2) << times.others
+      << "\n"
       << columns << "\n";
   for (const auto& [name, time] : times.of) {
     char numbers[96];

@@ -27,7 +27,10 @@ double seconds_since(Clock::time_point start) {
 
 cage::Kit kit() {
   const std::string folder = installed::kit;
-  return {folder + "/harness", folder, folder + "/canary", installed::compiler,
+  return {folder + "/harness",
+          folder,
+          folder + "/canary",
+          installed::compiler,
           {std::begin(installed::shown_to_compiler), std::end(installed::shown_to_compiler)}};
 }
 

@@ -22,10 +22,11 @@
 namespace {
 
 template <class Method>
-constexpr bool calls_the_c_library = std::is_same_v<Method, measure::SpringExact> ||
-                                     std::is_same_v<Method, measure::LinearDampingExponentialLast> ||
-                                     std::is_same_v<Method, measure::LinearDampingExponentialFirst> ||
-                                     std::is_same_v<Method, measure::LinearDampingExact>;
+constexpr bool calls_the_c_library =
+    std::is_same_v<Method, measure::SpringExact> ||
+    std::is_same_v<Method, measure::LinearDampingExponentialLast> ||
+    std::is_same_v<Method, measure::LinearDampingExponentialFirst> ||
+    std::is_same_v<Method, measure::LinearDampingExact>;
 
 // FNV-1a, one double at a time.
 struct Hash {

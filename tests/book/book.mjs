@@ -10,7 +10,9 @@ if (!existsSync(join(folder, 'index.html'))) {
   process.exit(1);
 }
 
-export const pages = readdirSync(folder).filter(file => file.endsWith('.html')).sort();
+export const pages = readdirSync(folder)
+  .filter(file => file.endsWith('.html'))
+  .sort();
 
 const parsed = new Map();
 

@@ -9,13 +9,22 @@ import { folder } from './book.mjs';
 const candidates = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/snap/bin/chromium', '/usr/bin/google-chrome'];
 const executablePath = process.env.CHROMIUM ?? candidates.find(existsSync);
 if (!executablePath || !existsSync(executablePath)) {
-  console.error(`The book is tested in a browser, and there is none: ${executablePath ?? candidates.join(', ')} not found.\n`
-    + 'Run ./setup.sh, or name a Chromium with CHROMIUM=/path/to/it');
+  console.error(
+    `The book is tested in a browser, and there is none: ${executablePath ?? candidates.join(', ')} not found.\n` +
+      'Run ./setup.sh, or name a Chromium with CHROMIUM=/path/to/it',
+  );
   process.exit(1);
 }
 
 // Without the sandbox, which containers refuse: the pages are our own. And without anything that looks at the network.
-const args = ['--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+const args = [
+  '--disable-gpu',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
 export const browser = await chromium.launch({ executablePath, chromiumSandbox: false, args });
 after(() => browser.close());
 
@@ -34,7 +43,10 @@ export async function openTab(look = 'light', more = {}) {
   tab.faults = [];
   tab.on('console', message => tab.faults.push(`console: ${message.text()}`));
   tab.on('pageerror', error => tab.faults.push(`script: ${error.message}`));
-  tab.on('request', request => /^(file|data|blob):/.test(request.url()) || tab.faults.push(`leaves the disk: ${request.url()}`));
+  tab.on(
+    'request',
+    request => /^(file|data|blob):/.test(request.url()) || tab.faults.push(`leaves the disk: ${request.url()}`),
+  );
   tab.on('requestfailed', request => tab.faults.push(`not loaded: ${request.url()}`));
   return tab;
 }
@@ -47,7 +59,9 @@ export function addressOf(page) {
 export async function visit(tab, page) {
   tab.faults.length = 0;
   await tab.goto(addressOf(page), { waitUntil: 'load' });
-  await tab.waitForFunction(() => [...document.querySelectorAll('[data-live]')].every(figure => figure.classList.contains('live')));
+  await tab.waitForFunction(() =>
+    [...document.querySelectorAll('[data-live]')].every(figure => figure.classList.contains('live')),
+  );
 }
 
 export const pageOf = tab => new URL(tab.url()).pathname.split('/').at(-1);

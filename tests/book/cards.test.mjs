@@ -9,18 +9,26 @@ const headers = pages.filter(page => kind(page) === 'api' && parse(page)('h1 .ki
 // Every card of the book: the page, the method, what it says.
 const cards = pages.flatMap(page => {
   const $ = parse(page);
-  return $('.card').map((_, card) => ({ page, method: $(card).find('.sources a').first().text().replace('.csv', ''), says: text($(card).find('.parts')) })).get();
+  return $('.card')
+    .map((_, card) => ({
+      page,
+      method: $(card).find('.sources a').first().text().replace('.csv', ''),
+      says: text($(card).find('.parts')),
+    }))
+    .get();
 });
 
 test('a function that moves x on has a card below its signature', () => {
   let stepping = 0;
   for (const page of headers) {
     const $ = parse(page);
-    $('section.member').filter((_, e) => /\(Vec& x,/.test($(e).find('.signature').first().text())).each((_, e) => {
-      ++stepping;
-      const method = text($(e).find('h2 code').first());
-      assert.equal($(e).find('.card .sources a').first().text(), `${method}.csv`, page);
-    });
+    $('section.member')
+      .filter((_, e) => /\(Vec& x,/.test($(e).find('.signature').first().text()))
+      .each((_, e) => {
+        ++stepping;
+        const method = text($(e).find('h2 code').first());
+        assert.equal($(e).find('.card .sources a').first().text(), `${method}.csv`, page);
+      });
   }
   assert.ok(stepping > 25, `${stepping} functions`);
 });
@@ -38,19 +46,31 @@ test('a card with limits says that they are rounded down', () => {
   for (const page of pages) {
     const $ = parse(page);
     $('.card').each((_, card) => {
-      if (/stable up to/i.test($(card).find('.parts').text())) assert.match($(card).find('.note').text(), /^Limits are rounded down\./, page);
+      if (/stable up to/i.test($(card).find('.parts').text()))
+        assert.match($(card).find('.note').text(), /^Limits are rounded down\./, page);
     });
   }
 });
 
 test('the list of methods leads to each card and agrees with it', () => {
   const $ = parse('snippets.html');
-  const rows = $('.methods tbody tr').get().map(row => ({
-    method: text($(row).find('th code').first()), href: $(row).find('th a').attr('href'),
-    limits: $(row).find('td').slice(3, 5).map((_, cell) => text($(cell).clone().find('.head').remove().end())).get(),
-  }));
+  const rows = $('.methods tbody tr')
+    .get()
+    .map(row => ({
+      method: text($(row).find('th code').first()),
+      href: $(row).find('th a').attr('href'),
+      limits: $(row)
+        .find('td')
+        .slice(3, 5)
+        .map((_, cell) => text($(cell).clone().find('.head').remove().end()))
+        .get(),
+    }));
   assert.deepEqual(rows.map(({ method }) => method).sort(), [...new Set(cards.map(({ method }) => method))].sort());
-  for (const { method, href, limits: [drag, spring] } of rows) {
+  for (const {
+    method,
+    href,
+    limits: [drag, spring],
+  } of rows) {
     const card = cards.find(({ page, method: name }) => name === method && href.startsWith(`${page}#`));
     assert.ok(card, `${method} leads to ${href}`);
     if (drag === '–') continue;
@@ -75,7 +95,13 @@ test('nanoseconds stand on cards that name the machine, and nowhere else', () =>
   for (const page of pages.filter(name => kind(name) !== 'source')) {
     const $ = parse(page);
     const timed = $('.card').filter((_, card) => /[\d)]\u202fns/.test($(card).text()));
-    timed.each((_, card) => assert.match($(card).find('.times').text(), /^Medians of \d+ runs in turn, recorded on .+ at .+ with .+, \d{4}-\d\d-\d\d/, page));
+    timed.each((_, card) =>
+      assert.match(
+        $(card).find('.times').text(),
+        /^Medians of \d+ runs in turn, recorded on .+ at .+ with .+, \d{4}-\d\d-\d\d/,
+        page,
+      ),
+    );
     count += timed.length;
     const outside = $('main').clone();
     outside.find('.card, pre').remove();

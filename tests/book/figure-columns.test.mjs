@@ -16,17 +16,30 @@ after(() => rmSync(scratch, { recursive: true }));
 // As chapters/CMakeLists.txt draws it.
 function draw(script, data, out, { name, size: [width, height, narrow] }) {
   const set = {
-    GNUPLOT: 'gnuplot', NAME: name, DATA: data, OUT: out, WIDTH: width, HEIGHT: height, NARROW: narrow, SCRIPT: script,
-    STYLE: join(source, 'book/theme/figure.gp'), AXES: join(source, 'book/theme/axes.gp'),
+    GNUPLOT: 'gnuplot',
+    NAME: name,
+    DATA: data,
+    OUT: out,
+    WIDTH: width,
+    HEIGHT: height,
+    NARROW: narrow,
+    SCRIPT: script,
+    STYLE: join(source, 'book/theme/figure.gp'),
+    AXES: join(source, 'book/theme/axes.gp'),
   };
-  const { status, stderr } = spawnSync('cmake', [...Object.entries(set).map(([key, value]) => `-D${key}=${value}`), '-P', join(source, 'chapters/draw.cmake')], { encoding: 'utf8' });
+  const { status, stderr } = spawnSync(
+    'cmake',
+    [...Object.entries(set).map(([key, value]) => `-D${key}=${value}`), '-P', join(source, 'chapters/draw.cmake')],
+    { encoding: 'utf8' },
+  );
   return { drawn: status === 0, said: stderr };
 }
 const SIZES = { '': [720, 430, 0], '-narrow': [400, 340, 1] };
 
 const fields = line => [...line.matchAll(/(?:^|,)("(?:[^"]|"")*"|[^,]*)/g)].map(([, field]) => field);
 // Each column one further to the right, the last first: none stays where it was.
-const turned = text => text.replace(/^.+$/gm, line => [...fields(line).slice(-1), ...fields(line).slice(0, -1)].join(','));
+const turned = text =>
+  text.replace(/^.+$/gm, line => [...fields(line).slice(-1), ...fields(line).slice(0, -1)].join(','));
 
 function turnTables(from, to) {
   mkdirSync(to, { recursive: true });
@@ -41,17 +54,24 @@ test('turned columns keep their names, and commas in quotes', () => {
 });
 
 for (const chapter of readdirSync(chapters).filter(name => existsSync(join(chapters, name, 'figures')))) {
-  const data = join(scratch, chapter, 'data'), out = join(scratch, chapter);
+  const data = join(scratch, chapter, 'data'),
+    out = join(scratch, chapter);
   test(`chapter ${chapter}: its figures are the same with their columns elsewhere`, () => {
     turnTables(join(chapters, chapter, 'data'), data);
     const scripts = readdirSync(join(source, 'chapters', chapter)).filter(file => file.endsWith('.gp'));
-    for (const script of scripts) for (const [suffix, size] of Object.entries(SIZES)) {
-      const name = script.slice(0, -3) + suffix;
-      const { drawn, said } = draw(join(source, 'chapters', chapter, script), data, out, { name, size });
-      assert.ok(drawn, said);
-      const [was, is] = [join(chapters, chapter, 'figures'), out].map(folder => readFileSync(join(folder, `${name}.svg`), 'utf8'));
-      assert.ok(was === is, `${script} reaches a column by its place: ${name}.svg is another one when the columns of its tables trade places`);
-    }
+    for (const script of scripts)
+      for (const [suffix, size] of Object.entries(SIZES)) {
+        const name = script.slice(0, -3) + suffix;
+        const { drawn, said } = draw(join(source, 'chapters', chapter, script), data, out, { name, size });
+        assert.ok(drawn, said);
+        const [was, is] = [join(chapters, chapter, 'figures'), out].map(folder =>
+          readFileSync(join(folder, `${name}.svg`), 'utf8'),
+        );
+        assert.ok(
+          was === is,
+          `${script} reaches a column by its place: ${name}.svg is another one when the columns of its tables trade places`,
+        );
+      }
   });
 }
 
@@ -61,11 +81,15 @@ for (const chapter of readdirSync(chapters).filter(name => existsSync(join(chapt
   const folder = join(chapters, chapter, 'data');
   for (const file of readdirSync(folder).filter(name => /^(?!numbers|tables).*\.csv$/.test(name))) {
     const [header, ...rows] = readFileSync(join(folder, file), 'utf8').split('\n').map(fields);
-    header.forEach((name, i) => cells.set(name.replace(/^"|"$/g, ''), [...(cells.get(name) ?? []), ...rows.map(row => row[i] ?? '')]));
+    header.forEach((name, i) =>
+      cells.set(name.replace(/^"|"$/g, ''), [...(cells.get(name) ?? []), ...rows.map(row => row[i] ?? '')]),
+    );
   }
   test(`chapter ${chapter}: each column that a script names is there, and one that it reads as text has no commas`, () => {
     for (const script of readdirSync(join(source, 'chapters', chapter)).filter(file => file.endsWith('.gp'))) {
-      for (const { text, call, alone, line } of readScript(readFileSync(join(source, 'chapters', chapter, script), 'utf8')).strings) {
+      for (const { text, call, alone, line } of readScript(
+        readFileSync(join(source, 'chapters', chapter, script), 'utf8'),
+      ).strings) {
         if (!['col', 'val', 'txt'].includes(call) || !alone) continue;
         assert.ok(cells.has(text), `${script}:${line}: no table of the chapter has a column "${text}"`);
         const cut = call === 'txt' && cells.get(text).find(cell => cell.includes(','));
@@ -85,7 +109,7 @@ const WRONG = {
   'error bars': 'plot file("orbit") using col("t"):col("x"):(val("X")) with yerrorbars',
   'an area': 'plot file("orbit") using col("t"):col("x"):(val("X")) with filledcurves',
   'a name at the axis': 'plot file("orbit") using col("t"):col("x"):ytic(txt("X")) with lines',
-  statistics: 'stats file("orbit") using (val("X")) nooutput',
+  'statistics': 'stats file("orbit") using (val("X")) nooutput',
   'a cell': 'x = cell("orbit", 1, "X"); plot x',
   'a comparison': 'plot file("orbit") using (txt("X") eq "a" ? 1 : 2):col("t") with lines',
 };
@@ -105,8 +129,12 @@ for (const [what, line] of Object.entries(WRONG)) {
 
 test('so is a method without a style, a number that nobody recorded, a table that is not there, and a warning', () => {
   const faults = {
-    'set label 1 "a" at 0,0 tc ls style("Eler"); plot 1': 'no style for "Eler"', 'set label 1 number("apx") at 0,0; plot 1': 'no number "apx"', 'plot exact("apx")': 'no number "apx"',
-    'x = cell("orbit", 4, "x"); plot x': 'orbit.csv has no row 4', 'plot file("orbits") using col("t"):col("x")': 'orbits.csv', 'plot file("orbit") using col("t"):(val("x") > 9 ? 1 : NaN) with lines': 'no valid points',
+    'set label 1 "a" at 0,0 tc ls style("Eler"); plot 1': 'no style for "Eler"',
+    'set label 1 number("apx") at 0,0; plot 1': 'no number "apx"',
+    'plot exact("apx")': 'no number "apx"',
+    'x = cell("orbit", 4, "x"); plot x': 'orbit.csv has no row 4',
+    'plot file("orbits") using col("t"):col("x")': 'orbits.csv',
+    'plot file("orbit") using col("t"):(val("x") > 9 ? 1 : NaN) with lines': 'no valid points',
   };
   for (const [line, word] of Object.entries(faults)) {
     const { drawn, said } = drawLine(line);
@@ -115,7 +143,9 @@ test('so is a method without a style, a number that nobody recorded, a table tha
 });
 
 test('a good one is drawn, with the number as the prose prints it', () => {
-  const { drawn, said } = drawLine('set label 1 number("apex") at 1,1; plot file("orbit") using col("t"):col("x") with lines ls style("Störmer–Verlet"), exact("apex") + cell("orbit", 3, "x")');
+  const { drawn, said } = drawLine(
+    'set label 1 number("apex") at 1,1; plot file("orbit") using col("t"):col("x") with lines ls style("Störmer–Verlet"), exact("apex") + cell("orbit", 3, "x")',
+  );
   assert.ok(drawn, said);
   assert.match(readFileSync(join(scratch, 'sketch.svg'), 'utf8'), />1\.27 m</);
 });

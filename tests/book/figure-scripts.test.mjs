@@ -7,23 +7,36 @@ import { test } from 'node:test';
 import { columnsByNumber, numbersInLabels, readScript } from './gnuplot-script.mjs';
 
 const source = process.argv[3] ?? '.';
-const scripts = ['tests/peers/speed.gp', ...readdirSync(join(source, 'chapters'), { withFileTypes: true })
-  .filter(entry => entry.isDirectory())
-  .flatMap(({ name }) => readdirSync(join(source, 'chapters', name)).filter(file => file.endsWith('.gp')).map(file => `chapters/${name}/${file}`))];
+const scripts = [
+  'tests/peers/speed.gp',
+  ...readdirSync(join(source, 'chapters'), { withFileTypes: true })
+    .filter(entry => entry.isDirectory())
+    .flatMap(({ name }) =>
+      readdirSync(join(source, 'chapters', name))
+        .filter(file => file.endsWith('.gp'))
+        .map(file => `chapters/${name}/${file}`),
+    ),
+];
 const read = file => readFileSync(join(source, file), 'utf8');
 
 for (const script of scripts) {
   test(`${script} names its columns`, () => assert.deepEqual(columnsByNumber(read(script)), []));
-  test(`${script} types no number that a program should write`, () => assert.deepEqual(numbersInLabels(read(script)), []));
+  test(`${script} types no number that a program should write`, () =>
+    assert.deepEqual(numbersInLabels(read(script)), []));
 }
 
 test('the styles of methods go by the names that these have in code/measure/methods', () => {
-  const headers = readdirSync(join(source, 'code/measure/methods')).filter(file => file.endsWith('.h')).map(file => read(`code/measure/methods/${file}`));
+  const headers = readdirSync(join(source, 'code/measure/methods'))
+    .filter(file => file.endsWith('.h'))
+    .map(file => read(`code/measure/methods/${file}`));
   const names = headers.flatMap(text => [...text.matchAll(/\bname = "([^"]+)"/g)].map(([, name]) => name));
   assert.ok(names.length > 20, `${names.length} methods found`);
   const styled = [...read('book/theme/figure.gp').matchAll(/^eval method\("([^"]+)"/gm)].map(([, name]) => name);
   assert.ok(styled.length > 10, `${styled.length} styles found`);
-  assert.deepEqual(styled.filter(name => !names.includes(name)), []);
+  assert.deepEqual(
+    styled.filter(name => !names.includes(name)),
+    [],
+  );
 });
 
 test('a column by its number is found', () => {
@@ -42,12 +55,30 @@ test('a column by its number is found', () => {
 });
 
 test('a number typed into a label is found', () => {
-  const faults = ['set label 1 "21.2 ms" at 0,0', 'set label 1 "ledge, 1 m"', "set label '60 Hz'", 'tip = "20 steps a second: %.2f m"', 'rates = "15 240"', 'set label 2 "1.5"'];
+  const faults = [
+    'set label 1 "21.2 ms" at 0,0',
+    'set label 1 "ledge, 1 m"',
+    "set label '60 Hz'",
+    'tip = "20 steps a second: %.2f m"',
+    'rates = "15 240"',
+    'set label 2 "1.5"',
+  ];
   for (const script of faults) assert.equal(numbersInLabels(script).length, 1, script);
-  const good = ['set label 1 number("door-limit")', 'set xtics ("1 mm" 0.001, "548" 547)', 'set label 1 "RK4" font "Book Sans,12"', 'x = val("Euler at 120 Hz")', 'tip = "%.2f m"', 'set label "slope −1"', 'set arrow lc rgb "#000001"'];
+  const good = [
+    'set label 1 number("door-limit")',
+    'set xtics ("1 mm" 0.001, "548" 547)',
+    'set label 1 "RK4" font "Book Sans,12"',
+    'x = val("Euler at 120 Hz")',
+    'tip = "%.2f m"',
+    'set label "slope −1"',
+    'set arrow lc rgb "#000001"',
+  ];
   for (const script of good) assert.deepEqual(numbersInLabels(script), [], script);
 });
 
 test('a string with a quote of the other kind in it is one string', () => {
-  assert.deepEqual(readScript(`a = "it's"; b = 'x'`).strings.map(({ text }) => text), ["it's", 'x']);
+  assert.deepEqual(
+    readScript(`a = "it's"; b = 'x'`).strings.map(({ text }) => text),
+    ["it's", 'x'],
+  );
 });

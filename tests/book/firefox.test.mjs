@@ -19,7 +19,8 @@ const browser = await playwright._bidiFirefox.launch({ executablePath: process.a
 after(() => browser.close());
 const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: 'reduce' });
 await context.addInitScript(() => {
-  globalThis.pictures = of => [...document.querySelectorAll(`[data-live="${of}"] canvas`)].map(canvas => canvas.toDataURL()).join();
+  globalThis.pictures = of =>
+    [...document.querySelectorAll(`[data-live="${of}"] canvas`)].map(canvas => canvas.toDataURL()).join();
 });
 const tab = await context.newPage();
 const faults = [];
@@ -29,7 +30,9 @@ tab.on('pageerror', error => faults.push(error.message));
 async function visit(page) {
   faults.length = 0;
   await tab.goto(pathToFileURL(join(folder, page)).href);
-  await tab.waitForFunction(() => [...document.querySelectorAll('[data-live]')].every(figure => figure.classList.contains('live')));
+  await tab.waitForFunction(() =>
+    [...document.querySelectorAll('[data-live]')].every(figure => figure.classList.contains('live')),
+  );
 }
 
 for (const { name, page, controls } of figures) {
@@ -40,7 +43,9 @@ for (const { name, page, controls } of figures) {
       const before = await tab.evaluate(of => globalThis.pictures(of), name);
       await stage.locator(`[data-control="${control.name}"] ${control.choices ? 'input:checked' : 'input'}`).focus();
       await tab.keyboard.press('ArrowRight');
-      await tab.waitForFunction(([of, old]) => globalThis.pictures(of) !== old, [name, before], { timeout: 5000 }).catch(() => assert.fail(`${control.name} changes nothing that is seen`));
+      await tab
+        .waitForFunction(([of, old]) => globalThis.pictures(of) !== old, [name, before], { timeout: 5000 })
+        .catch(() => assert.fail(`${control.name} changes nothing that is seen`));
     }
     await stage.locator('[data-do=reset]').click();
     await stage.locator('[data-do=play]').click();
@@ -52,15 +57,23 @@ for (const { name, page, controls } of figures) {
 
 test(`${STEPS} steps of every figure have the same bits as in the native program`, async () => {
   const runs = cases();
-  const native = execFileSync(join(build, 'weave/live/live.fingerprints'), { input: runs.map(question).join('\n'), encoding: 'utf8' }).trim().split('\n');
+  const native = execFileSync(join(build, 'weave/live/live.fingerprints'), {
+    input: runs.map(question).join('\n'),
+    encoding: 'utf8',
+  })
+    .trim()
+    .split('\n');
   await visit(figures[0].page);
   for (const [i, { figure, settings }] of runs.entries()) {
-    const found = await tab.evaluate(async ([name, values, steps]) => {
-      globalThis.compiledOnce ??= await Live.compile(Live.compiled);
-      const opened = await Live.open(globalThis.compiledOnce, name);
-      for (const [setting, value] of Object.entries(values)) opened.set(setting, value);
-      return opened.fingerprint(steps);
-    }, [figure, settings, STEPS]);
+    const found = await tab.evaluate(
+      async ([name, values, steps]) => {
+        globalThis.compiledOnce ??= await Live.compile(Live.compiled);
+        const opened = await Live.open(globalThis.compiledOnce, name);
+        for (const [setting, value] of Object.entries(values)) opened.set(setting, value);
+        return opened.fingerprint(steps);
+      },
+      [figure, settings, STEPS],
+    );
     assert.equal(found, native[i], `${figure} ${JSON.stringify(settings)}`);
   }
 });

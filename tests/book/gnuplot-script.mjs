@@ -4,13 +4,19 @@
 // col("t"), `alone` whether it is all that is handed over, and `ticks` whether it labels an axis. And the code, of the same length, with strings and comments left blank.
 export function readScript(script) {
   const strings = [];
-  let code = '', open = null;
+  let code = '',
+    open = null;
   for (let i = 0; i < script.length; ++i) {
     const c = script[i];
     if (open) {
       const ends = c === open.quote && script[i - 1] !== '\\';
       if (ends) {
-        strings.push({ ...open, text: script.slice(open.at + 1, i), alone: /^\s*\)/.test(script.slice(i + 1)), line: script.slice(0, i).split('\n').length });
+        strings.push({
+          ...open,
+          text: script.slice(open.at + 1, i),
+          alone: /^\s*\)/.test(script.slice(i + 1)),
+          line: script.slice(0, i).split('\n').length,
+        });
         open = null;
       }
       code += ends || c === '\n' ? c : ' ';
@@ -19,7 +25,8 @@ export function readScript(script) {
       code += ' '.repeat(end - i);
       i = end - 1;
     } else {
-      if (c === '"' || c === "'") open = { quote: c, at: i, call: code.match(/(\w+)\s*\(\s*$/)?.[1], ticks: /\bset [xy]tics[^;\n]*$/.test(code) };
+      if (c === '"' || c === "'")
+        open = { quote: c, at: i, call: code.match(/(\w+)\s*\(\s*$/)?.[1], ticks: /\bset [xy]tics[^;\n]*$/.test(code) };
       code += c;
     }
   }
@@ -32,9 +39,16 @@ export function columnsByNumber(script) {
   const found = [];
   for (const use of code.matchAll(/\busing\s+/g)) {
     const entries = entriesOf(code.slice(use.index + use[0].length));
-    found.push(...entries.filter(entry => !/^(\(|col\(|[xyz]tic\((txt\(|[a-z]\w*\)))/.test(entry) && entry !== '0').map(entry => `using ${entry}`));
+    found.push(
+      ...entries
+        .filter(entry => !/^(\(|col\(|[xyz]tic\((txt\(|[a-z]\w*\)))/.test(entry) && entry !== '0')
+        .map(entry => `using ${entry}`),
+    );
   }
-  for (const [text] of code.matchAll(/\$[1-9]\d*|\b(?:column|strcol|stringcolumn)\(\s*(?!0\s*\))[^)]*\)|\b[xyz]tic\(\s*\d+\s*\)/g)) found.push(text);
+  for (const [text] of code.matchAll(
+    /\$[1-9]\d*|\b(?:column|strcol|stringcolumn)\(\s*(?!0\s*\))[^)]*\)|\b[xyz]tic\(\s*\d+\s*\)/g,
+  ))
+    found.push(text);
   return found;
 }
 
@@ -53,16 +67,56 @@ function entriesOf(text) {
   return entries.map(entry => entry.trim()).filter(Boolean);
 }
 
-const UNITS = ['pm', 'nm', 'µm', 'mm', 'cm', 'm', 'km', 'AU', 'ns', 'µs', 'ms', 's', 'min', 'h', 'Hz', 'kHz', 'm/s', 'rad', 'rad/s', '°', '%', 'per cent',
-  'seconds?', 'minutes?', 'years?', 'metres?', 'steps?', 'turns?', 'links?', 'iterations?', 'frames?', 'evaluations?', 'substeps?', 'particles?', 'times'];
+const UNITS = [
+  'pm',
+  'nm',
+  'µm',
+  'mm',
+  'cm',
+  'm',
+  'km',
+  'AU',
+  'ns',
+  'µs',
+  'ms',
+  's',
+  'min',
+  'h',
+  'Hz',
+  'kHz',
+  'm/s',
+  'rad',
+  'rad/s',
+  '°',
+  '%',
+  'per cent',
+  'seconds?',
+  'minutes?',
+  'years?',
+  'metres?',
+  'steps?',
+  'turns?',
+  'links?',
+  'iterations?',
+  'frames?',
+  'evaluations?',
+  'substeps?',
+  'particles?',
+  'times',
+];
 const MEASURED = new RegExp(`\\d{3}|\\d\\.\\d|\\d\\s?(?:${UNITS.join('|')})(?![\\wµ])`);
 const LOOKED_UP = ['col', 'val', 'txt', 'file', 'style', 'number', 'exact', 'cell', 'canvas'];
 
 // Every string with a number in it that the chapter's program should write: three digits, a decimal point, or a unit. What is
 // looked up by its name may bear one, and so may a command for eval, and what stands at an axis, whose place ticks.test.mjs tests.
 export function numbersInLabels(script) {
-  return readScript(script).strings
-    .filter(({ text, call, ticks }) => !ticks && !LOOKED_UP.includes(call) && !/^(#[0-9a-f]{6}$|(un)?set |(left|right|center) offset )/.test(text))
-    .filter(({ text }) => MEASURED.test(text.replace(/%[-+ 0#]*[\d.]*l*[a-zA-Z]/g, '').replace(/^Book Sans,\d+$|^,\d+$/, '')))
+  return readScript(script)
+    .strings.filter(
+      ({ text, call, ticks }) =>
+        !ticks && !LOOKED_UP.includes(call) && !/^(#[0-9a-f]{6}$|(un)?set |(left|right|center) offset )/.test(text),
+    )
+    .filter(({ text }) =>
+      MEASURED.test(text.replace(/%[-+ 0#]*[\d.]*l*[a-zA-Z]/g, '').replace(/^Book Sans,\d+$|^,\d+$/, '')),
+    )
     .map(({ text, line }) => ({ text, line }));
 }

@@ -15,11 +15,14 @@ export async function inspect() {
   for (const e of all('main *:not(svg *)')) {
     if (e.closest('.katex-mathml') || scrolls(e)) continue;
     const right = e.getBoundingClientRect().right;
-    if (right > root.clientWidth + 1) faults.push(`${name(e)} is cut off: it ends at ${Math.round(right)} px of ${root.clientWidth}`);
+    if (right > root.clientWidth + 1)
+      faults.push(`${name(e)} is cut off: it ends at ${Math.round(right)} px of ${root.clientWidth}`);
   }
 
   for (const font of document.fonts) if (font.status === 'error') faults.push(`font not loaded: ${font.family}`);
-  const loaded = [...document.fonts].filter(font => font.status === 'loaded').map(font => font.family.replace(/"/g, ''));
+  const loaded = [...document.fonts]
+    .filter(font => font.status === 'loaded')
+    .map(font => font.family.replace(/"/g, ''));
   for (const e of all('body, nav, main code')) {
     const family = getComputedStyle(e).fontFamily.split(',')[0].replace(/"/g, '');
     if (!loaded.includes(family)) faults.push(`${name(e)} is not set in ${family}`);
@@ -30,7 +33,8 @@ export async function inspect() {
   const tips = all('[data-tip], [aria-label], [title]').map(e => [e.dataset.tip, e.ariaLabel, e.title].join(' '));
   const written = [document.title, ...tips, text.textContent].join('\n');
   // Doxygen's and the book's marks, Markdown, TeX, gnuplot's
-  const raw = /\\f[$[\](){}]|\\[a-z]+\{|[\\@](ref|cite|snippet|p|c|endlink)\b|\*\*|``|\]\(|\$\$|\\[([]|\{\/:|[_^]\{|%[.\d]*[dfegs]\b|&(amp|lt|gt|quot|#\d+);|\[object /;
+  const raw =
+    /\\f[$[\](){}]|\\[a-z]+\{|[\\@](ref|cite|snippet|p|c|endlink)\b|\*\*|``|\]\(|\$\$|\\[([]|\{\/:|[_^]\{|%[.\d]*[dfegs]\b|&(amp|lt|gt|quot|#\d+);|\[object /;
   const found = written.match(new RegExp(`.{0,30}(${raw.source}).{0,30}`));
   if (found) faults.push(`raw markup in the text: ${found[0].trim()}`);
   const torn = all('p', text).find(p => /(^|\s)\|\s.*\s\|/.test(p.textContent));

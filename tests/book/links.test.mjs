@@ -5,7 +5,14 @@ import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { folder, pages, parse } from './book.mjs';
 
-const ids = new Map(pages.map(page => [page, parse(page)('[id]').map((_, e) => e.attribs.id).get()]));
+const ids = new Map(
+  pages.map(page => [
+    page,
+    parse(page)('[id]')
+      .map((_, e) => e.attribs.id)
+      .get(),
+  ]),
+);
 const places = new Map(pages.map(page => [page, new Set(ids.get(page))]));
 const twice = list => list.filter((id, i) => list.indexOf(id) !== i);
 const there = path => existsSync(join(folder, path));
@@ -13,7 +20,8 @@ let links = 0;
 
 function fault(page, tag, address) {
   if (/^data:/.test(address)) return null;
-  if (/^[a-z]+:|^\/\//i.test(address)) return tag === 'a' && /^https:/.test(address) ? null : `${address} leaves the disk`;
+  if (/^[a-z]+:|^\/\//i.test(address))
+    return tag === 'a' && /^https:/.test(address) ? null : `${address} leaves the disk`;
   ++links;
   const [path, fragment] = address.split('#').map(decodeURIComponent);
   const target = path || page;
@@ -25,7 +33,9 @@ function fault(page, tag, address) {
 for (const page of pages) {
   test(page, () => {
     const $ = parse(page);
-    const addresses = $('[href], [src]').map((_, e) => ({ tag: e.name, address: e.attribs.href ?? e.attribs.src })).get();
+    const addresses = $('[href], [src]')
+      .map((_, e) => ({ tag: e.name, address: e.attribs.href ?? e.attribs.src }))
+      .get();
     const faults = addresses.map(({ tag, address }) => fault(page, tag, address)).filter(Boolean);
     assert.ok(!faults.length, faults.join('\n'));
     assert.equal(ids.get(page).length, places.get(page).size, `ids that stand twice: ${twice(ids.get(page))}`);
@@ -33,10 +43,21 @@ for (const page of pages) {
 }
 
 test('what the style sheets name is there', () => {
-  const sheets = new Set(pages.flatMap(page => parse(page)('link[rel=stylesheet]').map((_, e) => e.attribs.href).get()));
+  const sheets = new Set(
+    pages.flatMap(page =>
+      parse(page)('link[rel=stylesheet]')
+        .map((_, e) => e.attribs.href)
+        .get(),
+    ),
+  );
   for (const sheet of sheets) {
-    const named = [...readFileSync(join(folder, sheet), 'utf8').matchAll(/url\(["']?(.*?)["']?\)/g)].map(found => found[1]);
-    assert.deepEqual(named.filter(path => !path.startsWith('data:') && !there(join(dirname(sheet), path))), []);
+    const named = [...readFileSync(join(folder, sheet), 'utf8').matchAll(/url\(["']?(.*?)["']?\)/g)].map(
+      found => found[1],
+    );
+    assert.deepEqual(
+      named.filter(path => !path.startsWith('data:') && !there(join(dirname(sheet), path))),
+      [],
+    );
   }
 });
 
@@ -44,11 +65,17 @@ test('each figure leads to its script and to the data that the script reads', ()
   for (const page of pages) {
     const $ = parse(page);
     $('figure.plot').each((_, figure) => {
-      const addresses = $(figure).find('figcaption a').map((_, a) => a.attribs.href).get();
+      const addresses = $(figure)
+        .find('figcaption a')
+        .map((_, a) => a.attribs.href)
+        .get();
       const script = addresses.find(address => /^source-.*-gp\.html$/.test(address));
       assert.ok(script, `${figure.attribs.id} in ${page} names no script`);
       if (!/\bfile\(|\.csv/.test(parse(script)('pre').text())) return;
-      assert.ok(addresses.some(address => address.endsWith('.csv')), `${figure.attribs.id} in ${page} names no data`);
+      assert.ok(
+        addresses.some(address => address.endsWith('.csv')),
+        `${figure.attribs.id} in ${page} names no data`,
+      );
     });
   }
 });

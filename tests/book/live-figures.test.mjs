@@ -10,7 +10,11 @@ const phone = await openTab('dark');
 const moving = await openTab();
 await moving.emulateMedia({ reducedMotion: 'no-preference' });
 // A click can miss what still glides, as the page does for readers who like motion.
-await moving.addInitScript(() => addEventListener('DOMContentLoaded', () => { document.documentElement.style.scrollBehavior = 'auto'; }));
+await moving.addInitScript(() =>
+  addEventListener('DOMContentLoaded', () => {
+    document.documentElement.style.scrollBehavior = 'auto';
+  }),
+);
 
 const blank = tab => assert.deepEqual(tab.faults, []);
 
@@ -42,7 +46,10 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
       await live.control('method').locator(`[value=${method}]`).check();
       const shown = live.stage.locator('.listing:visible');
       assert.equal(await shown.count(), 1);
-      assert.equal(await shown.locator('.file').textContent(), figure.code?.[method]?.path ?? `code/integrate/${method}.h`);
+      assert.equal(
+        await shown.locator('.file').textContent(),
+        figure.code?.[method]?.path ?? `code/integrate/${method}.h`,
+      );
     }
   });
 
@@ -59,7 +66,10 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
   about('with motion it plays once it is seen, and Pause holds it', async () => {
     const live = await open(moving, figure);
     await live.stage.evaluate(stage => stage.scrollIntoView());
-    await moving.waitForFunction(of => globalThis.Live.opened[of].playing && globalThis.Live.opened[of].run.taken > 0, figure.name);
+    await moving.waitForFunction(
+      of => globalThis.Live.opened[of].playing && globalThis.Live.opened[of].run.taken > 0,
+      figure.name,
+    );
     await live.press('play');
     const held = await live.now();
     assert.ok(held.t < figure.seconds);
@@ -74,7 +84,12 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
     await live.press('reset');
     await live.press('play');
     await moving.evaluate(() => scrollTo(0, 0));
-    await live.stage.evaluate(stage => new Promise(done => { new IntersectionObserver(([seen]) => seen.isIntersecting || done()).observe(stage); }));
+    await live.stage.evaluate(
+      stage =>
+        new Promise(done => {
+          new IntersectionObserver(([seen]) => seen.isIntersecting || done()).observe(stage);
+        }),
+    );
     await wait(100);
     const { t } = await live.now();
     await wait(400);
@@ -87,8 +102,12 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
     await live.press('reset');
     assert.ok(!(await live.stage.locator('.readout').textContent()).includes(slow));
     await moving.evaluate(of => {
-      const { run } = globalThis.Live.opened[of], { step } = Object.getPrototypeOf(run);
-      run.step = () => { for (const until = performance.now() + 300; performance.now() < until;); step.call(run); };
+      const { run } = globalThis.Live.opened[of],
+        { step } = Object.getPrototypeOf(run);
+      run.step = () => {
+        for (const until = performance.now() + 300; performance.now() < until;);
+        step.call(run);
+      };
     }, figure.name);
     await live.press('play');
     await live.stage.locator('.readout', { hasText: slow }).waitFor();
@@ -113,7 +132,10 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
     for (let i = 0; i < 4; ++i) await live.press('step');
     const held = await live.now();
     const { name, choices } = figure.controls.at(-1);
-    await live.control(name).locator(choices ? 'input:checked' : 'input').focus();
+    await live
+      .control(name)
+      .locator(choices ? 'input:checked' : 'input')
+      .focus();
     await tab.keyboard.press('ArrowLeft');
     const { t, h } = await live.now();
     assert.ok(t > 0 && Math.abs(t - held.t) < 1.001 * h, `${held.t} became ${t}`);
@@ -132,7 +154,10 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
   about('the link brings back the settings', async () => {
     const live = await open(tab, figure);
     for (const { name, choices } of figure.controls) {
-      await live.control(name).locator(choices ? 'input:checked' : 'input').focus();
+      await live
+        .control(name)
+        .locator(choices ? 'input:checked' : 'input')
+        .focus();
       await tab.keyboard.press('ArrowRight');
     }
     const [query, scene] = [await live.query(), await live.scene()];

@@ -14,27 +14,40 @@ await tab.addInitScript(() => {
   new MutationObserver((_, observer) => {
     if (!document.querySelector('[data-live].live')) return;
     observer.disconnect();
-    requestAnimationFrame(() => requestAnimationFrame(() => { globalThis.firstPicture = performance.now(); }));
+    requestAnimationFrame(() =>
+      requestAnimationFrame(() => {
+        globalThis.firstPicture = performance.now();
+      }),
+    );
   }).observe(document, { subtree: true, attributes: true });
 });
 
 // The intervals between frames, and the work of each, while a figure plays over and over.
-const record = ([name, seconds]) => new Promise(done => {
-  const figure = globalThis.Live.opened[name], { frame } = Object.getPrototypeOf(figure);
-  const intervals = [], work = [];
-  let last = null;
-  figure.frame = now => {
-    if (last !== null) intervals.push(now - last);
-    last = now;
-    const from = performance.now();
-    frame.call(figure, now);
-    work.push(performance.now() - from);
-    if (!figure.playing) { last = null; figure.play(); }
-  };
-  figure.reset();
-  figure.play();
-  setTimeout(() => { figure.pause(); done({ intervals, work }); }, seconds * 1000);
-});
+const record = ([name, seconds]) =>
+  new Promise(done => {
+    const figure = globalThis.Live.opened[name],
+      { frame } = Object.getPrototypeOf(figure);
+    const intervals = [],
+      work = [];
+    let last = null;
+    figure.frame = now => {
+      if (last !== null) intervals.push(now - last);
+      last = now;
+      const from = performance.now();
+      frame.call(figure, now);
+      work.push(performance.now() - from);
+      if (!figure.playing) {
+        last = null;
+        figure.play();
+      }
+    };
+    figure.reset();
+    figure.play();
+    setTimeout(() => {
+      figure.pause();
+      done({ intervals, work });
+    }, seconds * 1000);
+  });
 
 console.log(`${'figure'.padEnd(20)} frames a second   work: median   99 %  of a frame [ms]   first picture [ms]`);
 for (const figure of figures) {
@@ -42,6 +55,8 @@ for (const figure of figures) {
   await open(tab, figure);
   const first = await tab.waitForFunction(() => globalThis.firstPicture);
   const { intervals, work } = await tab.evaluate(record, [figure.name, SECONDS]);
-  console.log(`${figure.name.padEnd(20)} ${ms(1000 / median(intervals))}           ${ms(median(work))} ${ms(worst(work))}                      ${ms(await first.jsonValue())}`);
+  console.log(
+    `${figure.name.padEnd(20)} ${ms(1000 / median(intervals))}           ${ms(median(work))} ${ms(worst(work))}                      ${ms(await first.jsonValue())}`,
+  );
 }
 await browser.close();

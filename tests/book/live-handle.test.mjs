@@ -13,14 +13,20 @@ async function openRope(reader) {
   const live = await open(reader, figure);
   await live.press('reset');
   const handle = live.stage.locator('.handle');
-  const middle = async () => { const { x, y, width, height } = await handle.boundingBox(); return [x + width / 2, y + height / 2]; };
+  const middle = async () => {
+    const { x, y, width, height } = await handle.boundingBox();
+    return [x + width / 2, y + height / 2];
+  };
   const metre = () => reader.evaluate(name => globalThis.Live.opened[name].pen.metre, NAME);
   // Where the rope begins, once it has moved there.
   const holds = async (x, y) => {
-    await reader.waitForFunction(([name, wanted]) => {
-      const { now, taken } = globalThis.Live.opened[name].run;
-      return taken > 5 && Math.hypot(now.x[0] - wanted[0], now.y[0] - wanted[1]) < 0.02;
-    }, [NAME, [x, y]]);
+    await reader.waitForFunction(
+      ([name, wanted]) => {
+        const { now, taken } = globalThis.Live.opened[name].run;
+        return taken > 5 && Math.hypot(now.x[0] - wanted[0], now.y[0] - wanted[1]) < 0.02;
+      },
+      [NAME, [x, y]],
+    );
   };
   return { ...live, handle, middle, metre, holds };
 }
@@ -45,9 +51,11 @@ test('a mouse drags the rope, and sets it in motion', async () => {
 test('a finger drags the rope and does not scroll the page', async () => {
   const { middle, metre, holds } = await openRope(phone);
   const scrolled = () => phone.evaluate(() => scrollY);
-  const [x, y] = await middle(), scroll = await scrolled();
+  const [x, y] = await middle(),
+    scroll = await scrolled();
   const client = await phone.context().newCDPSession(phone);
-  const touch = (type, ...points) => client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([px, py]) => ({ x: px, y: py })) });
+  const touch = (type, ...points) =>
+    client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([px, py]) => ({ x: px, y: py })) });
   await touch('touchStart', [x, y]);
   for (let part = 1; part <= 5; ++part) await touch('touchMove', [x - 6 * part, y + 5 * part]);
   await touch('touchEnd');
@@ -78,7 +86,8 @@ test('the arrow keys move the hand, say where it is, and stop at the edge; Reset
 test('it has no end: the chart goes along and keeps the last seconds', async () => {
   await openRope(tab);
   const { ended, t, kept, from, until } = await tab.evaluate(async name => {
-    const opened = globalThis.Live.opened[name], { run, chart } = opened;
+    const opened = globalThis.Live.opened[name],
+      { run, chart } = opened;
     while (run.now.t < 2.5 * opened.description.seconds) run.step();
     opened.draw();
     await new Promise(requestAnimationFrame);

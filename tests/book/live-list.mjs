@@ -2,4 +2,7 @@
 import { readFigures } from '../../book/live/cases.mjs';
 import { pages, parse } from './book.mjs';
 
-export const figures = readFigures().map(figure => ({ ...figure, page: pages.find(page => parse(page)(`[data-live="${figure.name}"]`).length) }));
+export const figures = readFigures().map(figure => ({
+  ...figure,
+  page: pages.find(page => parse(page)(`[data-live="${figure.name}"]`).length),
+}));

@@ -9,15 +9,24 @@ import { folder, pages, parse } from './book.mjs';
 import { openTab, visit } from './browser.mjs';
 import { figures, module } from './live.mjs';
 
-const scripts = page => parse(page)('script[src]').map((_, e) => e.attribs.src).get();
+const scripts = page =>
+  parse(page)('script[src]')
+    .map((_, e) => e.attribs.src)
+    .get();
 const isLive = page => parse(page)('[data-live]').length > 0;
 
-test('the module needs nothing from outside', async () => assert.deepEqual(WebAssembly.Module.imports(await WebAssembly.compile(module)), []));
+test('the module needs nothing from outside', async () =>
+  assert.deepEqual(WebAssembly.Module.imports(await WebAssembly.compile(module)), []));
 
 test('the module has less than 100 kB', () => assert.ok(module.length < 100e3, `${module.length} bytes`));
 
 test('a page loads the live scripts if it has a live figure, and only then', () => {
-  for (const page of pages) assert.equal(scripts(page).some(src => src.startsWith('live/')), isLive(page), page);
+  for (const page of pages)
+    assert.equal(
+      scripts(page).some(src => src.startsWith('live/')),
+      isLive(page),
+      page,
+    );
   assert.ok(pages.some(isLive));
 });
 
@@ -30,10 +39,23 @@ test('all scripts of a page have less than 250 kB', () => {
 
 test('numbers are written as in the book', async () => {
   const { Live } = (await import('../../book/live/page/words.js'), globalThis);
-  const fixed = [[1.25, 1, '1.3'], [-0.04, 1, '0.0'], [-0.05, 2, '\u22120.05'], [9999, 0, '9999'], [12345.6, 1, '12\u202f345.6'],
-    [-1234567, 0, '\u22121.2 × 10⁶'], [4.13e12, 2, '4.1 × 10¹²']];
+  const fixed = [
+    [1.25, 1, '1.3'],
+    [-0.04, 1, '0.0'],
+    [-0.05, 2, '\u22120.05'],
+    [9999, 0, '9999'],
+    [12345.6, 1, '12\u202f345.6'],
+    [-1234567, 0, '\u22121.2 × 10⁶'],
+    [4.13e12, 2, '4.1 × 10¹²'],
+  ];
   for (const [value, digits, text] of fixed) assert.equal(Live.fixed(value, digits), text);
-  const metres = [[1, '1.0 m'], [0.72, '72 cm'], [0.0078, '7.8 mm'], [3e-7, '300 nm'], [41335, '41\u202f335 m']];
+  const metres = [
+    [1, '1.0 m'],
+    [0.72, '72 cm'],
+    [0.0078, '7.8 mm'],
+    [3e-7, '300 nm'],
+    [41335, '41\u202f335 m'],
+  ];
   for (const [value, text] of metres) assert.equal(Live.metres(value).replace(/\u202f(?=[a-zµ])/, ' '), text);
 });
 
@@ -51,18 +73,25 @@ test(`${STEPS} steps of every figure have the same bits in Chromium as in the na
   const tab = await openTab();
   const runs = cases();
   const program = join(process.argv[2], 'weave/live/live.fingerprints');
-  const native = execFileSync(program, { input: runs.map(question).join('\n'), encoding: 'utf8' }).trim().split('\n');
+  const native = execFileSync(program, { input: runs.map(question).join('\n'), encoding: 'utf8' })
+    .trim()
+    .split('\n');
   await visit(tab, figures[0].page);
-  const browser = await tab.evaluate(async ([all, steps]) => {
-    const compiled = await Live.compile(Live.compiled);
-    const found = [];
-    for (const { figure, settings } of all) {
-      const opened = await Live.open(compiled, figure);
-      for (const [name, value] of Object.entries(settings)) opened.set(name, value);
-      found.push(opened.fingerprint(steps));
-    }
-    return found;
-  }, [runs, STEPS]);
-  runs.forEach((run, i) => console.log(`${run.figure} ${JSON.stringify(run.settings)} native ${native[i]} Chromium ${browser[i]}`));
+  const browser = await tab.evaluate(
+    async ([all, steps]) => {
+      const compiled = await Live.compile(Live.compiled);
+      const found = [];
+      for (const { figure, settings } of all) {
+        const opened = await Live.open(compiled, figure);
+        for (const [name, value] of Object.entries(settings)) opened.set(name, value);
+        found.push(opened.fingerprint(steps));
+      }
+      return found;
+    },
+    [runs, STEPS],
+  );
+  runs.forEach((run, i) =>
+    console.log(`${run.figure} ${JSON.stringify(run.settings)} native ${native[i]} Chromium ${browser[i]}`),
+  );
   assert.deepEqual(browser, native);
 });

@@ -8,12 +8,16 @@ import { figures, open } from './live.mjs';
 const tab = await openTab();
 
 async function end(name, query) {
-  const live = await open(tab, figures.find(figure => figure.name === name), query);
+  const live = await open(
+    tab,
+    figures.find(figure => figure.name === name),
+    query,
+  );
   return live.now();
 }
 
 test('the drone gains energy under Euler by the factor of the chapter, and keeps it under symplectic Euler', async () => {
-  const omega = 2 * Math.PI / 8;
+  const omega = (2 * Math.PI) / 8;
   for (const rate of [15, 60, 240]) {
     const { energy } = await end('drone-spiral', `method=euler&rate=${rate}`);
     const formula = (1 + (omega / rate) ** 2) ** (80 * rate);
@@ -25,7 +29,7 @@ test('the drone gains energy under Euler by the factor of the chapter, and keeps
 
 test('the suspension dies away within its limit and grows outside, and the limit is two zeta over omega', async () => {
   for (const zeta of [0.1, 0.3]) {
-    const limit = 2 * zeta / 20;
+    const limit = (2 * zeta) / 20;
     const inside = await end('suspension', `method=euler&zeta=${zeta}&h=${limit - 0.001}`);
     const outside = await end('suspension', `method=euler&zeta=${zeta}&h=${limit + 0.001}`);
     assert.ok(inside.energy < 1 && outside.energy > 1, `${inside.energy} ${outside.energy}`);
@@ -35,35 +39,51 @@ test('the suspension dies away within its limit and grows outside, and the limit
 
 test('the term with half a h squared is exact without air, and worse than Euler in air', async () => {
   const error = async (air, method) => (await end('thrown-ball', `air=${air}&method=${method}&rate=20`)).error;
-  assert.ok(await error('none', 'constant_acceleration') < 1e-12);
-  const h = 1 / 20, g = 9.81;
-  assert.ok(Math.abs(await error('none', 'euler') - g * h * 2 / 2) < 1e-9);
-  assert.ok(await error('drag', 'constant_acceleration') > await error('drag', 'euler'));
+  assert.ok((await error('none', 'constant_acceleration')) < 1e-12);
+  const h = 1 / 20,
+    g = 9.81;
+  assert.ok(Math.abs((await error('none', 'euler')) - (g * h * 2) / 2) < 1e-9);
+  assert.ok((await error('drag', 'constant_acceleration')) > (await error('drag', 'euler')));
 });
 
 test('for the same evaluations Euler takes four steps and RK4 one, and each misses the circle by what its formula says', async () => {
-  const omega = 2 * Math.PI / 8, seconds = 80;
+  const omega = (2 * Math.PI) / 8,
+    seconds = 80;
   for (const rate of [16, 60]) {
     const now = {};
-    for (const method of ['euler', 'midpoint', 'rk4']) now[method] = await end('equal-cost', `method=${method}&rate=${rate}`);
-    assert.deepEqual([now.euler.steps, now.midpoint.steps, now.rk4.steps], [1, 2, 4].map(cost => seconds * rate / cost));
+    for (const method of ['euler', 'midpoint', 'rk4'])
+      now[method] = await end('equal-cost', `method=${method}&rate=${rate}`);
+    assert.deepEqual(
+      [now.euler.steps, now.midpoint.steps, now.rk4.steps],
+      [1, 2, 4].map(cost => (seconds * rate) / cost),
+    );
     const distance = Math.hypot(now.euler['euler x'], now.euler['euler y']);
-    assert.ok(Math.abs(distance / (10 * (1 + (omega / rate) ** 2) ** (seconds * rate / 2)) - 1) < 1e-9, `${distance}`);
+    assert.ok(
+      Math.abs(distance / (10 * (1 + (omega / rate) ** 2) ** ((seconds * rate) / 2)) - 1) < 1e-9,
+      `${distance}`,
+    );
     // What RK4 lacks in each step is the fifth power of e^(i h omega); what follows is smaller by h omega, squared where it counts.
-    const angle = 4 * omega / rate, lack = 10 * now.rk4.steps * angle ** 5 / 120;
+    const angle = (4 * omega) / rate,
+      lack = (10 * now.rk4.steps * angle ** 5) / 120;
     assert.ok(Math.abs(now.rk4['rk4 error'] / lack - 1) < angle ** 2, `${now.rk4['rk4 error']} instead of ${lack}`);
   }
 });
 
 test('on the circle RK4 is nearer than symplectic Euler on sixteen evaluations a second, and farther on four', async () => {
-  const ratio = async rate => { const now = await end('equal-cost', `rate=${rate}`); return now['rk4 error'] / now['symplectic_euler error']; };
-  assert.ok(await ratio(16) < 1 / 4 && await ratio(4) > 1.5, `${await ratio(16)} ${await ratio(4)}`);
+  const ratio = async rate => {
+    const now = await end('equal-cost', `rate=${rate}`);
+    return now['rk4 error'] / now['symplectic_euler error'];
+  };
+  assert.ok((await ratio(16)) < 1 / 4 && (await ratio(4)) > 1.5, `${await ratio(16)} ${await ratio(4)}`);
 });
 
 test('on sixteen evaluations a second the ellipse is lost by Euler, and kept near its shape by symplectic Euler', async () => {
   const now = await end('equal-cost', 'orbit=ellipse&rate=16');
   const distance = method => Math.hypot(now[`${method} x`], now[`${method} y`]);
-  assert.ok(distance('euler') > 10 * 16 && distance('symplectic_euler') < 1.1 * 16, `${distance('euler')} ${distance('symplectic_euler')}`);
+  assert.ok(
+    distance('euler') > 10 * 16 && distance('symplectic_euler') < 1.1 * 16,
+    `${distance('euler')} ${distance('symplectic_euler')}`,
+  );
 });
 
 test('a rope is lost in one substep less than the minimum, and the solved one loses energy at every stiffness', async () => {
@@ -74,24 +94,35 @@ test('a rope is lost in one substep less than the minimum, and the solved one lo
     assert.ok(minimum < whole && minimum > 0.99 * whole, `${minimum} instead of ${whole}`);
     const held = await end('hanging-rope', `k=${k}&substeps=${Math.ceil(minimum)}`);
     const lost = await end('hanging-rope', `k=${k}&substeps=${Math.floor(minimum)}`);
-    assert.ok(Math.abs(held['stepped energy']) < 0.2 && !(lost['stepped energy'] < 1e6), `${held['stepped energy']} ${lost['stepped energy']}`);
+    assert.ok(
+      Math.abs(held['stepped energy']) < 0.2 && !(lost['stepped energy'] < 1e6),
+      `${held['stepped energy']} ${lost['stepped energy']}`,
+    );
     // It cannot lose more than a rope that hangs at rest has lost, one half and what the springs give way.
     assert.ok(held['solved energy'] < -0.2 && held['solved energy'] > -0.51, `${held['solved energy']}`);
   }
 });
 
 test('a solved frame of the rope costs the same at every stiffness, and substeps cost by their number', async () => {
-  const soft = await end('hanging-rope', 'k=1000&substeps=10'), stiff = await end('hanging-rope', 'k=100000&substeps=60');
+  const soft = await end('hanging-rope', 'k=1000&substeps=10'),
+    stiff = await end('hanging-rope', 'k=100000&substeps=60');
   assert.equal(soft['solved work'], stiff['solved work']);
   assert.equal(stiff['stepped work'], 6 * soft['stepped work']);
 });
 
 test('a chart marks where its curve leaves it, and none that stays', async () => {
-  const exit = async (query, name = 'drone-spiral') => { await end(name, query); return tab.evaluate(of => globalThis.Live.opened[of].chart.exits, name); };
-  assert.deepEqual(await exit('rate=16', 'equal-cost'), [], 'an error of nothing, at the start, is under every logarithmic axis');
+  const exit = async (query, name = 'drone-spiral') => {
+    await end(name, query);
+    return tab.evaluate(of => globalThis.Live.opened[of].chart.exits, name);
+  };
+  assert.deepEqual(
+    await exit('rate=16', 'equal-cost'),
+    [],
+    'an error of nothing, at the start, is under every logarithmic axis',
+  );
   assert.deepEqual(await exit('method=euler&rate=60'), []);
   const [{ t, up }] = await exit('method=euler&rate=15');
-  const growth = (1 + (2 * Math.PI / 8 / 15) ** 2) ** 15;
+  const growth = (1 + ((2 * Math.PI) / 8 / 15) ** 2) ** 15;
   assert.ok(up && Math.abs(t - Math.log(4) / Math.log(growth)) < 0.2, `${t}`);
   const [down] = await exit('omega=60&zeta=0&rate=15&method=euler', 'your-spring');
   assert.equal(down.up, false, 'Euler takes this spring from 1 to 1 and then to -15');
@@ -104,28 +135,37 @@ const POLYGON = 0.05;
 test('symplectic methods keep the area of the cat at any step, Euler lets it grow, backward Euler shrink', async () => {
   const area = async (method, h) => (await end('cats', `method=${method}&h=${h}`)).area;
   for (const h of [0.05, 0.25, 0.5]) {
-    for (const method of ['symplectic_euler', 'velocity_verlet']) assert.ok(Math.abs(await area(method, h) - 100) < POLYGON, `${method} ${h}`);
+    for (const method of ['symplectic_euler', 'velocity_verlet'])
+      assert.ok(Math.abs((await area(method, h)) - 100) < POLYGON, `${method} ${h}`);
   }
   for (const h of [0.05, 0.1]) {
-    const grown = await area('euler', h) / 100, shrunk = await area('backward_euler', h) / 100;
-    const most = (1 + h * h) ** (4.5 / h);  // a step multiplies every area by 1 + h^2 cos x
+    const grown = (await area('euler', h)) / 100,
+      shrunk = (await area('backward_euler', h)) / 100;
+    const most = (1 + h * h) ** (4.5 / h); // a step multiplies every area by 1 + h^2 cos x
     assert.ok(grown > 1.1 && grown < most, `${grown} of ${most}`);
     assert.ok(shrunk < 0.9 && shrunk > 1 / most, `${shrunk} of ${1 / most}`);
   }
-  assert.ok(await area('rk4', 0.5) < 100 - 2 * POLYGON);
+  assert.ok((await area('rk4', 0.5)) < 100 - 2 * POLYGON);
 });
 
 test('for a thousand turns symplectic Euler sways within what its first turns showed, RK4 sinks, and Euler escapes', async () => {
   const symplectic = await end('turning', 'method=symplectic_euler&rate=15');
   const farthest = now => Math.hypot(now['farthest x'], now['farthest y']);
-  assert.ok(symplectic.turns > 900 && Math.abs(farthest(symplectic) / 16 - 1) < 0.07, `${symplectic.turns} turns, ${farthest(symplectic)}`);
+  assert.ok(
+    symplectic.turns > 900 && Math.abs(farthest(symplectic) / 16 - 1) < 0.07,
+    `${symplectic.turns} turns, ${farthest(symplectic)}`,
+  );
   const band = await tab.evaluate(() => {
     const { trace } = globalThis.Live.opened.turning.run;
-    const range = (from, to) => [Math.min(...trace['least energy'].slice(from, to)), Math.max(...trace['most energy'].slice(from, to))];
+    const range = (from, to) => [
+      Math.min(...trace['least energy'].slice(from, to)),
+      Math.max(...trace['most energy'].slice(from, to)),
+    ];
     return { early: range(0, 200), late: range(-200) };
   });
   const width = band.early[1] - band.early[0];
-  for (const edge of [0, 1]) assert.ok(Math.abs(band.late[edge] - band.early[edge]) < 0.02 * width, JSON.stringify(band));
+  for (const edge of [0, 1])
+    assert.ok(Math.abs(band.late[edge] - band.early[edge]) < 0.02 * width, JSON.stringify(band));
   const sunk = async rate => 16 - farthest(await end('turning', `method=rk4&rate=${rate}`));
   const [slow, fast] = [await sunk(10), await sunk(20)];
   assert.ok(slow > 8 && fast < slow / 2 ** 4, `${slow} ${fast}`);
@@ -133,16 +173,37 @@ test('for a thousand turns symplectic Euler sways within what its first turns sh
 });
 
 test('each method loses the spring where the chapter says that it does', async () => {
-  const lost = async query => { await end('your-spring', query); return tab.evaluate(() => globalThis.Live.opened['your-spring'].drawing.lost); };
-  assert.deepEqual(await lost('omega=40&zeta=1&rate=30'), ['symplectic_euler', 'velocity_verlet', 'yoshida4', 'predicted_euler']);
+  const lost = async query => {
+    await end('your-spring', query);
+    return tab.evaluate(() => globalThis.Live.opened['your-spring'].drawing.lost);
+  };
+  assert.deepEqual(await lost('omega=40&zeta=1&rate=30'), [
+    'symplectic_euler',
+    'velocity_verlet',
+    'yoshida4',
+    'predicted_euler',
+  ]);
   assert.deepEqual(await lost('omega=40&zeta=0&rate=60'), ['euler']);
-  assert.deepEqual(await lost('omega=60&zeta=2&rate=15'), ['euler', 'midpoint', 'rk4', 'dopri5', 'symplectic_euler', 'velocity_verlet', 'yoshida4', 'predicted_euler']);
+  assert.deepEqual(await lost('omega=60&zeta=2&rate=15'), [
+    'euler',
+    'midpoint',
+    'rk4',
+    'dopri5',
+    'symplectic_euler',
+    'velocity_verlet',
+    'yoshida4',
+    'predicted_euler',
+  ]);
   assert.deepEqual(await lost('omega=10&zeta=1&rate=240'), []);
 });
 
 test('symplectic Euler loses what lies outside of its limit, and the map beside it shows that limit', async () => {
   const limit = zeta => 2 * (Math.sqrt(1 + zeta ** 2) - zeta);
-  for (const [omega, rate, zeta] of [[50, 30, 1], [60, 30, 0.5], [20, 60, 0.2]]) {
+  for (const [omega, rate, zeta] of [
+    [50, 30, 1],
+    [60, 30, 0.5],
+    [20, 60, 0.2],
+  ]) {
     const { x } = await end('your-spring', `omega=${omega}&rate=${rate}&zeta=${zeta}&method=symplectic_euler`);
     assert.equal(Number.isNaN(x), omega / rate > limit(zeta), `${omega} ${rate} ${zeta}`);
   }
@@ -153,14 +214,22 @@ test('symplectic Euler loses what lies outside of its limit, and the map beside 
 // The stretch of the rope over the second half of the run [%].
 async function stretches(query) {
   await end('rope-to-drag', query);
-  return tab.evaluate(() => { const { trace } = globalThis.Live.opened['rope-to-drag'].run; return trace.stretch.slice(trace.t.findIndex(t => t > 5)); });
+  return tab.evaluate(() => {
+    const { trace } = globalThis.Live.opened['rope-to-drag'].run;
+    return trace.stretch.slice(trace.t.findIndex(t => t > 5));
+  });
 }
 const mean = list => list.reduce((sum, value) => sum + value) / list.length;
 const widest = list => Math.max(...list) - Math.min(...list);
 
 test('a rope that has come down is stretched about as its formula says, in substeps an eighth of that', async () => {
-  const rule = (iterations, substeps) => 100 * 20 ** 2 * 9.81 * (1 / 60 / substeps) ** 2 / (2 * iterations) / 2;
-  for (const [iterations, substeps] of [[1, 1], [4, 1], [8, 1], [1, 8]]) {
+  const rule = (iterations, substeps) => (100 * 20 ** 2 * 9.81 * (1 / 60 / substeps) ** 2) / (2 * iterations) / 2;
+  for (const [iterations, substeps] of [
+    [1, 1],
+    [4, 1],
+    [8, 1],
+    [1, 8],
+  ]) {
     const found = mean(await stretches(`iterations=${iterations}&substeps=${substeps}`)) / rule(iterations, substeps);
     assert.ok(Math.abs(found - 1) < 0.2, `${found} of the rule with ${iterations} iterations in ${substeps} substeps`);
   }

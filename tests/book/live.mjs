@@ -14,13 +14,21 @@ export async function open(tab, { name, page }, query = '') {
   await visit(tab, page + (query && `#figure-${name}?${query}`));
   const stage = tab.locator(`[data-live="${name}"] .stage`);
   await stage.scrollIntoViewIfNeeded();
-  const canvas = selector => stage.locator(selector).first().evaluate(element => element.toDataURL());
+  const canvas = selector =>
+    stage
+      .locator(selector)
+      .first()
+      .evaluate(element => element.toDataURL());
   return {
     stage,
     press: action => stage.locator(`[data-do=${action}]`).click(),
     scene: () => canvas('canvas.scene'),
     chart: () => canvas('.chart canvas'),
-    now: () => tab.evaluate(of => { const { now } = globalThis.Live.opened[of].run; return { ...now }; }, name),
+    now: () =>
+      tab.evaluate(of => {
+        const { now } = globalThis.Live.opened[of].run;
+        return { ...now };
+      }, name),
     playing: () => tab.evaluate(of => globalThis.Live.opened[of].playing, name),
     query: () => tab.evaluate(of => globalThis.Live.opened[of].settings.query, name),
     control: control => stage.locator(`[data-control="${control}"]`),

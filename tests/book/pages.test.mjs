@@ -19,8 +19,8 @@ describe('every page', { concurrency: 2 }, () => {
       const tab = free.pop();
       try {
         await visit(tab, page);
-        const faults = [...tab.faults, ...await tab.evaluate(inspect)];
-        if (holdsSomethingNew(page)) faults.push(...await accessibility(tab));
+        const faults = [...tab.faults, ...(await tab.evaluate(inspect))];
+        if (holdsSomethingNew(page)) faults.push(...(await accessibility(tab)));
         assert.ok(!faults.length, faults.join('\n'));
       } finally {
         free.push(tab);
@@ -35,8 +35,12 @@ function holdsSomethingNew(page) {
   if (!['api', 'source'].includes(kind(page))) return true;
   const $ = parse(page);
   const name = e => `${e.name}.${e.attribs.class ?? ''}`;
-  const within = $('main *').map((_, e) => `${name(e.parent)} ${name(e)}`).get();
-  const headings = $('h1, h2, h3, h4').map((_, e) => e.name).get();
+  const within = $('main *')
+    .map((_, e) => `${name(e.parent)} ${name(e)}`)
+    .get();
+  const headings = $('h1, h2, h3, h4')
+    .map((_, e) => e.name)
+    .get();
   const after = headings.map((h, i) => `${headings[i - 1]} ${h}`);
   const before = seen.size;
   for (const pair of [...within, ...after]) seen.add(pair);
@@ -47,5 +51,8 @@ function holdsSomethingNew(page) {
 async function accessibility(tab) {
   await tab.evaluate(axe);
   const { violations } = await tab.evaluate(() => axe.run(document, { resultTypes: ['violations'], preload: false }));
-  return violations.map(({ id, help, nodes }) => `axe ${id}: ${help}, ${nodes.length} times, first at ${nodes[0].target} ${nodes[0].any[0]?.message ?? ''}`);
+  return violations.map(
+    ({ id, help, nodes }) =>
+      `axe ${id}: ${help}, ${nodes.length} times, first at ${nodes[0].target} ${nodes[0].any[0]?.message ?? ''}`,
+  );
 }

@@ -12,7 +12,9 @@ const chapter = chapters.at(-1);
 
 const colours = () => {
   const style = getComputedStyle(document.documentElement);
-  return Object.fromEntries([...style].filter(name => name.startsWith('--')).map(name => [name, style.getPropertyValue(name)]));
+  return Object.fromEntries(
+    [...style].filter(name => name.startsWith('--')).map(name => [name, style.getPropertyValue(name)]),
+  );
 };
 const paper = page => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
 
@@ -24,7 +26,8 @@ async function bringIntoView(thing) {
 
 test('the theme button turns the page dark, figures too, and the next page remembers', async () => {
   await visit(tab, chapter);
-  const line = () => tab.evaluate(() => getComputedStyle(document.querySelector('.plot svg [style*="stroke:var(--plot-"]')).stroke);
+  const line = () =>
+    tab.evaluate(() => getComputedStyle(document.querySelector('.plot svg [style*="stroke:var(--plot-"]')).stroke);
   const [light, lightLine] = [await paper(tab), await line()];
   await tab.locator('button.theme').click();
   const dark = await paper(tab);
@@ -56,13 +59,16 @@ test('the copy button copies the lines of the source, and no line numbers', asyn
   const source = parse(page)('pre').text().split('\n');
   const lines = numbers.map(n => source[n - 1]);
   const indent = Math.min(...lines.filter(line => line.trim()).map(line => line.search(/\S/)));
-  assert.deepEqual(copied, lines.map(line => line.slice(indent)));
+  assert.deepEqual(
+    copied,
+    lines.map(line => line.slice(indent)),
+  );
 });
 
 test('a point of a figure shows its value', async () => {
   await visit(tab, chapter);
   const points = tab.locator('.plot:not([data-live]) .wide [data-tip]');
-  const point = points.nth(Math.floor(await points.count() / 2));
+  const point = points.nth(Math.floor((await points.count()) / 2));
   const value = await point.getAttribute('data-tip');
   assert.match(value, /\d/);
   await bringIntoView(point);
@@ -92,7 +98,16 @@ test('a hint is closed, and opens', async () => {
 });
 
 test('next leads from the first page to the last, previous back', async () => {
-  const way = ['index.html', 'preface.html', ...chapters, 'cast.html', 'talks.html', 'teaching.html', 'glossary.html', 'references.html'];
+  const way = [
+    'index.html',
+    'preface.html',
+    ...chapters,
+    'cast.html',
+    'talks.html',
+    'teaching.html',
+    'glossary.html',
+    'references.html',
+  ];
   await visit(tab, way[0]);
   for (const page of way.slice(1)) {
     await tab.locator('a[rel=next]').click();
@@ -105,7 +120,10 @@ test('next leads from the first page to the last, previous back', async () => {
 });
 
 test('figures have a shape for a desktop and one for a phone', async () => {
-  for (const [reader, shown, hidden] of [[tab, '.wide', '.narrow'], [phone, '.narrow', '.wide']]) {
+  for (const [reader, shown, hidden] of [
+    [tab, '.wide', '.narrow'],
+    [phone, '.narrow', '.wide'],
+  ]) {
     await visit(reader, chapter);
     for (const figure of await reader.locator('figure.plot:not([data-live])').all()) {
       const id = await figure.getAttribute('id');
@@ -117,7 +135,11 @@ test('figures have a shape for a desktop and one for a phone', async () => {
 
 test('a browser that cannot run the live figures keeps their still pictures', async () => {
   const old = await openTab();
-  await old.addInitScript(() => { WebAssembly.compile = async () => { throw new WebAssembly.CompileError('too new'); }; });
+  await old.addInitScript(() => {
+    WebAssembly.compile = async () => {
+      throw new WebAssembly.CompileError('too new');
+    };
+  });
   await old.goto(addressOf(chapter));
   const figure = old.locator('figure[data-live]').first();
   await old.evaluate(() => Promise.all(globalThis.Live.started));
@@ -131,8 +153,15 @@ test('a chapter prints on white, without menus, with its hints open', async () =
   await phone.evaluate(() => dispatchEvent(new Event('beforeprint')));
   assert.match(await paper(phone), /^rgba?\((255, 255, 255|0, 0, 0, 0\))/);
   const box = await phone.evaluate(() => getComputedStyle(document.querySelector('.listing pre')).backgroundColor);
-  assert.ok(box.match(/\d+/g).slice(0, 3).every(part => part > 200), `code is printed on ${box}`);
-  for (const menu of ['nav.side', 'button.copy']) assert.ok(await phone.locator(menu).first().isHidden(), `${menu} is printed`);
+  assert.ok(
+    box
+      .match(/\d+/g)
+      .slice(0, 3)
+      .every(part => part > 200),
+    `code is printed on ${box}`,
+  );
+  for (const menu of ['nav.side', 'button.copy'])
+    assert.ok(await phone.locator(menu).first().isHidden(), `${menu} is printed`);
   assert.ok(await phone.locator('details.hint > :not(summary)').first().isVisible());
   const pdf = await phone.pdf({ format: 'A4' });
   const sheets = pdf.toString('latin1').match(/\/Type\s*\/Page\b/g).length;

@@ -15,15 +15,21 @@ const styleSheet = fileURLToPath(new URL('../../book/theme/book.css', import.met
 
 test('the figure of the README is that of the build', () => {
   const old = readFileSync(committed, 'utf8');
-  const title = old.match(/<title[^>]*>(.*?)<\/title>/)[1].replace(/&apos;/g, "'").replace(/&amp;/g, '&');
+  const title = old
+    .match(/<title[^>]*>(.*?)<\/title>/)[1]
+    .replace(/&apos;/g, "'")
+    .replace(/&amp;/g, '&');
   const fresh = asStandalone(title);
   const [before, after] = [parts(old), parts(fresh)];
   const advice = `renew it: node ${standalone} ${drawn} ${styleSheet} "${title}" ${committed}`;
   const gone = before.filter(part => !after.includes(part));
   const added = after.filter(part => !before.includes(part));
-  assert.ok(!gone.length && !added.length && before.length === after.length, `${gone.length} parts are gone, such as ${gone[0]}
+  assert.ok(
+    !gone.length && !added.length && before.length === after.length,
+    `${gone.length} parts are gone, such as ${gone[0]}
 ${added.length} are new, such as ${added[0]}
-${advice}`);
+${advice}`,
+  );
 });
 
 function asStandalone(title) {
@@ -39,6 +45,15 @@ function asStandalone(title) {
 function parts(svg) {
   const $ = cheerio.load(svg, { xml: true });
   const leaves = $('*').filter((_, e) => !e.children.some(child => child.type === 'tag'));
-  const chain = e => $(e).parents().addBack().map((_, part) => `${part.name} ${Object.values(part.attribs).join(' ')}`).get().join(' > ');
-  return leaves.map((_, e) => `${chain(e)}: ${$(e).text()}`.replace(/\s+/g, ' ')).get().sort();
+  const chain = e =>
+    $(e)
+      .parents()
+      .addBack()
+      .map((_, part) => `${part.name} ${Object.values(part.attribs).join(' ')}`)
+      .get()
+      .join(' > ');
+  return leaves
+    .map((_, e) => `${chain(e)}: ${$(e).text()}`.replace(/\s+/g, ' '))
+    .get()
+    .sort();
 }

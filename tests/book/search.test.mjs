@@ -4,10 +4,16 @@ import { test } from 'node:test';
 import { chapters, pages, parse, prose } from './book.mjs';
 import { openTab, pageOf, visit } from './browser.mjs';
 
-const words = page => prose(page).toLowerCase().match(/(?<![\p{L}\p{N}’'-])[a-z]{6,}(?![\p{L}\p{N}’'-])/gu) ?? [];
+const words = page =>
+  prose(page)
+    .toLowerCase()
+    .match(/(?<![\p{L}\p{N}’'-])[a-z]{6,}(?![\p{L}\p{N}’'-])/gu) ?? [];
 
 function wordOnlyIn(chapter) {
-  const elsewhere = pages.filter(page => page !== chapter).map(page => parse(page)('main').text().toLowerCase()).join(' ');
+  const elsewhere = pages
+    .filter(page => page !== chapter)
+    .map(page => parse(page)('main').text().toLowerCase())
+    .join(' ');
   const own = [...new Set(words(chapter))].filter(word => !elsewhere.includes(word));
   return own.sort((a, b) => b.length - a.length || (a < b ? -1 : 1))[0];
 }
@@ -42,7 +48,8 @@ function sectionText(fragment) {
   const end = later.find(h => h.tagName <= start.tagName || start.tagName === 'H1');
   const range = document.createRange();
   range.setStartBefore(start);
-  if (end) range.setEndBefore(end); else range.setEndAfter(main);
+  if (end) range.setEndBefore(end);
+  else range.setEndAfter(main);
   return range.toString();
 }
 

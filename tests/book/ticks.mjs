@@ -17,30 +17,52 @@ function labelsOf($, name, { x, y }) {
   const labels = [];
   $('text').each((_, text) => {
     const group = $(text).closest('g[transform]');
-    const [left, baseline] = group.attr('transform').match(/-?[\d.]+/g).map(Number);
+    const [left, baseline] = group
+      .attr('transform')
+      .match(/-?[\d.]+/g)
+      .map(Number);
     const height = baseline - 0.325 * Number(group.attr('font-size'));
     const written = textOf($, text);
     const anchor = group.attr('text-anchor');
-    if (name === 'x' && anchor === 'middle' && baseline > y.pixel_min && baseline < y.pixel_min + 45) labels.push({ written, at: left });
+    if (name === 'x' && anchor === 'middle' && baseline > y.pixel_min && baseline < y.pixel_min + 45)
+      labels.push({ written, at: left });
     if (name === 'y' && anchor === 'end' && left < x.pixel_min) labels.push({ written, at: height });
   });
   return labels.map(label => ({ ...label, values: quantities(label.written) })).filter(label => label.values.length);
 }
 
-const textOf = ($, text) => $(text).contents().map((_, part) => {
-  const written = $(part).text();
-  return Number.parseFloat(part.attribs?.dy) < 0 && written ? `^{${written}}` : written;
-}).get().join('').trim();
+const textOf = ($, text) =>
+  $(text)
+    .contents()
+    .map((_, part) => {
+      const written = $(part).text();
+      return Number.parseFloat(part.attribs?.dy) < 0 && written ? `^{${written}}` : written;
+    })
+    .get()
+    .join('')
+    .trim();
 
 // Short strokes that start on the axis and stand across it.
 function marksOf($, name, { x, y }) {
-  const strokes = $('path').map((_, path) => path.attribs.d).get()
-    .flatMap(d => [...d.matchAll(/M(-?[\d.]+),(-?[\d.]+) L(-?[\d.]+),(-?[\d.]+)(?=\s*(M|$))/g)].map(found => found.slice(1, 5).map(Number)));
+  const strokes = $('path')
+    .map((_, path) => path.attribs.d)
+    .get()
+    .flatMap(d =>
+      [...d.matchAll(/M(-?[\d.]+),(-?[\d.]+) L(-?[\d.]+),(-?[\d.]+)(?=\s*(M|$))/g)].map(found =>
+        found.slice(1, 5).map(Number),
+      ),
+    );
   const on = (a, b) => Math.abs(a - b) < 0.3;
   const short = (a, b) => Math.abs(a - b) > 0.5 && Math.abs(a - b) < 15;
-  return strokes.flatMap(([x1, y1, x2, y2]) => (name === 'x'
-    ? (on(x1, x2) && on(y1, y.pixel_min) && short(y1, y2) ? [x1] : [])
-    : (on(y1, y2) && on(x1, x.pixel_min) && short(x1, x2) ? [y1] : [])));
+  return strokes.flatMap(([x1, y1, x2, y2]) =>
+    name === 'x'
+      ? on(x1, x2) && on(y1, y.pixel_min) && short(y1, y2)
+        ? [x1]
+        : []
+      : on(y1, y2) && on(x1, x.pixel_min) && short(x1, x2)
+        ? [y1]
+        : [],
+  );
 }
 
 function checkAxis(name, axis, labels, marks) {
@@ -51,10 +73,13 @@ function checkAxis(name, axis, labels, marks) {
     if (mark !== undefined) label.at = mark;
     else if (marks.length) faults.push(`${name} axis: "${label.written}" has no tick mark`);
   }
-  const tries = scales(axis).flatMap(scale => unitsOf(labels).map(unit => distances(labels, value => scale(value / unit))));
+  const tries = scales(axis).flatMap(scale =>
+    unitsOf(labels).map(unit => distances(labels, value => scale(value / unit))),
+  );
   const total = distances => distances.reduce((sum, { by }) => sum + by, 0);
   for (const { written, at, right, by } of tries.reduce((a, b) => (total(b) < total(a) ? b : a))) {
-    if (by > NEAR) faults.push(`${name} axis: "${written}" stands at ${at.toFixed(1)}, its value belongs to ${right.toFixed(1)}`);
+    if (by > NEAR)
+      faults.push(`${name} axis: "${written}" stands at ${at.toFixed(1)}, its value belongs to ${right.toFixed(1)}`);
   }
   return { labels: labels.length, faults };
 }
@@ -71,8 +96,10 @@ function scales({ min, max, pixel_min, pixel_max }) {
 const unitsOf = labels => [...new Set([1, ...labels.flatMap(label => label.values.map(value => value.unit))])];
 
 function distances(labels, place) {
-  return labels.flatMap(({ written, values, at }) => values.map(({ value }) => {
-    const right = place(value);
-    return { written, at, right, by: Number.isFinite(right) ? Math.abs(right - at) : Infinity };
-  }));
+  return labels.flatMap(({ written, values, at }) =>
+    values.map(({ value }) => {
+      const right = place(value);
+      return { written, at, right, by: Number.isFinite(right) ? Math.abs(right - at) : Infinity };
+    }),
+  );
 }

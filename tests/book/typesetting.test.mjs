@@ -4,12 +4,16 @@ import { test } from 'node:test';
 import { chapters, kind, pages, parse, prose } from './book.mjs';
 import { openTab, visit } from './browser.mjs';
 
-const looks = [['desktop', await openTab()], ['phone', await openTab('dark')]];
+const looks = [
+  ['desktop', await openTab()],
+  ['phone', await openTab('dark')],
+];
 
 // Runs within a page.
 async function faults() {
   await document.fonts.ready;
-  const all = (selector, root = document) => [...root.querySelectorAll(selector)].filter(e => e.getClientRects().length);
+  const all = (selector, root = document) =>
+    [...root.querySelectorAll(selector)].filter(e => e.getClientRects().length);
   const found = [];
   for (const mark of all('main a.claim')) {
     const line = mark.closest('p, li, td').getBoundingClientRect();
@@ -20,11 +24,15 @@ async function faults() {
     if (lefts.some((left, i) => left < lefts[i - 1])) found.push(`a short formula is torn: ${formula.textContent}`);
   }
   for (const svg of all('.plot svg')) {
-    if (svg.getBoundingClientRect().width > svg.viewBox.baseVal.width + 1) found.push(`${svg.closest('figure').id} is drawn larger than it is`);
+    if (svg.getBoundingClientRect().width > svg.viewBox.baseVal.width + 1)
+      found.push(`${svg.closest('figure').id} is drawn larger than it is`);
   }
   for (const box of all('pre, .tablescroll, .math-block')) {
     const cut = box.scrollWidth > box.clientWidth + 1;
-    if (cut !== (getComputedStyle(box).maskImage !== 'none')) found.push(`${cut ? 'nothing shows that this is cut' : 'this fades, though it is whole'}: ${box.textContent.trim().slice(0, 40)}`);
+    if (cut !== (getComputedStyle(box).maskImage !== 'none'))
+      found.push(
+        `${cut ? 'nothing shows that this is cut' : 'this fades, though it is whole'}: ${box.textContent.trim().slice(0, 40)}`,
+      );
   }
   return found;
 }
@@ -42,19 +50,28 @@ test('a fade goes where there is nothing more to see', async () => {
   const [, tab] = looks[1];
   await visit(tab, chapters.at(-1));
   const box = tab.locator('pre.cut').first();
-  await box.evaluate(e => { e.scrollLeft = e.scrollWidth; });
-  await tab.waitForFunction(() => [...document.querySelectorAll('pre')].some(e => e.scrollLeft > 0 && !e.classList.contains('cut')));
+  await box.evaluate(e => {
+    e.scrollLeft = e.scrollWidth;
+  });
+  await tab.waitForFunction(() =>
+    [...document.querySelectorAll('pre')].some(e => e.scrollLeft > 0 && !e.classList.contains('cut')),
+  );
 });
 
 test('the code reference starts with a list of every namespace', () => {
   const spaces = pages.filter(page => kind(page) === 'api' && /^namespace \w+$/.test(parse(page)('h1 .kicker').text()));
-  const listed = parse('reference.html')('h2 a').map((_, e) => e.attribs.href).get();
+  const listed = parse('reference.html')('h2 a')
+    .map((_, e) => e.attribs.href)
+    .get();
   assert.ok(spaces.length >= 4);
   assert.deepEqual(listed.sort(), spaces.sort());
 });
 
 test('no page shows a backtick or doubled quotes, as marks do that were not understood', () => {
-  const found = pages.filter(name => kind(name) !== 'source')
-    .flatMap(page => [...prose(page).matchAll(/.{0,40}(?:`|''|‘‘|’’|\ue002).{0,40}/g)].map(([words]) => `${page}: ${words.trim()}`));
+  const found = pages
+    .filter(name => kind(name) !== 'source')
+    .flatMap(page =>
+      [...prose(page).matchAll(/.{0,40}(?:`|''|‘‘|’’|\ue002).{0,40}/g)].map(([words]) => `${page}: ${words.trim()}`),
+    );
   assert.deepEqual(found, []);
 });

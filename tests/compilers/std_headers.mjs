@@ -64,7 +64,8 @@ vector: erase erase_if size begin end vector
 export const headersOf = new Map();
 for (const row of rows.trim().split('\n')) {
   const [header, names] = row.split(':', 1).concat(row.slice(row.indexOf(':') + 1));
-  for (const name of names.trim().split(/\s+/).filter(Boolean)) headersOf.set(name, [...headersOf.get(name) ?? [], header]);
+  for (const name of names.trim().split(/\s+/).filter(Boolean))
+    headersOf.set(name, [...(headersOf.get(name) ?? []), header]);
 }
 for (const ratio of ['nano', 'micro', 'milli']) headersOf.set(ratio, ['ratio', 'chrono']);
 headersOf.set('literals', ['string', 'string_view', 'chrono']);

@@ -8,7 +8,9 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 
 const [headers, cards, eigen, compiler] = process.argv.slice(2);
-const names = readdirSync(headers).filter(name => name.endsWith('.h')).sort();
+const names = readdirSync(headers)
+  .filter(name => name.endsWith('.h'))
+  .sort();
 const read = name => readFileSync(join(headers, name), 'utf8');
 
 // The text between @code and @endcode, as a reader copies it.
@@ -22,10 +24,13 @@ const called = code => [...code.matchAll(/integrate::(\w+)/g)].map(([, name]) =>
 // The order that the worst of the methods showed on a damped spring; `exact` is as good as any.
 function orderOf(code) {
   const files = readdirSync(cards);
-  const orders = called(code).filter(name => files.includes(`${name}.csv`)).map(name => {
-    const line = readFileSync(join(cards, `${name}.csv`), 'utf8').match(/^drag-order,.*?,([^,]*),[^,]*,[^,]*$/m)?.[1] ?? 'exact';
-    return line === 'exact' ? 5 : Math.round(Number(line));
-  });
+  const orders = called(code)
+    .filter(name => files.includes(`${name}.csv`))
+    .map(name => {
+      const line =
+        readFileSync(join(cards, `${name}.csv`), 'utf8').match(/^drag-order,.*?,([^,]*),[^,]*,[^,]*$/m)?.[1] ?? 'exact';
+      return line === 'exact' ? 5 : Math.round(Number(line));
+    });
   return orders.length ? Math.min(...orders) : 0;
 }
 
@@ -54,7 +59,9 @@ int check(const Vec& x, const Vec& v, double) {
 function programOf(name, examples) {
   const order = orderOf(examples.join(''));
   const includes = examples.join('').match(/^#include .*$/gm) ?? [];
-  const body = examples.map(code => `${code.replace(/^#include .*$/gm, '')}  wrong += check(x, v, ${(3 / 60) ** order});\n`);
+  const body = examples.map(
+    code => `${code.replace(/^#include .*$/gm, '')}  wrong += check(x, v, ${(3 / 60) ** order});\n`,
+  );
   return `${[`#include "${name}"`, ...includes].join('\n')}\n${DECLARED}int main() {\n  int wrong = 0;\n${body.join('')}  return wrong;\n}\n`;
 }
 
@@ -65,14 +72,32 @@ for (const name of names) {
     const folder = mkdtempSync(join(tmpdir(), 'example-'));
     try {
       const source = programOf(name, examples);
-      for (const [, needed] of source.matchAll(/^#include "(.*)"$/gm)) copyFileSync(join(headers, needed), join(folder, needed));
+      for (const [, needed] of source.matchAll(/^#include "(.*)"$/gm))
+        copyFileSync(join(headers, needed), join(folder, needed));
       writeFileSync(join(folder, 'example.cpp'), source);
       writeFileSync(join(folder, 'check.cpp'), CHECK);
-      const flags = ['-std=c++17', '-O1', '-Wall', '-Wextra', '-Wpedantic', '-Wconversion', '-Wshadow', '-Werror', '-Wno-unused-variable', '-isystem', eigen];
-      const made = spawnSync(compiler, [...flags, 'example.cpp', 'check.cpp', '-o', 'example'], { cwd: folder, encoding: 'utf8' });
+      const flags = [
+        '-std=c++17',
+        '-O1',
+        '-Wall',
+        '-Wextra',
+        '-Wpedantic',
+        '-Wconversion',
+        '-Wshadow',
+        '-Werror',
+        '-Wno-unused-variable',
+        '-isystem',
+        eigen,
+      ];
+      const made = spawnSync(compiler, [...flags, 'example.cpp', 'check.cpp', '-o', 'example'], {
+        cwd: folder,
+        encoding: 'utf8',
+      });
       assert.equal(made.status, 0, made.stderr);
       const run = spawnSync(join(folder, 'example'), { encoding: 'utf8' });
       assert.equal(run.status, 0, run.stdout + run.stderr);
-    } finally { rmSync(folder, { recursive: true }); }
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
   });
 }

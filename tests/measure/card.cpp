@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "measure/card_lines.h"
-#include "measure/methods.h"
-#include "measure/method_of.h"
 #include "measure/compiled.h"
+#include "measure/method_of.h"
+#include "measure/methods.h"
 
 using Catch::Matchers::WithinRel;
 using measure::Card;

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "measure/methods.h"
-#include "measure/method_of.h"
 #include "measure/compiled.h"
+#include "measure/method_of.h"
+#include "measure/methods.h"
 #include "scenes/orbit.h"
 #include "scenes/spring.h"
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT-0
-#include "measure/methods/euler.h"
 #include "measure/path.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -7,6 +6,7 @@
 
 #include "folder.h"
 #include "made_up.h"
+#include "measure/methods/euler.h"
 
 TEST_CASE("A path has one row for the start and one for each step") {
   const Folder folder;

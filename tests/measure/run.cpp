@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT-0
-#include "measure/methods/euler.h"
 #include "measure/run.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <vector>
 
 #include "made_up.h"
+#include "measure/methods/euler.h"
 
 TEST_CASE("A run shows the start and the state after each step, at times that are multiples of h") {
   std::vector<double> begun, seen, positions;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT-0
-#include "measure/methods/euler.h"
 #include "measure/stability.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -7,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "measure/methods/euler.h"
 #include "scenes/linear_drag.h"
 #include "scenes/spring.h"
 

@@ -38,12 +38,14 @@ double closed_gain(measure::Dopri5, double w) {
 double closed_gain(measure::PredictedEuler, double w) {
   return 1 - w * w + std::pow(w, 4);
 }
-double closed_gain(
-    theory::OneOf<measure::BackwardEuler, measure::BackwardEulerNewton, measure::BackwardEulerSpring> auto,
-    double w) {
+double closed_gain(theory::OneOf<measure::BackwardEuler, measure::BackwardEulerNewton,
+                                 measure::BackwardEulerSpring> auto,
+                   double w) {
   return 1 / (1 + w * w);
 }
-double closed_gain(theory::OneOf<measure::Trapezoid, measure::TrapezoidNewton, measure::SpringExact> auto, double) {
+double closed_gain(
+    theory::OneOf<measure::Trapezoid, measure::TrapezoidNewton, measure::SpringExact> auto,
+    double) {
   return 1;
 }
 
@@ -62,9 +64,9 @@ using Stretching = list::Joined<list::Where<stretches>, list::OnSprings>;
 
 // These tilt what they turn, and so keep an ellipse of their own: an energy of x, v and h that is
 // close to the true one. Here omega is 1.
-double kept(
-    theory::OneOf<measure::SymplecticEuler, measure::StormerVerlet, measure::StormerVerletUneven> auto,
-    double x, double v, double w) {
+double kept(theory::OneOf<measure::SymplecticEuler, measure::StormerVerlet,
+                          measure::StormerVerletUneven> auto,
+            double x, double v, double w) {
   return v * v + x * x - w * x * v;
 }
 double kept(measure::SymplecticEulerPositionFirst, double x, double v, double w) {
@@ -88,9 +90,9 @@ double kept(measure::Yoshida4, double x, double v, double w) {
 constexpr auto tilts = [](auto method) { return requires { kept(method, 0.0, 0.0, 0.0); }; };
 using Tilting = list::Where<tilts>;
 
-static_assert(std::tuple_size_v<list::Where<[](auto method) {
-                return !stretches(method) && !tilts(method);
-              }>> == 1,
+static_assert(std::tuple_size_v<
+                  list::Where<[](auto method) { return !stretches(method) && !tilts(method); }>> ==
+                  1,
               "tests/methods/energy.cpp: a method without a formula for what it does to the energy "
               "of a spring, besides the one of a constant acceleration");
 

@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "measure/methods.h"
 #include "measure/cost.h"
+#include "measure/methods.h"
 #include "measure/run.h"
 #include "scenes/pendulum.h"
 #include "textbook/euler.h"

@@ -105,8 +105,8 @@ constexpr scenes::State<Vec> one_step(measure::BackwardEulerNewton, scenes::Stat
 }
 
 template <class Vec, class Time, class Real, class Scene>
-constexpr scenes::State<Vec> one_step(measure::TrapezoidNewton, scenes::State<Vec> s, Time t, Real h,
-                                      const Scene& scene) {
+constexpr scenes::State<Vec> one_step(measure::TrapezoidNewton, scenes::State<Vec> s, Time t,
+                                      Real h, const Scene& scene) {
   const int iterations =
       integrate::trapezoid_newton(s.x, s.v, t, h, scene, solver(scene), size_of_change, Real(1e-5));
   return iterations > 0 ? s : scenes::State<Vec>{};

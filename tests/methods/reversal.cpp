@@ -30,9 +30,9 @@ constexpr double duration = 3;
 double turn(auto, auto&, double t, double) {
   return t;
 }
-double turn(
-    theory::OneOf<measure::StormerVerlet, measure::StormerVerletUneven, measure::StormerVerletCarried> auto,
-    auto& kept, double t, double h) {
+double turn(theory::OneOf<measure::StormerVerlet, measure::StormerVerletUneven,
+                          measure::StormerVerletCarried> auto,
+            auto& kept, double t, double h) {
   std::swap(kept[0], kept[1]);
   return t - h;
 }
@@ -61,7 +61,8 @@ constexpr double rounding(int steps) {
 }
 
 using Symmetric = list::Where<[](auto method) { return method.reversible; }>;
-using NotSymmetric = list::Where<[](auto method) { return !method.reversible && method.goes_back; }>;
+using NotSymmetric =
+    list::Where<[](auto method) { return !method.reversible && method.goes_back; }>;
 
 // Errors of even powers of h cancel on the way back: what is missed is of the next odd order.
 constexpr int power_of_miss(auto method) {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <typeinfo>
 
-#include "measure/methods.h"
 #include "measure/energy.h"
+#include "measure/methods.h"
 #include "scenes/orbit.h"
 
 using scenes::Orbit;

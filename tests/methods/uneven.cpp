@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // Position Verlet on steps that change: with the form for it, and with the one that takes no
 // notice.
-#include "frames/recorded.h"
-
 #include <algorithm>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -11,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "frames/recorded.h"
 #include "integrate/stormer_verlet.h"
 #include "scenes/linear_drag.h"
 #include "scenes/spring.h"

@@ -4,8 +4,8 @@
 // A line of MUTANTS is the mutant's name, its program and the test that must fail, with tabs
 // between. A mutant is killed by a failed assertion of that test, and by nothing else. Says how
 // many were killed; exits with 1 if one survived.
-import {execFileSync} from 'node:child_process';
-import {readFileSync, writeFileSync} from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
 
 const [mutantsFile, outFile] = process.argv.slice(2);
 
@@ -14,8 +14,12 @@ const [mutantsFile, outFile] = process.argv.slice(2);
 function output(program, test) {
   const escaped = test.replace(/[\\,[\]*"~]/g, '\\$&');
   try {
-    return execFileSync(program, [`${escaped}*`],
-        {encoding: 'utf8', timeout: 60_000, stdio: 'pipe', maxBuffer: 2 ** 28});
+    return execFileSync(program, [`${escaped}*`], {
+      encoding: 'utf8',
+      timeout: 60_000,
+      stdio: 'pipe',
+      maxBuffer: 2 ** 28,
+    });
   } catch (error) {
     return error.signal ? `ended by ${error.signal}` : error.stdout;
   }
@@ -35,4 +39,4 @@ if (survivors.length > 0) {
   console.error(survivors.join('\n'));
   process.exit(1);
 }
-writeFileSync(outFile, lines.map((line) => `${line.replace(/\t.*\t/, ': ')}\n`).join(''));
+writeFileSync(outFile, lines.map(line => `${line.replace(/\t.*\t/, ': ')}\n`).join(''));

@@ -7,8 +7,11 @@ const table = (head, alignment, rows) => [line(head), line(alignment), ...rows.m
 const isLimit = rows => rows.keys().next().value.startsWith('limit');
 
 export function markdown(measured) {
-  return [heading(measured), goalsTable(measured),
-    ...[...measured.groups].map(([name, rows]) => groupTable(name, rows, measured.flags))].join('\n');
+  return [
+    heading(measured),
+    goalsTable(measured),
+    ...[...measured.groups].map(([name, rows]) => groupTable(name, rows, measured.flags)),
+  ].join('\n');
 }
 
 function heading({ processor, compiler, libraries, lacks, rounds, share }) {
@@ -44,15 +47,21 @@ ${table(['', 'goal', ...flags.map(f => `\`${f}\``)], ['---', '---', ...flags.map
 function groupTable(name, rows, flags) {
   const [first] = rows.values();
   const sets = flags.filter(set => first.times.has(set));
-  const cells = row => sets.flatMap(set => {
-    const t = row.times.get(set);
-    const reference = first.times.get(set).median;
-    const beside = isLimit(rows) ? `${(100 * reference / t.median).toFixed(0)} %` : (t.median / reference).toFixed(2);
-    return [`${digits(t.median)} (${digits(t.min)}–${digits(t.max)})`, beside];
-  });
+  const cells = row =>
+    sets.flatMap(set => {
+      const t = row.times.get(set);
+      const reference = first.times.get(set).median;
+      const beside = isLimit(rows)
+        ? `${((100 * reference) / t.median).toFixed(0)} %`
+        : (t.median / reference).toFixed(2);
+      return [`${digits(t.median)} (${digits(t.min)}–${digits(t.max)})`, beside];
+    });
   const beside = isLimit(rows) ? 'speed' : 'time';
   return `## ${name}
 
-${table(['', ...sets.flatMap(set => [`\`${set}\` [ns]`, beside]), ''], ['---', ...sets.flatMap(() => ['--:', '--:']), '---'],
-    [...rows].map(([variant, row]) => [variant, ...cells(row), row.note]))}`;
+${table(
+  ['', ...sets.flatMap(set => [`\`${set}\` [ns]`, beside]), ''],
+  ['---', ...sets.flatMap(() => ['--:', '--:']), '---'],
+  [...rows].map(([variant, row]) => [variant, ...cells(row), row.note]),
+)}`;
 }

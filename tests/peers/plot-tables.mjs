@@ -3,10 +3,12 @@ const native = '-O3 -march=native';
 const noErrno = `${native} -fno-math-errno`;
 const missing = ['NaN', 'NaN', 'NaN'];
 
-const spread = t => t ? [t.median, t.min, t.max] : missing;
+const spread = t => (t ? [t.median, t.min, t.max] : missing);
 // Three columns for each name: what it is, and from where to where it goes.
-const table = (names, rows) => [['variant', 'row', ...names.flatMap(name => [name, `${name} from`, `${name} to`])],
-  ...rows.map(([label, ...values], i) => [label, rows.length - i, ...values])];
+const table = (names, rows) => [
+  ['variant', 'row', ...names.flatMap(name => [name, `${name} from`, `${name} to`])],
+  ...rows.map(([label, ...values], i) => [label, rows.length - i, ...values]),
+];
 
 export function plotTables(groups) {
   const times = (group, variant, flags) => groups.get(group)?.get(variant)?.times.get(flags);
@@ -17,7 +19,10 @@ function orbit(groups, times) {
   const methods = ['rk4', 'euler', 'symplectic_euler', 'velocity_verlet'];
   const variants = new Set(methods.flatMap(method => [...groups.get(method).keys()]));
   variants.delete('GSL, for each call');
-  return table(methods, [...variants].map(v => [v, ...methods.flatMap(method => spread(times(method, v, native)))]));
+  return table(
+    methods,
+    [...variants].map(v => [v, ...methods.flatMap(method => spread(times(method, v, native)))]),
+  );
 }
 
 function particles(groups, times) {
@@ -29,12 +34,17 @@ function particles(groups, times) {
     return t ? [limit / t.median, limit / t.max, limit / t.min] : missing;
   };
   const variants = [...groups.get(group(kinds[0])).keys()];
-  return table(kinds, variants.map(v => [v, ...kinds.flatMap(kind => speed(kind, v))]));
+  return table(
+    kinds,
+    variants.map(v => [v, ...kinds.flatMap(kind => speed(kind, v))]),
+  );
 }
 
 function many(times) {
   const variants = ['vectorised by hand', 'header, blocks', 'header, plain loop'];
   const kinds = ['symplectic_euler', 'rk4'].flatMap(method => [native, noErrno].map(flags => ({ method, flags })));
-  return table(kinds.map(({ method, flags }) => `${method}${flags === noErrno ? ' without errno' : ''}`),
-    variants.map(v => [v, ...kinds.flatMap(({ method, flags }) => spread(times(`32 orbits, ${method}`, v, flags)))]));
+  return table(
+    kinds.map(({ method, flags }) => `${method}${flags === noErrno ? ' without errno' : ''}`),
+    variants.map(v => [v, ...kinds.flatMap(({ method, flags }) => spread(times(`32 orbits, ${method}`, v, flags)))]),
+  );
 }

@@ -10,25 +10,42 @@ const [out, ...files] = process.argv.slice(2);
 const measured = readMeasurements(files);
 const { processor, clock, compiler, date, rounds, groups, share } = measured;
 
-const quoted = value => /[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : value;
+const quoted = value => (/[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : value);
 const csv = rows => rows.map(row => row.map(quoted).join(',') + '\n').join('');
 
 function allRows() {
-  const rows = [['group', 'variant', 'flags', 'median [ns]', 'min [ns]', 'max [ns]', 'rounds', 'processor', 'compiler']];
-  for (const [group, variants] of groups) for (const [variant, { times }] of variants) for (const [flags, t] of times) {
-    rows.push([group, variant, flags, t.median, t.min, t.max, rounds, processor, compiler]);
-  }
+  const rows = [
+    ['group', 'variant', 'flags', 'median [ns]', 'min [ns]', 'max [ns]', 'rounds', 'processor', 'compiler'],
+  ];
+  for (const [group, variants] of groups)
+    for (const [variant, { times }] of variants)
+      for (const [flags, t] of times) {
+        rows.push([group, variant, flags, t.median, t.min, t.max, rounds, processor, compiler]);
+      }
   return rows;
 }
 
 // The steps of one planet as the book keeps times: code/measure/times.h.
 function timesOfThePlanet(flags) {
-  const lines = ['# Times of a step [ns]: what a quarter, a half and three quarters of the runs stayed below.', `# processor: ${processor}`, `# clock: ${clock}`,
-    `# compiler: ${compiler} ${flags}`, `# date: ${date}`, `# runs: ${rounds}`, `# others: ${Number((1 - Math.min(1, share)).toPrecision(2))}`, 'name,lower,median,upper'];
+  const lines = [
+    '# Times of a step [ns]: what a quarter, a half and three quarters of the runs stayed below.',
+    `# processor: ${processor}`,
+    `# clock: ${clock}`,
+    `# compiler: ${compiler} ${flags}`,
+    `# date: ${date}`,
+    `# runs: ${rounds}`,
+    `# others: ${Number((1 - Math.min(1, share)).toPrecision(2))}`,
+    'name,lower,median,upper',
+  ];
   for (const method of ['symplectic_euler', 'velocity_verlet', 'rk4']) {
     for (const [variant, { times }] of groups.get(method)) {
       const { lower, median, upper } = times.get(flags);
-      lines.push([`library/${method}/${variant.replaceAll(',', '')}`, ...[lower, median, upper].map(time => time.toPrecision(4))].join(','));
+      lines.push(
+        [
+          `library/${method}/${variant.replaceAll(',', '')}`,
+          ...[lower, median, upper].map(time => time.toPrecision(4)),
+        ].join(','),
+      );
     }
   }
   return lines.join('\n') + '\n';
@@ -38,6 +55,10 @@ mkdirSync(join(out, 'plot'), { recursive: true });
 writeFileSync(join(out, 'speed.md'), markdown(measured));
 writeFileSync(join(out, 'speed.csv'), csv(allRows()));
 writeFileSync(join(out, 'times.csv'), timesOfThePlanet('-O3 -march=native'));
-for (const [name, rows] of Object.entries(plotTables(groups))) writeFileSync(join(out, 'plot', `${name}.csv`), csv(rows));
-writeFileSync(join(out, 'plot', 'machine.gp'), `MACHINE = ${JSON.stringify(`Measured on ${processor}, with ${compiler}`)}\n`);
+for (const [name, rows] of Object.entries(plotTables(groups)))
+  writeFileSync(join(out, 'plot', `${name}.csv`), csv(rows));
+writeFileSync(
+  join(out, 'plot', 'machine.gp'),
+  `MACHINE = ${JSON.stringify(`Measured on ${processor}, with ${compiler}`)}\n`,
+);
 console.log(`${goalsTable(measured)}\nAll the rest: ${join(out, 'speed.md')}, with speed.csv and speed.svg beside it.`);

@@ -16,7 +16,10 @@ const files = ['code', 'chapters', 'exercises', 'tests', 'book']
 test('C++', () => {
   const sources = files.filter(file => /\.(cpp|h)$/.test(file));
   assert.ok(sources.length > 400, `only ${sources.length} files`);
-  const { status, stderr } = spawnSync(clangFormat, ['--dry-run', '-Werror', ...sources], { cwd: source, encoding: 'utf8' });
+  const { status, stderr } = spawnSync(clangFormat, ['--dry-run', '-Werror', ...sources], {
+    cwd: source,
+    encoding: 'utf8',
+  });
   assert.equal(status, 0, `run clang-format-19 -i on the files that these lines name:\n${stderr.slice(0, 4000)}`);
 });
 
@@ -24,6 +27,9 @@ test('JavaScript', () => {
   const sources = files.filter(file => /\.m?js$/.test(file));
   assert.ok(sources.length > 100, `only ${sources.length} files`);
   const prettier = fileURLToPath(new URL('../../node_modules/prettier/bin/prettier.cjs', import.meta.url));
-  const { status, stderr, stdout } = spawnSync(process.execPath, [prettier, '--list-different', ...sources], { cwd: source, encoding: 'utf8' });
+  const { status, stderr, stdout } = spawnSync(process.execPath, [prettier, '--list-different', ...sources], {
+    cwd: source,
+    encoding: 'utf8',
+  });
   assert.equal(status, 0, `run npx prettier --write on these files:\n${stdout}${stderr}`);
 });

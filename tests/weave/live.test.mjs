@@ -5,15 +5,22 @@ import { CHAPTER, MODULE, refuses, sampleBook } from './weaver.mjs';
 
 const FOLDER = 'chapters/2-euler/live';
 const DESCRIPTION = JSON.stringify({
-  seconds: 1, pace: 1, shape: [1, 1], scene: 'place [m]', chart: { name: 'energy', curves: [{ value: 'energy', colour: 'method' }], from: 0, to: 2 },
+  seconds: 1,
+  pace: 1,
+  shape: [1, 1],
+  scene: 'place [m]',
+  chart: { name: 'energy', curves: [{ value: 'energy', colour: 'method' }], from: 0, to: 2 },
   controls: [
     { name: 'method', label: 'Method', choices: { euler: 'Euler' }, start: 'euler' },
     { name: 'h', label: 'Step', from: 0, to: 1, by: 0.1, start: 0.5 },
   ],
 });
 const live = [
-  [CHAPTER, '\\figure{spiral', '\\live{spiral'], [CHAPTER, '\\endfigure', '\\endlive'],
-  [`${FOLDER}/spiral.cpp`, 'int x;\n'], [`${FOLDER}/spiral.js`, 'draw();\n'], [`${FOLDER}/spiral.json`, DESCRIPTION],
+  [CHAPTER, '\\figure{spiral', '\\live{spiral'],
+  [CHAPTER, '\\endfigure', '\\endlive'],
+  [`${FOLDER}/spiral.cpp`, 'int x;\n'],
+  [`${FOLDER}/spiral.js`, 'draw();\n'],
+  [`${FOLDER}/spiral.json`, DESCRIPTION],
 ];
 const method = ['code/integrate/euler.h', '  const Vec a', '  // [move]\n  const Vec a'];
 const methodEnd = ['code/integrate/euler.h', '  v = v + h * a;\n', '  v = v + h * a;\n  // [move]\n'];
@@ -29,8 +36,14 @@ function weaves(...edits) {
 
 test('a live figure: the still picture, the stage with its controls and the code of its method', () => {
   const page = weaves(...live, method, methodEnd, module).read('built/book/2-euler.html');
-  assert.match(page, /<figure class="plot" id="figure-spiral" data-live="spiral"><div class="still"><div class="wide"><svg/);
-  assert.match(page, /<template>[\s\S]*<input type="radio" name="spiral-method" value="euler" checked>[\s\S]*<input type="range" min="0" max="1" step="0\.1" value="0\.5">[\s\S]*<\/template>/);
+  assert.match(
+    page,
+    /<figure class="plot" id="figure-spiral" data-live="spiral"><div class="still"><div class="wide"><svg/,
+  );
+  assert.match(
+    page,
+    /<template>[\s\S]*<input type="radio" name="spiral-method" value="euler" checked>[\s\S]*<input type="range" min="0" max="1" step="0\.1" value="0\.5">[\s\S]*<\/template>/,
+  );
   assert.match(page, /data-method="euler"[^]*?const<\/span> Vec a/);
   assert.match(page, /<b>Figure 2\.1\. /);
 });
@@ -38,8 +51,12 @@ test('a live figure: the still picture, the stage with its controls and the code
 test('the page of a live figure loads its scripts, and no other page does', () => {
   const book = weaves(...live, method, methodEnd, module);
   const scripts = page => [...book.read(`built/book/${page}`).matchAll(/src="(live\/[^"]*)"/g)].map(found => found[1]);
-  assert.deepEqual(scripts('2-euler.html').filter(src => !book.has(`built/book/${src}`)), []);
-  for (const needed of ['live/compiled.js', 'live/uplot.js', 'live/spiral.js']) assert.ok(scripts('2-euler.html').includes(needed), needed);
+  assert.deepEqual(
+    scripts('2-euler.html').filter(src => !book.has(`built/book/${src}`)),
+    [],
+  );
+  for (const needed of ['live/compiled.js', 'live/uplot.js', 'live/spiral.js'])
+    assert.ok(scripts('2-euler.html').includes(needed), needed);
   for (const page of ['index.html', 'references.html', 'claims.html']) assert.deepEqual(scripts(page), []);
 });
 
@@ -51,16 +68,26 @@ test('without a compiler for the browser the figure is a still one', () => {
   assert.ok(!book.has('built/book/live'));
 });
 
-const parts = [CHAPTER, 'Each dot is one step, with', 'Each dot is one step.\n\n\\paper\nThe line is \\number{step} wide.\n\\endpaper\n\n\\screen\nMove the *step*.\n\\endscreen\n\nWith'];
+const parts = [
+  CHAPTER,
+  'Each dot is one step, with',
+  'Each dot is one step.\n\n\\paper\nThe line is \\number{step} wide.\n\\endpaper\n\n\\screen\nMove the *step*.\n\\endscreen\n\nWith',
+];
 
 test('a caption may say one thing on paper and another on the screen', () => {
   const page = weaves(...live, method, methodEnd, module, parts).read('built/book/2-euler.html');
   const caption = page.match(/<figcaption><p><b>Figure 2\.1[^]*?<\/figcaption>/)[0];
-  assert.match(caption, /<div class="on-paper"><p>The line is <data[^>]*>0\.10\u202fs<\/data> wide\.<\/p><\/div>\s*<div class="on-screen"><p>Move the <em>step<\/em>\.<\/p><\/div>/);
+  assert.match(
+    caption,
+    /<div class="on-paper"><p>The line is <data[^>]*>0\.10\u202fs<\/data> wide\.<\/p><\/div>\s*<div class="on-screen"><p>Move the <em>step<\/em>\.<\/p><\/div>/,
+  );
   assert.doesNotMatch(page.match(/<desc id="figure-spiral-wide-desc">[^<]*/)[0], /Move/);
   const style = weaves(...live, method, methodEnd, module).read('built/book/live/live.css');
   assert.match(style, /^figcaption \.on-screen \{ display: none; \}/m);
-  assert.match(style, /^@media screen \{ \.stage ~ figcaption \.on-paper \{ display: none; \} \.stage ~ figcaption \.on-screen \{ display: block; \} \}/m);
+  assert.match(
+    style,
+    /^@media screen \{ \.stage ~ figcaption \.on-paper \{ display: none; \} \.stage ~ figcaption \.on-screen \{ display: block; \} \}/m,
+  );
 });
 
 test('a figure that is a still one has the words for paper alone', () => {
@@ -69,30 +96,57 @@ test('a figure that is a still one has the words for paper alone', () => {
   assert.doesNotMatch(page, /on-screen|Move the/);
 });
 
-test('words for the screen, outside of a live figure', () => refuses(
-  [[CHAPTER, 'Each dot is one step, with', 'Each dot is one step, with\n\n\\screen\nMove it.\n\\endscreen\n\n']],
-  [CHAPTER, '\\screen', '\\screen stands outside of \\live; put it between \\live and \\endlive'],
-));
+test('words for the screen, outside of a live figure', () =>
+  refuses(
+    [[CHAPTER, 'Each dot is one step, with', 'Each dot is one step, with\n\n\\screen\nMove it.\n\\endscreen\n\n']],
+    [CHAPTER, '\\screen', '\\screen stands outside of \\live; put it between \\live and \\endlive'],
+  ));
 
-test('a live figure that nothing describes', () => refuses(
-  [...live, [CHAPTER, '\\live{spiral', '\\live{spirall'], ['chapters/2-euler/spirall.gp', 'plot x\n'], ['chapters/2-euler/spiral.gp'],
-    ...['', '-narrow'].map(size => [`built/2-euler/figures/spirall${size}.svg`, '<svg xmlns="http://www.w3.org/2000/svg"/>'])],
-  [CHAPTER, '\\live{spirall', `there is no ${FOLDER}/spirall.json that describes the live figure "spirall". Did you mean "spiral"?`],
-  [CHAPTER, '\\figref{spiral}', /there is no \\figure\{spiral\}/],
-  [`${FOLDER}/spiral.json`, '', 'no page shows this with \\live{spiral, ...}; show it, or delete what is named spiral'],
-));
+test('a live figure that nothing describes', () =>
+  refuses(
+    [
+      ...live,
+      [CHAPTER, '\\live{spiral', '\\live{spirall'],
+      ['chapters/2-euler/spirall.gp', 'plot x\n'],
+      ['chapters/2-euler/spiral.gp'],
+      ...['', '-narrow'].map(size => [
+        `built/2-euler/figures/spirall${size}.svg`,
+        '<svg xmlns="http://www.w3.org/2000/svg"/>',
+      ]),
+    ],
+    [
+      CHAPTER,
+      '\\live{spirall',
+      `there is no ${FOLDER}/spirall.json that describes the live figure "spirall". Did you mean "spiral"?`,
+    ],
+    [CHAPTER, '\\figref{spiral}', /there is no \\figure\{spiral\}/],
+    [
+      `${FOLDER}/spiral.json`,
+      '',
+      'no page shows this with \\live{spiral, ...}; show it, or delete what is named spiral',
+    ],
+  ));
 
-test('a live figure without its parts', () => refuses(
-  [...live, [`${FOLDER}/spiral.js`]],
-  [CHAPTER, '\\live{spiral', `there is no ${FOLDER}/spiral.js, which the live figure "spiral" needs`],
-  [CHAPTER, '\\live{spiral', /^the live figure shows the code of its methods: code\/integrate\/euler\.h has no tag "move"\./],
-));
+test('a live figure without its parts', () =>
+  refuses(
+    [...live, [`${FOLDER}/spiral.js`]],
+    [CHAPTER, '\\live{spiral', `there is no ${FOLDER}/spiral.js, which the live figure "spiral" needs`],
+    [
+      CHAPTER,
+      '\\live{spiral',
+      /^the live figure shows the code of its methods: code\/integrate\/euler\.h has no tag "move"\./,
+    ],
+  ));
 
 const described = change => [`${FOLDER}/spiral.json`, JSON.stringify({ ...JSON.parse(DESCRIPTION), ...change })];
 const other = live.filter(([file]) => !file.endsWith('.json'));
 
 test('a live figure may show a table of its chapter, and the code of a method from another place', () => {
-  const book = weaves(...other, described({ table: 'growth', code: { euler: { path: 'code/integrate/euler.h', tag: 'step' } } }), module);
+  const book = weaves(
+    ...other,
+    described({ table: 'growth', code: { euler: { path: 'code/integrate/euler.h', tag: 'step' } } }),
+    module,
+  );
   const descriptions = JSON.parse(book.read('built/book/live/compiled.js').match(/descriptions = (.*);/)[1]);
   assert.deepEqual(descriptions.spiral.columns.h, [0.1, 0.01, 1e-7]);
   assert.match(book.read('built/book/2-euler.html'), /data-method="euler"[^]*?the old velocity[^]*?<\/template>/);
@@ -104,17 +158,21 @@ test('a live figure may draw with numbers of its chapter', () => {
   assert.deepEqual(descriptions.spiral.numbers, { step: 0.1, radius: 3.141592653589793 });
 });
 
-test('a live figure that wants a number nobody records', () => refuses(
-  [...other, described({ numbers: ['stp'] }), method, methodEnd],
-  [CHAPTER, '\\live{spiral', /^chapters\/2-euler\/live\/spiral\.json: unknown number "stp".*Did you mean "step"/],
-));
+test('a live figure that wants a number nobody records', () =>
+  refuses(
+    [...other, described({ numbers: ['stp'] }), method, methodEnd],
+    [CHAPTER, '\\live{spiral', /^chapters\/2-euler\/live\/spiral\.json: unknown number "stp".*Did you mean "step"/],
+  ));
 
-test('a live figure that wants a table nobody writes', () => refuses(
-  [...other, described({ table: 'growht' }), method, methodEnd],
-  [CHAPTER, '\\live{spiral', `${FOLDER}/spiral.json wants the table "growht", and the program of this chapter writes none of that name. Did you mean "growth"?`],
-));
+test('a live figure that wants a table nobody writes', () =>
+  refuses(
+    [...other, described({ table: 'growht' }), method, methodEnd],
+    [
+      CHAPTER,
+      '\\live{spiral',
+      `${FOLDER}/spiral.json wants the table "growht", and the program of this chapter writes none of that name. Did you mean "growth"?`,
+    ],
+  ));
 
-test('a description that is no JSON', () => refuses(
-  [...live, [`${FOLDER}/spiral.json`, '{ "controls": ']],
-  [`${FOLDER}/spiral.json`, '', /^this is no JSON: /],
-));
+test('a description that is no JSON', () =>
+  refuses([...live, [`${FOLDER}/spiral.json`, '{ "controls": ']], [`${FOLDER}/spiral.json`, '', /^this is no JSON: /]));

@@ -6,16 +6,25 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { CHAPTER, sampleBook, WEAVER } from './weaver.mjs';
 
-const contents = folder => readdirSync(folder, { recursive: true }).sort().map(name => join(folder, name))
-  .filter(path => statSync(path).isFile()).map(path => [path, readFileSync(path, 'latin1')]);
+const contents = folder =>
+  readdirSync(folder, { recursive: true })
+    .sort()
+    .map(name => join(folder, name))
+    .filter(path => statSync(path).isFile())
+    .map(path => [path, readFileSync(path, 'latin1')]);
 
 test('a book that fails leaves the old one as it was', () => {
   const book = sampleBook();
   assert.equal(book.weave().status, 0);
   const before = contents(book.path('built/book'));
   assert.ok(before.length > 20);
-  const early = 'Marks in code stay', late = 'Marks in code stay [here](nowhere.html)';
-  for (const [from, to] of [[early, `\\number{x} ${early}`], [`\\number{x} ${early}`, `<foo> ${early}`], [`<foo> ${early}`, late]]) {
+  const early = 'Marks in code stay',
+    late = 'Marks in code stay [here](nowhere.html)';
+  for (const [from, to] of [
+    [early, `\\number{x} ${early}`],
+    [`\\number{x} ${early}`, `<foo> ${early}`],
+    [`<foo> ${early}`, late],
+  ]) {
     book.edit(CHAPTER, from, to);
     const { status, stderr } = book.weave();
     assert.equal(status, 1);
@@ -35,7 +44,13 @@ test('a weaver that breaks off while it writes leaves nothing half-written', () 
 test('what is left of the book before is gone', () => {
   const book = sampleBook(['built/book/old.html', 'old'], ['built/book.new/x', 'x'], ['built/book.old/x', 'x']);
   assert.equal(book.weave().status, 0);
-  assert.ok(book.has('built/book/index.html') && !book.has('built/book/old.html') && !book.has('built/book/x') && !book.has('built/book.new') && !book.has('built/book.old'));
+  assert.ok(
+    book.has('built/book/index.html') &&
+      !book.has('built/book/old.html') &&
+      !book.has('built/book/x') &&
+      !book.has('built/book.new') &&
+      !book.has('built/book.old'),
+  );
 });
 
 test('bad use', () => {
@@ -49,7 +64,10 @@ test('bad use', () => {
 test('chapters without text, and Doxygen that is not there', () => {
   const half = sampleBook(['chapters/3-heun/notes.txt', '']).weave();
   assert.equal(half.status, 1);
-  assert.match(half.stderr, /^chapters\/3-heun\/chapter\.md:1: there is no such file; each chapter has one, and each page around them$/m);
+  assert.match(
+    half.stderr,
+    /^chapters\/3-heun\/chapter\.md:1: there is no such file; each chapter has one, and each page around them$/m,
+  );
   const book = sampleBook();
   assert.match(book.weave('/no/doxygen').stderr, /^book\/Doxyfile\.in: cannot run \/no\/doxygen: /);
   assert.match(book.weave('/bin/false').stderr, /^book\/Doxyfile\.in: Doxygen failed: /);

@@ -17,15 +17,19 @@ const LOG = [
   '',
 ].join('\n');
 const entries = readLog(LOG, '/build');
-const groups = Object.fromEntries(summarise(edgesOf(entries)).map(({ name, edges, seconds }) => [name, [edges, seconds]]));
+const groups = Object.fromEntries(
+  summarise(edgesOf(entries)).map(({ name, edges, seconds }) => [name, [edges, seconds]]),
+);
 
 test('an edge with two outputs counts once', () => assert.deepEqual(groups.figures, [1, 0.1]));
 test('of an output built twice, the last time counts', () => assert.deepEqual(groups.compile, [1, 4]));
 test('an edge that the last build left alone keeps its time', () => assert.deepEqual(groups['run programs'], [1, 0.5]));
-test('the table itself does not count', () => assert.deepEqual(Object.keys(groups), ['weave', 'figures', 'run programs', 'compile']));
+test('the table itself does not count', () =>
+  assert.deepEqual(Object.keys(groups), ['weave', 'figures', 'run programs', 'compile']));
 test('the last build begins where the clock starts again', () => assert.equal(lastBuildSeconds(entries), 7.16));
 test('in which folders the build lies says nothing of what an edge made', () => {
-  const folder = '/home/reader/book/build', moved = readLog(LOG.replaceAll('/build/', `${folder}/`), folder);
+  const folder = '/home/reader/book/build',
+    moved = readLog(LOG.replaceAll('/build/', `${folder}/`), folder);
   assert.deepEqual(summarise(edgesOf(moved)), summarise(edgesOf(entries)));
 });
 test('the table adds up', () => assert.match(table(entries), /^all of them +4 +7\.6$/m));

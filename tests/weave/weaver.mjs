@@ -1,7 +1,17 @@
 // The sample, a book in miniature, in a folder of its own: edited, woven as CMake does it, and judged.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, realpathSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  realpathSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -23,7 +33,9 @@ export const paragraph = text => [CHAPTER, '\\remark\nA remark.\n', `${text}\n\n
 export const line = (source, needle) => source.slice(0, source.indexOf(needle)).split('\n').length;
 
 const folders = [];
-process.on('exit', () => { for (const folder of folders) rmSync(folder, { recursive: true, force: true }); });
+process.on('exit', () => {
+  for (const folder of folders) rmSync(folder, { recursive: true, force: true });
+});
 
 // Each edit is [file, what stands there once, what shall stand there]; [file, text] writes a file, [file] removes it.
 export function sampleBook(...edits) {
@@ -36,7 +48,14 @@ export function sampleBook(...edits) {
     has: name => existsSync(join(folder, name)),
     read: name => readFileSync(join(folder, name), 'utf8'),
     edit: (name, ...change) => edit(book, name, change),
-    weave: (doxygen = process.env.DOXYGEN || 'doxygen') => weave(folder, readdirSync(join(folder, 'chapters')).filter(name => name !== 'front' || existsSync(join(folder, 'built/front'))), doxygen),
+    weave: (doxygen = process.env.DOXYGEN || 'doxygen') =>
+      weave(
+        folder,
+        readdirSync(join(folder, 'chapters')).filter(
+          name => name !== 'front' || existsSync(join(folder, 'built/front')),
+        ),
+        doxygen,
+      ),
   };
   for (const change of edits) book.edit(...change);
   return book;
@@ -44,9 +63,15 @@ export function sampleBook(...edits) {
 
 function edit(book, name, change) {
   const path = book.path(name);
-  if (!change.length) { rmSync(path, { recursive: true }); return; }
+  if (!change.length) {
+    rmSync(path, { recursive: true });
+    return;
+  }
   mkdirSync(dirname(path), { recursive: true });
-  if (change.length === 1) { writeFileSync(path, change[0]); return; }
+  if (change.length === 1) {
+    writeFileSync(path, change[0]);
+    return;
+  }
   const parts = book.read(name).split(change[0]);
   assert.equal(parts.length, 2, `${name} has ${parts.length - 1} times: ${change[0]}`);
   writeFileSync(path, parts.join(change[1]));
@@ -54,11 +79,23 @@ function edit(book, name, change) {
 
 function weave(folder, chapters, doxygen) {
   const config = join(folder, 'weave.json');
-  writeFileSync(config, JSON.stringify({
-    version: '1.2.3', source: folder, output: join(folder, 'built/book'), work: join(folder, 'work'), live: existsSync(join(folder, MODULE)) ? join(folder, MODULE) : '', cards: join(folder, 'built/cards'), doxygen,
-    times: existsSync(join(folder, 'built/recorded.csv')) || existsSync(join(folder, 'built/here.csv')) ? [{ recorded: join(folder, 'built/recorded.csv'), here: join(folder, 'built/here.csv') }] : [],
-    chapters: chapters.map(name => ({ name, folder: `chapters/${name}`, build: join(folder, 'built', name) })),
-  }));
+  writeFileSync(
+    config,
+    JSON.stringify({
+      version: '1.2.3',
+      source: folder,
+      output: join(folder, 'built/book'),
+      work: join(folder, 'work'),
+      live: existsSync(join(folder, MODULE)) ? join(folder, MODULE) : '',
+      cards: join(folder, 'built/cards'),
+      doxygen,
+      times:
+        existsSync(join(folder, 'built/recorded.csv')) || existsSync(join(folder, 'built/here.csv'))
+          ? [{ recorded: join(folder, 'built/recorded.csv'), here: join(folder, 'built/here.csv') }]
+          : [],
+      chapters: chapters.map(name => ({ name, folder: `chapters/${name}`, build: join(folder, 'built', name) })),
+    }),
+  );
   return spawnSync(process.execPath, [WEAVER, config], { encoding: 'utf8' });
 }
 

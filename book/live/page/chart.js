@@ -1,7 +1,7 @@
 // Values over time. The axes are fixed, so that a small thing looks small; where a curve leaves them is marked.
 (function () {
   'use strict';
-  const Live = globalThis.Live ??= {};
+  const Live = (globalThis.Live ??= {});
   const FONT = '12px "Book Sans", sans-serif';
 
   Live.Chart = class {
@@ -12,26 +12,63 @@
       Object.assign(this, { box, beside, curves, paths, from, to, log, exits: [], seconds, until: seconds });
       const paint = name => () => Live.colour(box, name);
       const numbers = (_, marks) => marks.map(mark => (mark === null ? '' : Live.digits(mark, 6)));
-      const axis = { values: numbers, stroke: paint('soft'), grid: { stroke: paint('grid'), width: 1 }, ticks: { show: false }, font: FONT };
+      const axis = {
+        values: numbers,
+        stroke: paint('soft'),
+        grid: { stroke: paint('grid'), width: 1 },
+        ticks: { show: false },
+        font: FONT,
+      };
       // Of the marks of a logarithmic axis, the powers of ten.
-      const powers = (_, marks) => marks.map(mark => (Math.abs(Math.log10(mark) - Math.round(Math.log10(mark))) < 1e-9 ? mark : null));
+      const powers = (_, marks) =>
+        marks.map(mark => (Math.abs(Math.log10(mark) - Math.round(Math.log10(mark))) < 1e-9 ? mark : null));
       const logarithmic = log && { filter: powers, grid: { ...axis.grid, filter: powers } };
       // [[value, name]], where the numbers alone would be hard to read.
-      const named = marks && { splits: () => marks.map(([value]) => value), values: () => marks.map(([, name]) => name), filter: (_, all) => all, grid: { ...axis.grid, filter: (_, all) => all } };
-      this.plot = new globalThis.uPlot({
-        ...this.size, legend: { show: false }, cursor: { show: false }, padding: [8, 20, 0, 0],
-        scales: { x: { time: false, range: () => [this.until - seconds, this.until] }, y: { range: [from, to], distr: log ? 3 : 1 } },
-        axes: [{ ...axis, size: 24, label: 'time [s]', labelSize: 20, labelFont: FONT }, { ...axis, size: 44, ...logarithmic, ...named }],
-        series: [{}, ...curves.map(curve => this.seriesOf(curve))],
-        hooks: { draw: [plot => this.drawPaths(plot), plot => this.exits.forEach((exit, i) => this.markExit(plot, exit, i === 0))] },
-      }, [[], ...curves.map(() => [])], box);
+      const named = marks && {
+        splits: () => marks.map(([value]) => value),
+        values: () => marks.map(([, name]) => name),
+        filter: (_, all) => all,
+        grid: { ...axis.grid, filter: (_, all) => all },
+      };
+      this.plot = new globalThis.uPlot(
+        {
+          ...this.size,
+          legend: { show: false },
+          cursor: { show: false },
+          padding: [8, 20, 0, 0],
+          scales: {
+            x: { time: false, range: () => [this.until - seconds, this.until] },
+            y: { range: [from, to], distr: log ? 3 : 1 },
+          },
+          axes: [
+            { ...axis, size: 24, label: 'time [s]', labelSize: 20, labelFont: FONT },
+            { ...axis, size: 44, ...logarithmic, ...named },
+          ],
+          series: [{}, ...curves.map(curve => this.seriesOf(curve))],
+          hooks: {
+            draw: [
+              plot => this.drawPaths(plot),
+              plot => this.exits.forEach((exit, i) => this.markExit(plot, exit, i === 0)),
+            ],
+          },
+        },
+        [[], ...curves.map(() => [])],
+        box,
+      );
     }
     seriesOf(curve) {
       const exact = curve.colour === 'exact';
-      return { stroke: () => this.colourOf(curve), width: exact ? 1.2 : 2, dash: exact ? [7, 5] : undefined, points: { show: false } };
+      return {
+        stroke: () => this.colourOf(curve),
+        width: exact ? 1.2 : 2,
+        dash: exact ? [7, 5] : undefined,
+        points: { show: false },
+      };
     }
     // A curve of the colour "method" has that of the method chosen.
-    colourOf({ colour }) { return Live.colour(this.box, colour === 'method' ? this.method : colour); }
+    colourOf({ colour }) {
+      return Live.colour(this.box, colour === 'method' ? this.method : colour);
+    }
 
     get size() {
       const { clientHeight } = this.beside;
@@ -48,9 +85,12 @@
       this.lists = this.paths.map(({ path }) => now[path]);
       const whole = name => (trace.t.at(-1) === now.t ? trace[name] : [...trace[name], now[name]]);
       const times = whole('t');
-      const far = 100 * this.to;  // beyond, a canvas draws nonsense
+      const far = 100 * this.to; // beyond, a canvas draws nonsense
       const drawn = value => (Number.isNaN(value) ? null : Math.max(-far, Math.min(far, value)));
-      this.exits = this.curves.filter(({ colour }) => colour !== 'exact').map(curve => this.exitOf(curve, times, whole(curve.value))).filter(Boolean);
+      this.exits = this.curves
+        .filter(({ colour }) => colour !== 'exact')
+        .map(curve => this.exitOf(curve, times, whole(curve.value)))
+        .filter(Boolean);
       if (endless) this.until = Math.max(this.seconds, now.t);
       this.plot.setData([times, ...this.curves.map(({ value }) => whole(value).map(drawn))]);
     }
@@ -61,8 +101,12 @@
       const at = values.findIndex((value, i) => i > first && !within(value));
       if (first < 0 || at < 0) return null;
       const up = !(values[at] < this.from);
-      if (this.log && !up) return null;  // what is too small for a logarithmic axis has come to nothing
-      return { t: this.crossing(times.slice(at - 1, at + 1), values.slice(at - 1, at + 1), up ? this.to : this.from), up, curve };
+      if (this.log && !up) return null; // what is too small for a logarithmic axis has come to nothing
+      return {
+        t: this.crossing(times.slice(at - 1, at + 1), values.slice(at - 1, at + 1), up ? this.to : this.from),
+        up,
+        curve,
+      };
     }
     // When the line between two points, as it is drawn, crosses an edge of the chart.
     crossing(times, values, edge) {
@@ -79,7 +123,9 @@
       ctx.clip();
       this.lists?.forEach((list, i) => {
         ctx.beginPath();
-        list.forEach((value, k) => ctx.lineTo(valToPos(this.seconds * k / (list.length - 1), 'x', true), valToPos(value, 'y', true)));
+        list.forEach((value, k) =>
+          ctx.lineTo(valToPos((this.seconds * k) / (list.length - 1), 'x', true), valToPos(value, 'y', true)),
+        );
         ctx.setLineDash([7, 5].map(length => length * devicePixelRatio));
         Object.assign(ctx, { strokeStyle: this.colourOf(this.paths[i]), lineWidth: 1.2 * devicePixelRatio });
         ctx.stroke();
@@ -88,8 +134,11 @@
     }
 
     markExit(plot, { t, up, curve }, inWords) {
-      const { ctx, bbox } = plot, size = 6 * devicePixelRatio;
-      const x = plot.valToPos(t, 'x', true), tip = up ? bbox.top : bbox.top + bbox.height, inwards = up ? 1 : -1;
+      const { ctx, bbox } = plot,
+        size = 6 * devicePixelRatio;
+      const x = plot.valToPos(t, 'x', true),
+        tip = up ? bbox.top : bbox.top + bbox.height,
+        inwards = up ? 1 : -1;
       ctx.save();
       ctx.fillStyle = this.colourOf(curve);
       ctx.beginPath();
@@ -99,7 +148,11 @@
       ctx.fill();
       if (inWords) {
         const left = x > bbox.left + bbox.width / 2;
-        Object.assign(ctx, { font: `500 ${12 * devicePixelRatio}px "Book Sans", sans-serif`, textAlign: left ? 'right' : 'left', textBaseline: 'middle' });
+        Object.assign(ctx, {
+          font: `500 ${12 * devicePixelRatio}px "Book Sans", sans-serif`,
+          textAlign: left ? 'right' : 'left',
+          textBaseline: 'middle',
+        });
         ctx.fillText('leaves the chart', x + (left ? -2 : 2) * size, tip + inwards * 1.2 * size);
       }
       ctx.restore();

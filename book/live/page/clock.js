@@ -1,9 +1,9 @@
 // Spends the time that frames deliver in steps of the scene.
 (function () {
   'use strict';
-  const Live = globalThis.Live ??= {};
-  const LONGEST = 0.1;  // of a frame [s]; what is over is dropped
-  const BUDGET = 8;     // for the steps of a frame [ms]: half of what 60 frames a second leave
+  const Live = (globalThis.Live ??= {});
+  const LONGEST = 0.1; // of a frame [s]; what is over is dropped
+  const BUDGET = 8; // for the steps of a frame [ms]: half of what 60 frames a second leave
 
   Live.Clock = class {
     constructor(pace) {
@@ -16,7 +16,9 @@
       this.dropped = 0;
     }
     // Whether it ran slower than time during the last few frames.
-    get slow() { return this.dropped > 0.05; }
+    get slow() {
+      return this.dropped > 0.05;
+    }
     // Takes the steps due at `now` [ms].
     frame(now, run) {
       const passed = this.last === null ? 0 : Math.max(0, now - this.last) / 1000;
@@ -32,6 +34,8 @@
       this.dropped = 0.9 * this.dropped + Math.max(0, passed - LONGEST) + late / this.pace;
     }
     // How far the picture is from the last state but one to the last.
-    part(run) { return run.ended ? 1 : this.saved / run.now.h; }
+    part(run) {
+      return run.ended ? 1 : this.saved / run.now.h;
+    }
   };
 })();

@@ -1,28 +1,29 @@
 // A live figure: puts the stage in the place of the still picture and runs it as the reader asks.
 (function () {
   'use strict';
-  const Live = globalThis.Live ??= {};
+  const Live = (globalThis.Live ??= {});
   const still = matchMedia('(prefers-reduced-motion: reduce)');
   let compiled;
   Live.opened = {};
-  Live.started = [];  // a promise for each figure, kept once it runs or never will
+  Live.started = []; // a promise for each figure, kept once it runs or never will
 
   // `drawing` has view(settings), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence.
   Live.figure = function (name, drawing) {
-    if (!globalThis.WebAssembly) return;  // a browser that is too old keeps the still picture
-    for (const element of document.querySelectorAll(`[data-live="${name}"]`)) Live.started.push(start(element, name, drawing));
+    if (!globalThis.WebAssembly) return; // a browser that is too old keeps the still picture
+    for (const element of document.querySelectorAll(`[data-live="${name}"]`))
+      Live.started.push(start(element, name, drawing));
   };
 
   // The stage stands at once: what takes its height later would move the text under the reader's eyes.
   async function start(element, name, drawing) {
     const figure = new Figure(element, Live.descriptions[name], drawing);
     try {
-      const [code] = await Promise.all([compiled ??= Live.compile(Live.compiled), document.fonts.ready]);
+      const [code] = await Promise.all([(compiled ??= Live.compile(Live.compiled)), document.fonts.ready]);
       figure.open(await Live.open(code, name));
       Live.opened[name] = figure;
     } catch (fault) {
       figure.stage.remove();
-      if (!(fault instanceof WebAssembly.CompileError)) throw fault;  // nor can an old browser run newer code
+      if (!(fault instanceof WebAssembly.CompileError)) throw fault; // nor can an old browser run newer code
     }
   }
 
@@ -46,7 +47,8 @@
       const find = selector => element.querySelector(selector);
       this.run = new Live.Run(module, description);
       this.clock = new Live.Clock(description.pace);
-      if (description.handle) this.handle = new Live.Handle(find('canvas.scene'), description.handle, values => this.hold(values));
+      if (description.handle)
+        this.handle = new Live.Handle(find('canvas.scene'), description.handle, values => this.hold(values));
       this.listen(find);
       this.showWhole();
       this.startWhenSeen();
@@ -65,8 +67,12 @@
         this.change();
         this.element.scrollIntoView();
       });
-      new ResizeObserver(() => { this.chart.resize(); this.draw(); }).observe(this.stage);
-      for (const source of [matchMedia('(prefers-color-scheme: dark)'), still]) source.addEventListener('change', () => this.draw());
+      new ResizeObserver(() => {
+        this.chart.resize();
+        this.draw();
+      }).observe(this.stage);
+      for (const source of [matchMedia('(prefers-color-scheme: dark)'), still])
+        source.addEventListener('change', () => this.draw());
       document.addEventListener('themechange', () => this.draw());
       document.addEventListener('visibilitychange', () => this.ask());
     }
@@ -74,16 +80,25 @@
     // Nothing moves by itself where the reader does not want motion, nor twice.
     startWhenSeen() {
       let started = still.matches;
-      new IntersectionObserver(entries => {
-        const seen = entries.at(-1);
-        this.visible = seen.isIntersecting;
-        const most = 0.6 * Math.min(seen.boundingClientRect.height, seen.rootBounds?.height ?? Infinity);
-        if (!started && seen.intersectionRect.height > most) { started = true; this.begin(); this.play(); }
-        this.ask();
-      }, { threshold: [0, 0.2, 0.35, 0.5, 0.65, 0.8] }).observe(this.stage);
+      new IntersectionObserver(
+        entries => {
+          const seen = entries.at(-1);
+          this.visible = seen.isIntersecting;
+          const most = 0.6 * Math.min(seen.boundingClientRect.height, seen.rootBounds?.height ?? Infinity);
+          if (!started && seen.intersectionRect.height > most) {
+            started = true;
+            this.begin();
+            this.play();
+          }
+          this.ask();
+        },
+        { threshold: [0, 0.2, 0.35, 0.5, 0.65, 0.8] },
+      ).observe(this.stage);
     }
 
-    get values() { return this.settings.values; }
+    get values() {
+      return this.settings.values;
+    }
 
     begin() {
       this.run.start(this.values);
@@ -95,7 +110,7 @@
       if (method === this.codeShown) return;
       this.codeShown = method;
       for (const code of this.stage.querySelectorAll('[data-method]')) code.hidden = code.dataset.method !== method;
-      dispatchEvent(new Event('resize'));  // the page looks whether the code fits
+      dispatchEvent(new Event('resize')); // the page looks whether the code fits
     }
     // To the end, or to where it was held.
     showWhole(until) {
@@ -105,7 +120,10 @@
       this.speak();
     }
     change() {
-      if (this.playing) { this.begin(); return; }
+      if (this.playing) {
+        this.begin();
+        return;
+      }
       const { full, now, taken } = this.run;
       this.showWhole(full || taken === 0 ? undefined : now.t);
     }
@@ -116,7 +134,7 @@
       if (!this.playing) this.play();
     }
     play() {
-      if (this.run.ended || !this.playing && this.run.taken === 0) this.begin();
+      if (this.run.ended || (!this.playing && this.run.taken === 0)) this.begin();
       this.setPlaying(true);
     }
     pause() {
@@ -133,7 +151,10 @@
     }
     reset() {
       this.setPlaying(false);
-      if (this.handle) { this.handle.reset(); this.run.set(this.handle.values); }
+      if (this.handle) {
+        this.handle.reset();
+        this.run.set(this.handle.values);
+      }
       this.begin();
       this.draw();
       this.speak();
@@ -147,14 +168,22 @@
     // A frame is asked for only while something moves and is seen.
     ask() {
       const wanted = this.playing && this.visible !== false && !document.hidden;
-      if (!wanted) { cancelAnimationFrame(this.frameAsked); this.frameAsked = 0; this.clock.last = null; return; }
+      if (!wanted) {
+        cancelAnimationFrame(this.frameAsked);
+        this.frameAsked = 0;
+        this.clock.last = null;
+        return;
+      }
       this.frameAsked ||= requestAnimationFrame(now => this.frame(now));
     }
     frame(now) {
       this.frameAsked = 0;
       this.clock.frame(now, this.run);
       this.draw(this.clock.part(this.run));
-      if (this.run.ended) { this.setPlaying(false); this.speak(); }
+      if (this.run.ended) {
+        this.setPlaying(false);
+        this.speak();
+      }
       this.ask();
     }
 
@@ -173,18 +202,34 @@
     // For those who do not see it: once things have come to rest, not in every frame.
     speak() {
       clearTimeout(this.speaking);
-      this.speaking = setTimeout(() => { this.status.textContent = this.sentence; }, 400);
+      this.speaking = setTimeout(() => {
+        this.status.textContent = this.sentence;
+      }, 400);
       for (const picture of this.stage.querySelectorAll('[role=img]')) {
-        const axis = [...picture.parentElement.querySelector('.axis').childNodes].map(part => part.textContent.trim()).filter(Boolean).join(', ');
+        const axis = [...picture.parentElement.querySelector('.axis').childNodes]
+          .map(part => part.textContent.trim())
+          .filter(Boolean)
+          .join(', ');
         picture.setAttribute('aria-label', `${axis}. ${this.settings.words}. ${this.sentence}`);
       }
     }
 
     link(button) {
       history.replaceState(null, '', `#${this.element.id}?${this.settings.query}`);
-      const say = words => { button.textContent = words; setTimeout(() => { button.textContent = 'Link to these settings'; }, 2500); };
-      const written = globalThis.isSecureContext && navigator.clipboard ? navigator.clipboard.writeText(location.href) : Promise.reject();
-      written.then(() => say('Link copied'), () => say('The link is in the address bar'));
+      const say = words => {
+        button.textContent = words;
+        setTimeout(() => {
+          button.textContent = 'Link to these settings';
+        }, 2500);
+      };
+      const written =
+        globalThis.isSecureContext && navigator.clipboard
+          ? navigator.clipboard.writeText(location.href)
+          : Promise.reject();
+      written.then(
+        () => say('Link copied'),
+        () => say('The link is in the address bar'),
+      );
     }
     readLink() {
       const [, id, query] = location.hash.match(/^#([\w-]+)\?(.*)$/) ?? [];

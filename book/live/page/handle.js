@@ -1,7 +1,7 @@
 // Something in the picture that the reader takes hold of: by pointer, by touch, or by the arrow keys.
 (function () {
   'use strict';
-  const Live = globalThis.Live ??= {};
+  const Live = (globalThis.Live ??= {});
   const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
   const within = ({ from, to }, value) => Math.max(from, Math.min(to, value));
 
@@ -11,12 +11,20 @@
       Object.assign(this, { canvas, description, moved });
       this.element = canvas.parentElement.appendChild(document.createElement('span'));
       this.element.className = 'handle';
-      const attributes = { role: 'slider', tabindex: 0, 'aria-label': `${description.name}, moved by all four arrow keys`, 'aria-valuemin': description.x.from, 'aria-valuemax': description.x.to };
+      const attributes = {
+        'role': 'slider',
+        'tabindex': 0,
+        'aria-label': `${description.name}, moved by all four arrow keys`,
+        'aria-valuemin': description.x.from,
+        'aria-valuemax': description.x.to,
+      };
       for (const [name, value] of Object.entries(attributes)) this.element.setAttribute(name, value);
       this.reset();
       this.listen();
     }
-    reset() { this.hold(this.description.x.start, this.description.y.start); }
+    reset() {
+      this.hold(this.description.x.start, this.description.y.start);
+    }
 
     listen() {
       const { element } = this;
@@ -44,9 +52,14 @@
       this.x = within(this.description.x, x);
       this.y = within(this.description.y, y);
       this.element.setAttribute('aria-valuenow', this.x.toFixed(2));
-      this.element.setAttribute('aria-valuetext', `${Live.fixed(this.x, 2)}\u202f${this.description.unit} to the right, ${Live.fixed(this.y, 2)}\u202f${this.description.unit} up`);
+      this.element.setAttribute(
+        'aria-valuetext',
+        `${Live.fixed(this.x, 2)}\u202f${this.description.unit} to the right, ${Live.fixed(this.y, 2)}\u202f${this.description.unit} up`,
+      );
     }
-    get values() { return { [this.description.x.set]: this.x, [this.description.y.set]: this.y }; }
+    get values() {
+      return { [this.description.x.set]: this.x, [this.description.y.set]: this.y };
+    }
 
     // Puts it where it belongs in the picture that the pen draws.
     place(pen) {

@@ -1,7 +1,7 @@
 // The compiled figures: text and numbers in and out of the WebAssembly module.
 (function () {
   'use strict';
-  const Live = globalThis.Live ??= {};
+  const Live = (globalThis.Live ??= {});
 
   // Base64, since a page on disk can load a script and nothing else.
   Live.compile = base64 => WebAssembly.compile(Uint8Array.from(atob(base64), c => c.charCodeAt(0)));
@@ -30,10 +30,11 @@
     // The names stay from start to start; where the values lie may change.
     function look() {
       shown ??= list(module.shown_count(), module.shown_name);
-      if (memory !== module.memory.buffer) numbers = new Float64Array(memory = module.memory.buffer);
+      if (memory !== module.memory.buffer) numbers = new Float64Array((memory = module.memory.buffer));
       const state = {};
       shown.forEach((of, i) => {
-        const at = module.shown_values(i) / 8, size = module.shown_size(i);
+        const at = module.shown_values(i) / 8,
+          size = module.shown_size(i);
         state[of] = size === 1 ? numbers[at] : numbers.slice(at, at + size);
       });
       return state;
@@ -45,8 +46,15 @@
         const i = place(settings, setting, 'setting');
         module.set(i, choices[i].length ? place(choices[i], value, setting) : value);
       },
-      start() { module.start(); shown = undefined; return look(); },
-      advance(steps) { module.advance(steps); return look(); },
+      start() {
+        module.start();
+        shown = undefined;
+        return look();
+      },
+      advance(steps) {
+        module.advance(steps);
+        return look();
+      },
       fingerprint: steps => BigInt.asUintN(64, module.fingerprint(steps)).toString(16).padStart(16, '0'),
     };
   };

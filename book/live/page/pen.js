@@ -1,10 +1,12 @@
 // Draws on a canvas in the units of the scene and in the colours of the book.
 (function () {
   'use strict';
-  const Live = globalThis.Live ??= {};
+  const Live = (globalThis.Live ??= {});
 
   Live.colour = function (element, name) {
-    const colour = getComputedStyle(element).getPropertyValue(`--${name.replace(/_/g, '-')}`).trim();
+    const colour = getComputedStyle(element)
+      .getPropertyValue(`--${name.replace(/_/g, '-')}`)
+      .trim();
     if (!colour) throw new Error(`book/theme/figure.gp has no line style for ${name}`);
     return colour;
   };
@@ -16,12 +18,15 @@
     }
     // Wipes the canvas. `view` is { x: [from, to], y: [from, to] }; a metre is as long upwards as sideways, unless `free`.
     begin({ x, y, free }) {
-      const { canvas, context } = this, ratio = devicePixelRatio || 1;
-      const width = canvas.clientWidth, height = canvas.clientHeight;
+      const { canvas, context } = this,
+        ratio = devicePixelRatio || 1;
+      const width = canvas.clientWidth,
+        height = canvas.clientHeight;
       canvas.width = Math.round(width * ratio);
       canvas.height = Math.round(height * ratio);
       context.setTransform(ratio, 0, 0, ratio, 0, 0);
-      let across = width / (x[1] - x[0]), up = height / (y[1] - y[0]);
+      let across = width / (x[1] - x[0]),
+        up = height / (y[1] - y[0]);
       if (!free) across = up = Math.min(across, up);
       this.x = value => width / 2 + (value - (x[0] + x[1]) / 2) * across;
       this.y = value => height / 2 - (value - (y[0] + y[1]) / 2) * up;
@@ -29,7 +34,9 @@
       this.view = { x, y };
       context.lineJoin = context.lineCap = 'round';
     }
-    colour(name) { return Live.colour(this.canvas, name); }
+    colour(name) {
+      return Live.colour(this.canvas, name);
+    }
     stroke({ colour = 'ink', width = 1.5, dash = [], faint = 1 }) {
       const { context } = this;
       Object.assign(context, { strokeStyle: this.colour(colour), lineWidth: width, globalAlpha: faint });
@@ -40,16 +47,20 @@
     }
     // A line through points, given as two lists.
     line(xs, ys, look = {}) {
-      const { context } = this, far = 1e5;  // pixels; beyond, a canvas draws nonsense
+      const { context } = this,
+        far = 1e5; // pixels; beyond, a canvas draws nonsense
       context.beginPath();
       for (let i = 0; i < xs.length; ++i) {
-        const x = this.x(xs[i]), y = this.y(ys[i]);
+        const x = this.x(xs[i]),
+          y = this.y(ys[i]);
         if (!(Math.abs(x) < far && Math.abs(y) < far)) break;
         context.lineTo(x, y);
       }
       this.stroke(look);
     }
-    circle(x, y, radius, look = {}) { this.ellipse(x, y, radius, radius, look); }
+    circle(x, y, radius, look = {}) {
+      this.ellipse(x, y, radius, radius, look);
+    }
     ellipse(x, y, across, up, look = {}) {
       this.context.beginPath();
       this.context.ellipse(this.x(x), this.y(y), across * this.metre, up * this.metre, 0, 0, 2 * Math.PI);
@@ -57,8 +68,13 @@
     }
     // Draws within a field and nothing beyond it, and then its frame.
     within(xs, ys, frame, draw) {
-      const { context } = this, [left, right] = xs.map(this.x), [bottom, top] = ys.map(this.y);
-      const box = () => { context.beginPath(); context.rect(left, top, right - left, bottom - top); };
+      const { context } = this,
+        [left, right] = xs.map(this.x),
+        [bottom, top] = ys.map(this.y);
+      const box = () => {
+        context.beginPath();
+        context.rect(left, top, right - left, bottom - top);
+      };
       context.save();
       box();
       context.clip();
@@ -75,7 +91,9 @@
       context.arc(this.x(x), this.y(y), pixels, 0, 2 * Math.PI);
       context.fill();
     }
-    dots(xs, ys, pixels, colour) { for (let i = 0; i < xs.length; ++i) this.dot(xs[i], ys[i], pixels, colour); }
+    dots(xs, ys, pixels, colour) {
+      for (let i = 0; i < xs.length; ++i) this.dot(xs[i], ys[i], pixels, colour);
+    }
     // What lies within a line that closes on itself.
     area(xs, ys, { colour = 'area', faint = 1 } = {}) {
       const { context } = this;
@@ -87,17 +105,33 @@
     }
     text(x, y, words, { colour = 'soft', align = 'center' } = {}) {
       const { context } = this;
-      Object.assign(context, { font: '500 13px "Book Sans", sans-serif', textAlign: align, textBaseline: 'middle', fillStyle: this.colour(colour) });
+      Object.assign(context, {
+        font: '500 13px "Book Sans", sans-serif',
+        textAlign: align,
+        textBaseline: 'middle',
+        fillStyle: this.colour(colour),
+      });
       context.fillText(words, this.x(x), this.y(y));
     }
     // Faint lines with their numbers at the left and the lower edge.
     grid(xs, ys) {
       const { context, canvas } = this;
       context.beginPath();
-      for (const x of xs) { context.moveTo(this.x(x), 0); context.lineTo(this.x(x), canvas.clientHeight); }
-      for (const y of ys) { context.moveTo(0, this.y(y)); context.lineTo(canvas.clientWidth, this.y(y)); }
+      for (const x of xs) {
+        context.moveTo(this.x(x), 0);
+        context.lineTo(this.x(x), canvas.clientHeight);
+      }
+      for (const y of ys) {
+        context.moveTo(0, this.y(y));
+        context.lineTo(canvas.clientWidth, this.y(y));
+      }
       this.stroke({ colour: 'grid', width: 1 });
-      Object.assign(context, { font: '400 12px "Book Sans", sans-serif', fillStyle: this.colour('soft'), textBaseline: 'bottom', textAlign: 'left' });
+      Object.assign(context, {
+        font: '400 12px "Book Sans", sans-serif',
+        fillStyle: this.colour('soft'),
+        textBaseline: 'bottom',
+        textAlign: 'left',
+      });
       for (const x of xs) context.fillText(Live.digits(x, 6), this.x(x) + 3, canvas.clientHeight - 2);
       for (const y of ys) context.fillText(Live.digits(y, 6), 3, this.y(y) - 2);
     }

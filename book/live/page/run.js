@@ -1,26 +1,38 @@
 // One run of a figure from its start to its end, and the trace that it leaves.
 (function () {
   'use strict';
-  const Live = globalThis.Live ??= {};
-  const MOST = 2000;  // points of a trace: more than a chart has pixels
+  const Live = (globalThis.Live ??= {});
+  const MOST = 2000; // points of a trace: more than a chart has pixels
 
   Live.Run = class {
     constructor(module, { seconds, endless }) {
       Object.assign(this, { module, seconds, endless });
     }
-    set(values) { for (const [name, value] of Object.entries(values)) this.module.set(name, value); }
+    set(values) {
+      for (const [name, value] of Object.entries(values)) this.module.set(name, value);
+    }
     start(values) {
       this.set(values);
       this.now = this.before = this.module.start();
       this.stride = Math.ceil(this.seconds / this.now.h / MOST);
       this.taken = 0;
-      this.trace = Object.fromEntries(Object.entries(this.now).filter(([, value]) => typeof value === 'number').map(([name]) => [name, []]));
+      this.trace = Object.fromEntries(
+        Object.entries(this.now)
+          .filter(([, value]) => typeof value === 'number')
+          .map(([name]) => [name, []]),
+      );
       this.note();
     }
     // Whether the next step would end behind the end; a little over, since t is rounded.
-    get full() { return this.isDone(this.seconds); }
-    isDone(until) { return this.now.t + this.now.h > until * (1 + 1e-9); }
-    get ended() { return this.full && !this.endless; }
+    get full() {
+      return this.isDone(this.seconds);
+    }
+    isDone(until) {
+      return this.now.t + this.now.h > until * (1 + 1e-9);
+    }
+    get ended() {
+      return this.full && !this.endless;
+    }
     step() {
       this.before = this.now;
       this.now = this.module.advance(1);
@@ -30,7 +42,7 @@
     finish(until = this.seconds) {
       while (!this.isDone(until)) {
         const left = Math.floor((until * (1 + 1e-9) - this.now.t) / this.now.h);
-        const steps = Math.max(1, Math.min(this.stride - this.taken % this.stride, left));
+        const steps = Math.max(1, Math.min(this.stride - (this.taken % this.stride), left));
         this.now = this.before = this.module.advance(steps);
         this.taken += steps;
         if (this.taken % this.stride === 0) this.note();
@@ -39,7 +51,8 @@
     // One without an end keeps its last seconds.
     note() {
       for (const [name, list] of Object.entries(this.trace)) list.push(this.now[name]);
-      while (this.endless && this.trace.t[1] < this.now.t - this.seconds) for (const list of Object.values(this.trace)) list.shift();
+      while (this.endless && this.trace.t[1] < this.now.t - this.seconds)
+        for (const list of Object.values(this.trace)) list.shift();
     }
     // A trace up to what the picture shows: the newest state is still to come while it is on the way there.
     past(name, part) {
@@ -49,7 +62,8 @@
     // A value between the last two states, `part` of the way to the newer; of a list, each of its values.
     blend(name, part) {
       const between = (from, to) => from + part * (to - from);
-      const before = this.before[name], now = this.now[name];
+      const before = this.before[name],
+        now = this.now[name];
       return typeof now === 'number' ? between(before, now) : now.map((value, i) => between(before[i], value));
     }
   };

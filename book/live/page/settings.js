@@ -1,7 +1,7 @@
 // What the reader sets: sliders and choices, and the link that holds them.
 (function () {
   'use strict';
-  const Live = globalThis.Live ??= {};
+  const Live = (globalThis.Live ??= {});
 
   // A slider stands at numbers of its own: places in a list of values, or the value in the unit that is shown.
   class Slider {
@@ -12,14 +12,20 @@
       this.output = label.querySelector('.value');
       this.dot = label.querySelector('.mark');
     }
-    get shown() { return this.values ? this.values[this.input.valueAsNumber] : this.input.valueAsNumber; }
-    get value() { return this.shown * this.scale; }
+    get shown() {
+      return this.values ? this.values[this.input.valueAsNumber] : this.input.valueAsNumber;
+    }
+    get value() {
+      return this.shown * this.scale;
+    }
     set value(wanted) {
       const shown = wanted / this.scale;
       const nearest = (best, value, i) => (Math.abs(value - shown) < Math.abs(this.values[best] - shown) ? i : best);
       this.input.value = this.values ? this.values.reduce(nearest, 0) : shown;
     }
-    words(shown = this.shown) { return `${Live.digits(shown, 4)}${this.unit ? `\u202f${this.unit}` : ''}`; }
+    words(shown = this.shown) {
+      return `${Live.digits(shown, 4)}${this.unit ? `\u202f${this.unit}` : ''}`;
+    }
 
     // `now`, where there is a run already, holds the value to be marked on the slider, where it has one.
     tell(now) {
@@ -43,12 +49,16 @@
       Object.assign(this, control);
       this.radios = [...fieldset.querySelectorAll('input')];
     }
-    get value() { return this.radios.find(radio => radio.checked).value; }
+    get value() {
+      return this.radios.find(radio => radio.checked).value;
+    }
     set value(wanted) {
       const radio = this.radios.find(({ value }) => value === wanted);
       if (radio) radio.checked = true;
     }
-    words() { return this.choices[this.value]; }
+    words() {
+      return this.choices[this.value];
+    }
     tell() {}
   }
 
@@ -59,12 +69,22 @@
         return control.choices ? new Choice(element, control) : new Slider(element, control);
       });
     }
-    get values() { return Object.fromEntries(this.controls.map(({ name, value }) => [name, value])); }
-    get words() { return this.controls.map(control => `${control.label}: ${control.words()}`).join(', '); }
-    tell(now) { for (const control of this.controls) control.tell(now); }
+    get values() {
+      return Object.fromEntries(this.controls.map(({ name, value }) => [name, value]));
+    }
+    get words() {
+      return this.controls.map(control => `${control.label}: ${control.words()}`).join(', ');
+    }
+    tell(now) {
+      for (const control of this.controls) control.tell(now);
+    }
 
     // method=euler&h=0.011, in seconds and the like; what it does not know it leaves as it is.
-    get query() { return this.controls.map(({ name, value }) => `${name}=${typeof value === 'number' ? Number(value.toPrecision(6)) : value}`).join('&'); }
+    get query() {
+      return this.controls
+        .map(({ name, value }) => `${name}=${typeof value === 'number' ? Number(value.toPrecision(6)) : value}`)
+        .join('&');
+    }
     set query(text) {
       const given = new URLSearchParams(text);
       for (const control of this.controls) {

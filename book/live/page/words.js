@@ -1,8 +1,9 @@
 // Numbers as the book writes them.
 (function () {
   'use strict';
-  const Live = globalThis.Live ??= {};
-  const raised = digits => digits.replace(/\d|-/g, sign => '\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079'[sign] ?? '\u207b');
+  const Live = (globalThis.Live ??= {});
+  const raised = digits =>
+    digits.replace(/\d|-/g, sign => '\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079'[sign] ?? '\u207b');
 
   // With so many digits in all, and no more than it takes.
   Live.digits = (value, most) => String(Number(value.toPrecision(most))).replace('-', '\u2212');
@@ -17,7 +18,12 @@
     return value < 0 && /[1-9]/.test(text) ? `\u2212${text}` : text;
   };
   Live.metres = function (value) {
-    const [size, unit] = [[1, 'm'], [1e-2, 'cm'], [1e-3, 'mm'], [1e-6, 'µm']].find(([size]) => value >= size) ?? [1e-9, 'nm'];
+    const [size, unit] = [
+      [1, 'm'],
+      [1e-2, 'cm'],
+      [1e-3, 'mm'],
+      [1e-6, 'µm'],
+    ].find(([size]) => value >= size) ?? [1e-9, 'nm'];
     const number = value / size;
     return `${number < 9.95 ? number.toPrecision(2) : Live.fixed(number, 0)}\u202f${unit}`;
   };

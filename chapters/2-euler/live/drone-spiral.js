@@ -9,9 +9,17 @@ globalThis.Live.figure('drone-spiral', {
     pen.circle(0, 0, fence, { colour: 'limit', width: 2, dash: [2, 6] });
     pen.line(run.past('x', part), run.past('y', part), { colour: method, width: 1.4 });
     const { t } = run.trace;
-    const everyTwoSeconds = t.map((_, i) => i).filter(i => Math.floor(t[i] / 2 + 1e-9) > Math.floor(t[i - 1] / 2 + 1e-9));
-    pen.dots(everyTwoSeconds.map(i => run.trace.x[i]), everyTwoSeconds.map(i => run.trace.y[i]), 2.5, method);
-    const x = run.blend('x', part), y = run.blend('y', part);
+    const everyTwoSeconds = t
+      .map((_, i) => i)
+      .filter(i => Math.floor(t[i] / 2 + 1e-9) > Math.floor(t[i - 1] / 2 + 1e-9));
+    pen.dots(
+      everyTwoSeconds.map(i => run.trace.x[i]),
+      everyTwoSeconds.map(i => run.trace.y[i]),
+      2.5,
+      method,
+    );
+    const x = run.blend('x', part),
+      y = run.blend('y', part);
     pen.line([0, x], [0, y], { colour: 'context', width: 1 });
     pen.dot(0, 0, 4, 'context');
     pen.dot(x, y, 6, method);

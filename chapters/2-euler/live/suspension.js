@@ -4,13 +4,22 @@ globalThis.Live.figure('suspension', {
   draw(pen, run, { method }, part) {
     pen.grid([0, 0.5, 1], [-0.1, 0, 0.1]);
     const { path } = run.now;
-    pen.line([...path].map((_, i) => run.seconds * i / (path.length - 1)), path, { colour: 'exact', width: 1.4, dash: [7, 5] });
-    const t = run.past('t', part), places = run.past('x', part);
+    pen.line(
+      [...path].map((_, i) => (run.seconds * i) / (path.length - 1)),
+      path,
+      { colour: 'exact', width: 1.4, dash: [7, 5] },
+    );
+    const t = run.past('t', part),
+      places = run.past('x', part);
     pen.line(t, places, { colour: method, width: 1.2 });
     pen.dots(t, places, t.length > 200 ? 1.2 : 2.2, method);
     const x = run.blend('x', part);
     const coils = Array.from({ length: 17 }, (_, i) => i);
-    pen.line(coils.map(i => -0.16 + (i % 2 ? 0.04 : -0.04) * (i > 0 && i < 16)), coils.map(i => 0.2 + (x - 0.2) * i / 16), { colour: 'context', width: 1.4 });
+    pen.line(
+      coils.map(i => -0.16 + (i % 2 ? 0.04 : -0.04) * (i > 0 && i < 16)),
+      coils.map(i => 0.2 + ((x - 0.2) * i) / 16),
+      { colour: 'context', width: 1.4 },
+    );
     pen.dot(-0.16, x, 9, method);
   },
   tell({ x, energy }) {

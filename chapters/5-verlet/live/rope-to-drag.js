@@ -2,7 +2,8 @@
 globalThis.Live.figure('rope-to-drag', {
   view: () => ({ x: [-3.1, 3.1], y: [-2.75, 2.65] }),
   draw(pen, run, _, part) {
-    const x = run.blend('x', part), y = run.blend('y', part);
+    const x = run.blend('x', part),
+      y = run.blend('y', part);
     pen.circle(x[0], y[0], 2, { colour: 'exact', width: 1.2, dash: [7, 5] });
     pen.line(x, y, { colour: 'stormer_verlet', width: 2 });
     pen.dots(x, y, 2.6, 'stormer_verlet');

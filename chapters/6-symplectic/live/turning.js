@@ -12,7 +12,8 @@ globalThis.Live.figure('turning', {
   },
   tell(now) {
     const far = Math.hypot(now['farthest x'], now['farthest y']);
-    if (Number.isNaN(far)) return `no turn yet, ${globalThis.Live.fixed(Math.hypot(now.x, now.y), 1)}\u202fm from the planet.`;
+    if (Number.isNaN(far))
+      return `no turn yet, ${globalThis.Live.fixed(Math.hypot(now.x, now.y), 1)}\u202fm from the planet.`;
     return `${now.turns} ${now.turns === 1 ? 'turn' : 'turns'}, the last one ${globalThis.Live.fixed(far, 1)}\u202fm out instead of 16.`;
   },
 });

@@ -6,17 +6,24 @@ globalThis.Live.figure('your-spring', {
     this.names = controls.find(({ name }) => name === 'method').choices;
     this.lost = Object.keys(this.names).filter(name => run.trace[name].some(x => !(Math.abs(x) < run.now.far)));
     Object.entries(this.names).forEach(([name, label], i) => {
-      const left = i % 2, low = 5 - Math.floor(i / 2) + 0.06;
+      const left = i % 2,
+        low = 5 - Math.floor(i / 2) + 0.06;
       pen.text(left + 0.03, low + 0.81, label, { colour: name, align: 'left' });
       if (this.lost.includes(name)) pen.text(left + 0.98, low + 0.81, 'lost', { colour: 'limit', align: 'right' });
-      this.map(pen, this.box(pen, left + 0.03, low, 0.37, name === method), name, this.limits(columns, label), { homega: omega / rate, zeta });
+      this.map(pen, this.box(pen, left + 0.03, low, 0.37, name === method), name, this.limits(columns, label), {
+        homega: omega / rate,
+        zeta,
+      });
       this.path(pen, this.box(pen, left + 0.45, low, 0.53, name === method), name, run);
     });
   },
   // From parts of a frame to the picture.
   box(pen, left, low, width, chosen) {
     const high = 0.65;
-    pen.line([left, left + width, left + width, left, left], [low, low, low + high, low + high, low], { colour: chosen ? 'ink' : 'context', width: chosen ? 1.6 : 0.8 });
+    pen.line([left, left + width, left + width, left, left], [low, low, low + high, low + high, low], {
+      colour: chosen ? 'ink' : 'context',
+      width: chosen ? 1.6 : 0.8,
+    });
     return { x: share => left + width * share, y: share => low + high * share };
   },
   limits(columns, label) {
@@ -24,23 +31,42 @@ globalThis.Live.figure('your-spring', {
     return { zeta: columns['ζ'], stable: find(label), true: find(`${label} true`) };
   },
   map(pen, { x, y }, name, limits, { homega, zeta }) {
-    for (const [kind, faint] of [['stable', 0.22], ['true', 0.6]]) {
-      const edge = limits[kind].map(limit => x(limit / 4)), heights = limits.zeta.map(z => y(z / 2));
+    for (const [kind, faint] of [
+      ['stable', 0.22],
+      ['true', 0.6],
+    ]) {
+      const edge = limits[kind].map(limit => x(limit / 4)),
+        heights = limits.zeta.map(z => y(z / 2));
       pen.area([x(0), ...edge, x(0)], [y(0), ...heights, y(1)], { colour: name, faint });
     }
     pen.dot(x(homega / 4), y(zeta / 2), 5, 'paper');
     pen.dot(x(homega / 4), y(zeta / 2), 3.5);
   },
   path(pen, { x, y }, name, { now, trace, seconds }) {
-    const most = 1.5, height = value => y(0.5 + value / (2 * most));
-    pen.line([...now.path].map((_, i) => x(i / (now.path.length - 1))), [...now.path].map(height), { colour: 'exact', width: 1.2, dash: [4, 3] });
+    const most = 1.5,
+      height = value => y(0.5 + value / (2 * most));
+    pen.line(
+      [...now.path].map((_, i) => x(i / (now.path.length - 1))),
+      [...now.path].map(height),
+      { colour: 'exact', width: 1.2, dash: [4, 3] },
+    );
     const out = trace[name].findIndex(value => !(Math.abs(value) <= most));
-    const inside = trace[name].slice(0, out < 0 ? undefined : out + 1).map(value => height(Math.max(-most, Math.min(most, value))));
-    pen.line(trace.t.slice(0, inside.length).map(t => x(t / seconds)), inside, { colour: name, width: 1.5 });
+    const inside = trace[name]
+      .slice(0, out < 0 ? undefined : out + 1)
+      .map(value => height(Math.max(-most, Math.min(most, value))));
+    pen.line(
+      trace.t.slice(0, inside.length).map(t => x(t / seconds)),
+      inside,
+      { colour: name, width: 1.5 },
+    );
   },
   tell({ x, 'true x': truth }, { method }) {
-    const number = value => globalThis.Live.fixed(value, 2), lost = this.lost.includes(method);
-    const count = this.lost.length === 0 ? 'None has lost it' : `${this.lost.length} of ${Object.keys(this.names).length} have lost it`;
+    const number = value => globalThis.Live.fixed(value, 2),
+      lost = this.lost.includes(method);
+    const count =
+      this.lost.length === 0
+        ? 'None has lost it'
+        : `${this.lost.length} of ${Object.keys(this.names).length} have lost it`;
     return `${this.names[method]} ${lost ? 'has lost it' : `has it at ${number(x)}`}, and it should be at ${number(truth)}. ${count}.`;
   },
 });

@@ -39,9 +39,7 @@ struct Orders {
 
 /// What says all that is asked of a method.
 template <class Method>
-concept IsNamed = requires {
-  Method::name, Method::function, Method::header;
-};
+concept IsNamed = requires { Method::name, Method::function, Method::header; };
 
 /// What says all that is asked of a method for any acceleration.
 template <class Method>

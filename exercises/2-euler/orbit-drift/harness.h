@@ -3,4 +3,6 @@
 
 void (*const wanted)(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) = step;
 
-void answer(harness::Call& call) { harness::run_steps(call, wanted); }
+void answer(harness::Call& call) {
+  harness::run_steps(call, wanted);
+}

@@ -17,9 +17,9 @@ enum class Sandbox {
 
 /// Where the grader keeps what it brought along.
 struct Kit {
-  std::string harness;  ///< folder with the precompiled given.h, call.h and harness.o
-  std::string filters;  ///< folder with run.bpf and compile.bpf
-  std::string canary;   ///< the canary, a static program
+  std::string harness;        ///< folder with the precompiled given.h, call.h and harness.o
+  std::string filters;        ///< folder with run.bpf and compile.bpf
+  std::string canary;         ///< the canary, a static program
   std::string compiler = {};  ///< what the kit was compiled with, and submissions are
   std::vector<std::string> shown = {};  ///< the folders of its parts, headers and libraries
 };

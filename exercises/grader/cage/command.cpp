@@ -41,8 +41,8 @@ const Words bubblewrap = {"bwrap",
                           "--json-status-fd",
                           "4"};
 
-/// In steps, each with its own exit code; $0 is the compiler. What the object defines strongly, and main, are printed
-/// for the grader to look at; the driver goes out on descriptor 3.
+/// In steps, each with its own exit code; $0 is the compiler. What the object defines strongly, and
+/// main, are printed for the grader to look at; the driver goes out on descriptor 3.
 const std::string compile_script = R"(printf READY >&3
 "$0" -std=c++20 -O2 -ffp-contract=off -Wall -Wextra -Wno-unused-parameter -fmax-errors=5 \
   -fdiagnostics-color=never -pipe -DGRADING -Iharness -c glue.cpp -o driver.o 3>&- || exit 10

@@ -22,7 +22,10 @@ inline std::string kit_folder() {
 
 inline cage::Kit kit() {
   const std::string folder = kit_folder();
-  return {folder + "/harness", folder, folder + "/canary", installed::compiler,
+  return {folder + "/harness",
+          folder,
+          folder + "/canary",
+          installed::compiler,
           {std::begin(installed::shown_to_compiler), std::end(installed::shown_to_compiler)}};
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT-0
 #include "compile.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
-
-#include <algorithm>
 #include <sstream>
 
 #include "around.h"
@@ -265,8 +264,10 @@ TEST_CASE("Known mistakes get a hint") {
 
 // As g++ 14 has <print>, g++ 12 has <expected>: there, and empty before C++23.
 TEST_CASE("A header of the next standard that is there gets the same hint") {
-  const std::string uses = "inline void step(Vec& x) { x.x = std::expected<double, int>(1).value(); }\n";
-  check({"#if !__has_include(<expected>)\n#error it is not there\n#endif\n#include <expected>\n" + uses,
+  const std::string uses =
+      "inline void step(Vec& x) { x.x = std::expected<double, int>(1).value(); }\n";
+  check({"#if !__has_include(<expected>)\n#error it is not there\n#endif\n#include <expected>\n" +
+             uses,
          Verdict::compile_error,
          {"'expected' is not a member of 'std'", "C++23", "compiled as C++20"}});
 }
@@ -290,7 +291,8 @@ cage::Kit scattered(const Folder& folder) {
 
 /// What the build finds out of a compiler.
 std::vector<std::string> shown_to(const std::string& compiler) {
-  const std::string ask = "\"" CMAKE "\" -DCOMPILER=" + compiler + " -P " + beside("shown_to.cmake");
+  const std::string ask =
+      "\"" CMAKE "\" -DCOMPILER=" + compiler + " -P " + beside("shown_to.cmake");
   const cage::Ended done = cage::Process(shell(ask), {}, {}).finish();
   REQUIRE(done.how == cage::Ended::How::exited);
   REQUIRE(done.code == 0);

@@ -1,8 +1,8 @@
 // Classes, graded by the stand-in:   node class.test.mjs STAND_IN
 import assert from 'node:assert/strict';
-import {existsSync, mkdirSync, renameSync, symlinkSync, writeFileSync} from 'node:fs';
-import {test} from 'node:test';
-import {classroom, rows} from './classroom.mjs';
+import { existsSync, mkdirSync, renameSync, symlinkSync, writeFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { classroom, rows } from './classroom.mjs';
 
 const three = {
   'ada/1-first/one': '// score 10',
@@ -13,11 +13,15 @@ const three = {
 
 test('a class is graded, and the tables say what the reports say', () => {
   const room = classroom(three);
-  const {status, stdout, stderr, graded} = room.grade();
+  const { status, stdout, stderr, graded } = room.grade();
   assert.equal(status, 0, stderr);
   assert.equal(graded.length, 6);
-  assert.deepEqual(rows(room.read('grades.csv')),
-      ['student,1-first/one,2-second/three,total', 'ada,10,0,10', 'bob,4,0,4', 'cy,0,0,0']);
+  assert.deepEqual(rows(room.read('grades.csv')), [
+    'student,1-first/one,2-second/three,total',
+    'ada,10,0,10',
+    'bob,4,0,4',
+    'cy,0,0,0',
+  ]);
   const long = rows(room.read('report.csv'));
   assert.equal(long[0], 'student,exercise,verdict,score,points,seed,grader,why');
   assert.equal(long[1], 'ada,1-first/one,ACCEPTED,10,10,1,one,');
@@ -27,18 +31,18 @@ test('a class is graded, and the tables say what the reports say', () => {
 });
 
 test('who handed in nothing is rejected, and told what was expected and what is there', () => {
-  const room = classroom({...three, 'dan/1-first/One': '// score 10'});
+  const room = classroom({ ...three, 'dan/1-first/One': '// score 10' });
   assert.equal(room.grade(['--exercise', '1-first/one']).status, 0);
-  const {verdict, why, score} = room.report('dan/1-first/one');
+  const { verdict, why, score } = room.report('dan/1-first/one');
   assert.deepEqual([verdict, score], ['REJECTED', 0]);
   assert.match(why, /one\.h/);
   assert.match(why, /One\.h/);
 });
 
 test('graded again, only what changed is graded', () => {
-  const room = classroom({...three, 'empty/1-first/other': ''});
+  const room = classroom({ ...three, 'empty/1-first/other': '' });
   assert.equal(room.grade().graded.length, 8);
-  const {graded, stdout, status} = room.grade();
+  const { graded, stdout, status } = room.grade();
   assert.deepEqual([graded, status], [[], 0]);
   assert.match(stdout, /8 submissions graded before/);
   room.write('bob/1-first/one', '// score 10');
@@ -47,7 +51,7 @@ test('graded again, only what changed is graded', () => {
   writeFileSync(room.path('results/cy/1-first/one/report.json'), '{"schema":');
   assert.deepEqual(room.grade().graded, ['cy 1-first/one']);
   assert.equal(room.grade(['--seed', '7']).graded.length, 8);
-  assert.equal(room.grade(['--seed', '7'], {STAND_IN_VERSION: 'two'}).graded.length, 8);
+  assert.equal(room.grade(['--seed', '7'], { STAND_IN_VERSION: 'two' }).graded.length, 8);
 });
 
 test('what was rejected is graded as soon as it is there', () => {
@@ -58,8 +62,13 @@ test('what was rejected is graded as soon as it is there', () => {
 });
 
 test('a submission on which the grader fails stops nobody, has no grade, and is tried again', () => {
-  for (const [fate, code] of [['crash', 75], ['again', 75], ['fails', 42], ['slow', 75]]) {
-    const room = classroom({...three, 'aaa/1-first/one': `// ${fate}`});
+  for (const [fate, code] of [
+    ['crash', 75],
+    ['again', 75],
+    ['fails', 42],
+    ['slow', 75],
+  ]) {
+    const room = classroom({ ...three, 'aaa/1-first/one': `// ${fate}` });
     const first = room.grade(['--exercise', '1-first/one']);
     assert.equal(first.status, code, fate);
     assert.match(first.stderr, /^grade: 1 submission without a grade[^\n]*\n$/);
@@ -80,16 +89,36 @@ test('where a report cannot be written there is no grade, and the others have th
 });
 
 test('names of students do no harm', () => {
-  const names = ['new\nline', '-rf', '$(touch forged)', '`touch forged`', '=1+1', '"quoted"', 'a,b', "it's", '<i>', '##[x]', ' ', 'n'.repeat(255)];
+  const names = [
+    'new\nline',
+    '-rf',
+    '$(touch forged)',
+    '`touch forged`',
+    '=1+1',
+    '"quoted"',
+    'a,b',
+    "it's",
+    '<i>',
+    '##[x]',
+    ' ',
+    'n'.repeat(255),
+  ];
   const room = classroom(Object.fromEntries(names.map(name => [`${name}/1-first/one`, '// score 10'])));
   const latin = Buffer.concat([Buffer.from(`${room.submissions}/`), Buffer.from([0xff, 0xfe])]);
   renameSync(room.path(`submissions/${names[0]}`), latin);
   room.write(`${names[0]}/1-first/one`, '// score 4');
-  const {status, stdout} = room.grade();
+  const { status, stdout } = room.grade();
   assert.equal(status, 0);
   const lines = rows(room.read('grades.csv'));
   assert.equal(lines.length, names.length + 2);
-  for (const line of ['new\\x0aline,4,4', "'-rf,10,10", "'=1+1,10,10", '"""quoted""",10,10', '"a,b",10,10', '\\xff\\xfe,10,10']) {
+  for (const line of [
+    'new\\x0aline,4,4',
+    "'-rf,10,10",
+    "'=1+1,10,10",
+    '"""quoted""",10,10',
+    '"a,b",10,10',
+    '\\xff\\xfe,10,10',
+  ]) {
     assert.ok(lines.includes(line), line);
   }
   assert.ok(!room.has('forged'));
@@ -103,9 +132,10 @@ test('files, links and hidden folders are no students', () => {
   symlinkSync('/etc', room.path('submissions/link'));
   mkdirSync(room.path('submissions/.git'));
   writeFileSync(room.path('submissions/notes'), '');
-  const {status, stdout} = room.grade();
+  const { status, stdout } = room.grade();
   assert.equal(status, 0);
-  for (const name of ['link', '.git', 'notes']) assert.match(stdout, new RegExp(`^Not a student's folder: ${name}$`, 'm'));
+  for (const name of ['link', '.git', 'notes'])
+    assert.match(stdout, new RegExp(`^Not a student's folder: ${name}$`, 'm'));
   assert.equal(rows(room.read('grades.csv')).length, 4);
 });
 
@@ -117,7 +147,10 @@ test('shards together are the whole, and the tables come of a last run', () => {
     assert.ok(!room.has('grades.csv'));
     return run.graded;
   });
-  assert.deepEqual(parts.map(part => part.length), [2, 2, 1, 1]);
+  assert.deepEqual(
+    parts.map(part => part.length),
+    [2, 2, 1, 1],
+  );
   assert.equal(new Set(parts.flat()).size, 6);
   assert.deepEqual(room.grade().graded, []);
   assert.equal(rows(room.read('grades.csv')).length, 4);
@@ -125,15 +158,18 @@ test('shards together are the whole, and the tables come of a last run', () => {
 
 test('a grader that fails at its own solution of one exercise grades nobody', () => {
   const room = classroom(three);
-  const {status, stderr, graded} = room.grade([], {STAND_IN_BROKEN: '2-second/three'});
+  const { status, stderr, graded } = room.grade([], { STAND_IN_BROKEN: '2-second/three' });
   assert.deepEqual([status, graded], [42, []]);
-  assert.equal(stderr, 'grade: nobody is graded, since the grader gives its own solution COMPILE_ERROR:\ng++: no cc1plus\n');
+  assert.equal(
+    stderr,
+    'grade: nobody is graded, since the grader gives its own solution COMPILE_ERROR:\ng++: no cc1plus\n',
+  );
   assert.ok(!existsSync(room.results));
 });
 
 test('a machine that cannot hold a submission grades none', () => {
   const room = classroom(three);
-  const {status, stderr, graded} = room.grade([], {STAND_IN_UNSAFE: '1'});
+  const { status, stderr, graded } = room.grade([], { STAND_IN_UNSAFE: '1' });
   assert.deepEqual([status, graded], [42, []]);
   assert.equal(stderr, 'grade: the cage does not hold; install bubblewrap\n');
   assert.ok(!room.has('grades.csv'));

@@ -1,27 +1,35 @@
 // Bad input and exit codes of the command line, in front of the stand-in:   node command_line.test.mjs STAND_IN
 import assert from 'node:assert/strict';
-import {spawnSync} from 'node:child_process';
-import {existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync} from 'node:fs';
-import {join} from 'node:path';
-import {test} from 'node:test';
-import {GRADE, scratch} from './classroom.mjs';
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { GRADE, scratch } from './classroom.mjs';
 
 const folder = scratch();
 const at = name => join(folder, name);
 for (const [name, text] of Object.entries({
-  'full.h': '// score 10', 'some.h': '// score 4', 'fails.h': '// fails', 'again.h': '// again',
-  'file': '', 'seed': '12\n', 'words': 'secret words', 'two': '1 2 x'})) writeFileSync(at(name), text);
-mkdirSync(at('class/ada/1-first'), {recursive: true});
+  'full.h': '// score 10',
+  'some.h': '// score 4',
+  'fails.h': '// fails',
+  'again.h': '// again',
+  'file': '',
+  'seed': '12\n',
+  'words': 'secret words',
+  'two': '1 2 x',
+}))
+  writeFileSync(at(name), text);
+mkdirSync(at('class/ada/1-first'), { recursive: true });
 mkdirSync(at('empty'));
-mkdirSync(at('nothing/ada'), {recursive: true});
-mkdirSync(at('grades/grades.csv'), {recursive: true});
+mkdirSync(at('nothing/ada'), { recursive: true });
+mkdirSync(at('grades/grades.csv'), { recursive: true });
 
-const run = (...words) => spawnSync(GRADE, words, {encoding: 'utf8', cwd: folder});
+const run = (...words) => spawnSync(GRADE, words, { encoding: 'utf8', cwd: folder });
 
 function refuses(code, says, ...words) {
   test(`refuses ${words.join(' ')}`, () => {
     const before = readdirSync(folder);
-    const {status, stdout, stderr} = run(...words);
+    const { status, stdout, stderr } = run(...words);
     assert.match(stderr, /^grade: [^\n]+\n$/);
     assert.match(stderr, says);
     assert.deepEqual([status, stdout], [code, '']);
@@ -89,7 +97,7 @@ test('colours come on terminals only', () => {
 test('it lists exercises, says its version and helps', () => {
   assert.equal(run('--list').stdout, '1-first/one\n1-first/two\n2-second/three\n');
   assert.match(run('--version').stdout, /^1-first\/one +one$/m);
-  const {status, stdout} = run('--help');
+  const { status, stdout } = run('--help');
   assert.equal(status, 0);
   for (const word of ['EXERCISE', '--class', '--shard', 'Exit codes']) assert.ok(stdout.includes(word), word);
   assert.ok(!stdout.includes('--limits'));
@@ -97,13 +105,17 @@ test('it lists exercises, says its version and helps', () => {
 });
 
 test('a grader that fails at its own solution takes no point from anybody', () => {
-  const grade = (file, ...more) => spawnSync(GRADE, ['1-first/one', file, ...more],
-      {encoding: 'utf8', cwd: folder, env: {...process.env, STAND_IN_BROKEN: '1-first/one'}});
-  const {status, stdout} = grade('some.h', '--out', 'broken');
+  const grade = (file, ...more) =>
+    spawnSync(GRADE, ['1-first/one', file, ...more], {
+      encoding: 'utf8',
+      cwd: folder,
+      env: { ...process.env, STAND_IN_BROKEN: '1-first/one' },
+    });
+  const { status, stdout } = grade('some.h', '--out', 'broken');
   assert.equal(status, 42);
   assert.match(stdout, /g\+\+: no cc1plus/);
-  const {verdict, score, why} = JSON.parse(readFileSync(at('broken/report.json'), 'utf8'));
+  const { verdict, score, why } = JSON.parse(readFileSync(at('broken/report.json'), 'utf8'));
   assert.deepEqual([verdict, score], ['GRADER_ERROR', 0]);
   assert.match(why, /^the grader gives its own solution COMPILE_ERROR/);
-  assert.equal(grade('full.h').status, 0);  // full marks prove that it works
+  assert.equal(grade('full.h').status, 0); // full marks prove that it works
 });

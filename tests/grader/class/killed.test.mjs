@@ -1,19 +1,21 @@
 // What others see of a class while it is graded, and what is left when it is killed:   node killed.test.mjs STAND_IN
 import assert from 'node:assert/strict';
-import {existsSync, readFileSync, readdirSync, writeFileSync} from 'node:fs';
-import {test} from 'node:test';
-import {setTimeout as sleep} from 'node:timers/promises';
-import {classroom} from './classroom.mjs';
+import { existsSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { setTimeout as sleep } from 'node:timers/promises';
+import { classroom } from './classroom.mjs';
 
 function processesAbout(folder) {
-  return readdirSync('/proc').filter(name => /^\d+$/.test(name)).flatMap(id => {
-    try {
-      const command = readFileSync(`/proc/${id}/cmdline`, 'utf8').split('\0');
-      return command.some(word => word.includes(folder)) ? [command.join(' ')] : [];
-    } catch {
-      return [];  // it has ended
-    }
-  });
+  return readdirSync('/proc')
+    .filter(name => /^\d+$/.test(name))
+    .flatMap(id => {
+      try {
+        const command = readFileSync(`/proc/${id}/cmdline`, 'utf8').split('\0');
+        return command.some(word => word.includes(folder)) ? [command.join(' ')] : [];
+      } catch {
+        return []; // it has ended
+      }
+    });
 }
 
 async function until(condition) {
@@ -21,8 +23,10 @@ async function until(condition) {
   assert.ok(condition());
 }
 
-const handedIn = () => Object.fromEntries(
-    ['a', 'b', 'c', 'd', 'e', 'f'].map((name, i) => [`${name}/1-first/one`, i < 2 ? '// score 4' : '// slow']));
+const handedIn = () =>
+  Object.fromEntries(
+    ['a', 'b', 'c', 'd', 'e', 'f'].map((name, i) => [`${name}/1-first/one`, i < 2 ? '// score 4' : '// slow']),
+  );
 
 test('killed half-way, nothing runs on, and the next run grades the rest', async () => {
   const room = classroom(handedIn());
@@ -36,9 +40,12 @@ test('killed half-way, nothing runs on, and the next run grades the rest', async
   assert.equal(room.report('c/1-first/one').verdict, 'GRADER_ERROR');
   assert.match(room.report('c/1-first/one').why, /stopped before it came to a verdict/);
   assert.ok(!room.has('grades.csv'));
-  const {status, graded} = room.grade([], {STAND_IN_SECONDS: '0'});
+  const { status, graded } = room.grade([], { STAND_IN_SECONDS: '0' });
   assert.equal(status, 0);
-  assert.deepEqual(graded, ['c', 'd', 'e', 'f'].map(name => `${name} 1-first/one`));
+  assert.deepEqual(
+    graded,
+    ['c', 'd', 'e', 'f'].map(name => `${name} 1-first/one`),
+  );
 });
 
 test('asked to end, it ends with all that it started, and says how to go on', async () => {

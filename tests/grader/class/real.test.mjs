@@ -1,31 +1,48 @@
 // A class of an exercise's own right and wrong answers, by the real grader in two parts, as two machines would:
 //   node real.test.mjs GRADE ANSWERS...   each a folder of headers that answer 2-euler/orbit-drift
 import assert from 'node:assert/strict';
-import {spawnSync} from 'node:child_process';
-import {copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync} from 'node:fs';
-import {tmpdir} from 'node:os';
-import {basename, join} from 'node:path';
-import {after, test} from 'node:test';
+import { spawnSync } from 'node:child_process';
+import {
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { basename, join } from 'node:path';
+import { after, test } from 'node:test';
 
 const [grade, ...answers] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'class-'));
-after(() => rmSync(folder, {recursive: true, force: true}));
+after(() => rmSync(folder, { recursive: true, force: true }));
 const at = (...names) => join(folder, ...names);
 
 const hostile = "$(touch forged) 'n\newline";
-mkdirSync(at('submissions', hostile), {recursive: true});
-const students = answers.flatMap(from => readdirSync(from).filter(name => name.endsWith('.h')).map(name => join(from, name)));
+mkdirSync(at('submissions', hostile), { recursive: true });
+const students = answers.flatMap(from =>
+  readdirSync(from)
+    .filter(name => name.endsWith('.h'))
+    .map(name => join(from, name)),
+);
 for (const file of students) {
   const student = at('submissions', basename(file, '.h'), '2-euler');
-  mkdirSync(student, {recursive: true});
+  mkdirSync(student, { recursive: true });
   copyFileSync(file, join(student, 'orbit-drift.h'));
 }
 writeFileSync(at('seed'), '20');
 
-const run = more => spawnSync(grade,
+const run = more =>
+  spawnSync(
+    grade,
     ['--class', at('submissions'), '--out', at('results'), '--jobs', '2', '--seed-file', at('seed'), ...more],
-    {encoding: 'utf8', cwd: folder});
-const verdict = student => JSON.parse(readFileSync(at('results', student, '2-euler/orbit-drift/report.json'), 'utf8')).verdict;
+    { encoding: 'utf8', cwd: folder },
+  );
+const verdict = student =>
+  JSON.parse(readFileSync(at('results', student, '2-euler/orbit-drift/report.json'), 'utf8')).verdict;
 
 test('two parts grade a class, and the same command without a part makes the tables', () => {
   for (const part of ['1/2', '2/2']) assert.equal(run(['--shard', part]).status, 0);

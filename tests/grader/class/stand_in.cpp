@@ -6,8 +6,8 @@
 //   // crash         the grader dies
 //   // fails         the grader fails, and will again
 //   // again         the grader fails for want of something
-// What it grades is noted in the file STAND_IN_LOG; STAND_IN_VERSION is the grader's version. Of the
-// exercise that STAND_IN_BROKEN names, it cannot grade the solution.
+// What it grades is noted in the file STAND_IN_LOG; STAND_IN_VERSION is the grader's version. Of
+// the exercise that STAND_IN_BROKEN names, it cannot grade the solution.
 #include <unistd.h>
 
 #include <cstdio>

@@ -9,8 +9,8 @@
 namespace textbook {
 
 // Galileo's rule: the distance is that of the mean of both velocities.
-inline std::vector<State> steps(measure::ConstantAcceleration, const Force& force, const State& start,
-                                Real h, int count) {
+inline std::vector<State> steps(measure::ConstantAcceleration, const Force& force,
+                                const State& start, Real h, int count) {
   std::vector<State> states;
   State s = start;
   for (int n = 0; n < count; ++n) {

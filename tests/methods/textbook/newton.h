@@ -31,8 +31,8 @@ Pair newton_step(const Defect& defect, const Pair& z, Real h) {
   return guess - derivative(defect, guess).partialPivLu().solve(defect(guess));
 }
 
-inline std::vector<State> steps(measure::BackwardEuler, const Force& force, const State& start, Real h,
-                                int count) {
+inline std::vector<State> steps(measure::BackwardEuler, const Force& force, const State& start,
+                                Real h, int count) {
   std::vector<State> states;
   Pair z{start.x, start.v};
   for (int n = 0; n < count; ++n) {

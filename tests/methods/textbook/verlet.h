@@ -11,8 +11,8 @@
 namespace textbook {
 
 // Position Verlet, summed: the distance of a step is that of the step before and h^2 a.
-inline std::vector<State> steps(measure::StormerVerlet, const Force& force, const State& start, Real h,
-                                int count) {
+inline std::vector<State> steps(measure::StormerVerlet, const Force& force, const State& start,
+                                Real h, int count) {
   std::vector<State> states;
   Real x = start.x;
   Real distance = h * start.v - h * h / 2 * force(start.x, start.v, 0);
@@ -24,14 +24,14 @@ inline std::vector<State> steps(measure::StormerVerlet, const Force& force, cons
   return states;
 }
 
-inline std::vector<State> steps(measure::StormerVerletUneven, const Force& force, const State& start,
-                                Real h, int count) {
+inline std::vector<State> steps(measure::StormerVerletUneven, const Force& force,
+                                const State& start, Real h, int count) {
   return steps(measure::StormerVerlet(), force, start, h, count);
 }
 
 // Kicks from one half step to the next; the force sees the velocity of now, by the last kick.
-inline std::vector<State> steps(measure::StormerVerletCarried, const Force& force, const State& start,
-                                Real h, int count) {
+inline std::vector<State> steps(measure::StormerVerletCarried, const Force& force,
+                                const State& start, Real h, int count) {
   std::vector<State> states;
   Real x = start.x;
   Real kick = h * force(start.x, start.v, 0);

@@ -3,9 +3,9 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
-#include <functional>
 #include <boost/numeric/odeint.hpp>
 #include <boost/numeric/odeint/external/eigen/eigen.hpp>
+#include <functional>
 #include <utility>
 
 #include "orbit/state.h"

@@ -2,7 +2,9 @@
 #pragma once
 #include "given.h"
 
-inline double forward(double value, double rate, double h) { return value + rate * h; }
+inline double forward(double value, double rate, double h) {
+  return value + rate * h;
+}
 
 inline Vec forward(const Vec& value, const Vec& rate, double h) {
   return {forward(value.x, rate.x, h), forward(value.y, rate.y, h), forward(value.z, rate.z, h)};
