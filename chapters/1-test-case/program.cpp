@@ -111,10 +111,8 @@ void order(Record& record) {
                                        {"order"},
                                        {"with a h²/2", "m"},
                                        {"its order"}});
-  // [order]
   const auto plain = measure::halvings(euler, leaf, 1.0 / 8, 4.0, 7);
   const auto curved = measure::halvings(measure::constant_acceleration, leaf, 1.0 / 8, 4.0, 7);
-  // [order]
   for (std::size_t i = 0; i < plain.size(); ++i) {
     table.add({1 / plain[i].h, plain[i].error.position, plain[i].position_order,
                curved[i].error.position, curved[i].position_order});

@@ -24,10 +24,8 @@ inline Blend blend_errors(int rate) {
   auto s = suspension.start();
   auto before = s;
   measure::run(measure::rk4, suspension, s, step, rate, [&](double t, const auto& now) {
-    // [blend]
     const double line = (before.x + now.x) / 2;
     const double curve = line + step / 8 * (before.v - now.v);
-    // [blend]
     const double truth = suspension.exact(t - step / 2).x;
     if (t > 0) {
       largest.line = std::max(largest.line, std::abs(line - truth));

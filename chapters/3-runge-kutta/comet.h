@@ -13,9 +13,7 @@
 #include "measure/methods.h"
 #include "measure/run.h"
 
-// [tolerance]
 inline constexpr double tolerance = 1e-6;  ///< largest estimate of a step's error [m] or [m/s]
-// [tolerance]
 
 /// What a passage of the comet took.
 struct Passage {

@@ -7,7 +7,6 @@
 /// Methods that are wrong on purpose.
 namespace wrong {
 
-// [step]
 /// Wrong on purpose: finds the velocity in the middle of the step, and moves with the old one.
 inline constexpr auto old_velocity = [](auto& x, auto& v, auto t, auto h, auto&& acceleration) {
   using Vec = std::decay_t<decltype(x)>;
@@ -18,9 +17,7 @@ inline constexpr auto old_velocity = [](auto& x, auto& v, auto t, auto h, auto&&
   v = v + h * acceleration(x_middle, v_middle, t + h / 2);
   // [move]
 };
-// [step]
 
-// [stages]
 /// What a method of four slopes is made of. As it stands here it is RK4.
 struct Stages {
   int position_from[4] = {0, 0, 1, 2};  ///< whose velocity leads to the place of a stage
@@ -29,7 +26,6 @@ struct Stages {
   double clock[4] = {0, 0.5, 0.5, 1};   ///< at what time, in steps
   double weight[4] = {1. / 6, 1. / 3, 1. / 3, 1. / 6};  ///< how much the slope counts
 };
-// [stages]
 
 /// One step of the method that `stages` describes.
 /// @param x  position, advanced in place
@@ -70,7 +66,6 @@ struct Bug {
   Stages stages;     ///< with the fault
 };
 
-// [bugs]
 /// Five ways to get RK4 wrong in one place.
 inline const Bug fourth_looks_too_soon{
     "fourth stage along the second slope",
@@ -80,6 +75,5 @@ inline const Bug third_is_second{"third stage repeats the second",
 inline const Bug stale_velocities{"stages with the old velocity", {.position_from = {0, 0, 0, 0}}};
 inline const Bug stopped_clock{"clock stands still", {.clock = {0, 0, 0, 0}}};
 inline const Bug equal_weights{"all slopes count the same", {.weight = {0.25, 0.25, 0.25, 0.25}}};
-// [bugs]
 
 }  // namespace wrong

@@ -10,14 +10,12 @@
 
 inline constexpr double slow = 0.1;  ///< ten steps a second [s]
 
-// [solve]
 /// The linear system of a single unknown is a division.
 inline constexpr auto solve_parachute = [](double, double v, double, double, double q,
                                            double& change) {
   change = change / (1 + q * (-2 * parachute.k * std::abs(v)));
   return true;
 };
-// [solve]
 
 /// Her velocity after a step of backward Euler, by the formula for the root of its equation [m/s].
 /// @param v  before the step; downwards [m/s]

@@ -80,7 +80,6 @@ void derived(Record& record) {
 void predictors(Record& record) {
   auto& table =
       record.table("corrections", {{"corrections", "", whole}, {"drag"}, {"undamped spring"}});
-  // [corrections]
   for (int corrections = 1; corrections <= 20; ++corrections) {
     const auto step = [corrections](auto& x, auto& v, auto t, auto h, auto&& a) {
       integrate::predicted_euler(x, v, t, h, a, corrections);
@@ -91,7 +90,6 @@ void predictors(Record& record) {
     table.add({double(corrections), limit(scenes::LinearDrag<>{.c = 1, .g = 0}),
                limit(scenes::Spring<>{.omega = 1})});
   }
-  // [corrections]
   record.number("limit-two", table.rows[1][1].value, 4);
   const auto off = [](auto step) {
     return measure::largest_error(step, drone, frame, turn).position;

@@ -90,7 +90,6 @@ inline bool nearer(const Attempt& one, const Attempt& other, const Bounds& bound
   return miss(one, bounds) < miss(other, bounds);
 }
 
-// [attempt]
 /// Runs the scene and compares it with the truth in every frame, which is when a player sees it.
 /// Gives up as soon as it misses the bounds by more than `patience`.
 template <class Scene, class Vec>
@@ -122,7 +121,6 @@ Attempt attempt(const measure::Method& method, const Scene& scene, const Bounds&
   }
   return worst;
 }
-// [attempt]
 
 /// Evaluations a second with so many steps in a frame.
 template <class Scene>

@@ -17,7 +17,6 @@ scenes::Orbit<Real> shuttle_in() {
           .mu = Real(shuttle.mu)};
 }
 
-// [floor]
 /// The shuttle in float, its planet far away from the origin.
 struct FarShuttle : scenes::Orbit<float> {
   Vec planet{0, 0};
@@ -59,7 +58,6 @@ double error_of_a_turn(const Step& step, long rate) {
   });
   return largest;
 }
-// [floor]
 
 inline void floor_of_float(measure::Record& record) {
   auto& table = record.table("floor", {{"steps per second", "", measure::whole},

@@ -35,7 +35,6 @@ inline double total_to_within(double distance) {
   return total;
 }
 
-// [solved]
 inline void level_again(measure::Record& record) {
   auto& table = record.table("solved", {{"thing"},
                                         {"take"},
@@ -55,7 +54,6 @@ inline void level_again(measure::Record& record) {
       alone[entry.name] += entry.good ? entry.evaluations : INFINITY;
     }
   });
-  // [solved]
   record.number("chosen-total", total, measure::whole);
   record.number("verlet-times", alone["velocity Verlet"] / total, 2);
   record.number("symplectic-times", alone["symplectic Euler"] / total, 2);

@@ -47,7 +47,6 @@ inline bool stable(const measure::Method& method, double homega, double zeta) {
   return measure::spectral_radius(method, spring_of(zeta), homega) <= 1 + 1e-12;
 }
 
-// [true]
 /// Whether the slow motion, the one that is seen, has its rate and its frequency within a tenth.
 inline bool true_to_life(const measure::Method& method, double homega, double zeta) {
   using Complex = std::complex<double>;
@@ -59,7 +58,6 @@ inline bool true_to_life(const measure::Method& method, double homega, double ze
   }
   return nearest < 0.1 * homega * std::abs(rate);
 }
-// [true]
 
 /// Up to which h omega something holds, from short steps on: zero if it does not for any, `widest`
 /// if it does on all of the map.

@@ -19,7 +19,6 @@ using measure::Record;
 
 namespace {
 
-// [one-for-all]
 void one_for_all(Record& record) {
   auto& table = record.table("level", {{"method"},
                                        {"jump", "cm", 2},
@@ -36,7 +35,6 @@ void one_for_all(Record& record) {
     table.add(row);
   }
 }
-// [one-for-all]
 
 void one_for_all_numbers(Record& record) {
   record.number("rate", 1 / frame, measure::whole, "Hz");

@@ -21,7 +21,6 @@ double energy_error(const measure::Method& method, const Scene& scene, double h)
   return measure::drift(method, scene, h, std::lround(watched / h), energy).largest;
 }
 
-// [work]
 /// One row for each method and rate: what it costs in a second of play, and what it is worth.
 template <class Scene>
 void work(measure::Record& record, const std::string& name, const Scene& scene, double seconds) {
@@ -37,7 +36,6 @@ void work(measure::Record& record, const std::string& name, const Scene& scene, 
     }
   }
 }
-// [work]
 
 /// The same for the energy of the shuttle.
 inline void work_energy(measure::Record& record) {

@@ -21,7 +21,8 @@ inline std::string processor_says(const std::string& what) {
 /// The processor, as the system names it, and its family: systems that run on others often hide the
 /// name.
 inline std::string machine() {
-  const std::string name = processor_says("model name"), family = processor_says("cpu family");
+  std::string name = processor_says("model name");
+  const std::string family = processor_says("cpu family");
   if (name.empty()) return "an unnamed processor";
   if (family.empty()) return name;
   return name + " (family " + family + ", model " + processor_says("model\t") + ")";

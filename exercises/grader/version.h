@@ -6,7 +6,8 @@
 
 namespace grade {
 
-/// SHA-256 over the grader's own files and those of one exercise, the first sixteen digits.
+/// The version of the book, and SHA-256 over the grader's own files and those of one exercise, the
+/// first sixteen digits.
 std::string version_of(const std::string& exercise);
 
 }  // namespace grade

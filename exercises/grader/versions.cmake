@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT-0
-# Writes version.cpp: one hash of the grader's own files with those of each exercise.
-# cmake -DEXERCISES=folder -DNAMES=a;b -DOUT=version.cpp -P versions.cmake
+# Writes version.cpp: the version of the book, and one hash of the grader's own files with those of each exercise.
+# cmake -DEXERCISES=folder -DNAMES=a;b -DVERSION=1.2.3 -DOUT=version.cpp -P versions.cmake
 function(hash_of out)
   set(all)
   foreach(file IN LISTS ARGN)
@@ -23,7 +23,7 @@ foreach(name IN LISTS NAMES)
   list(FILTER tests EXCLUDE REGEX "/(starter|solution)\\.h$")
   list(SORT tests)
   hash_of(hash ${grader} ${tests})
-  string(APPEND lines "    {\"${name}\", \"${hash}\"},\n")
+  string(APPEND lines "    {\"${name}\", \"${VERSION}-${hash}\"},\n")
 endforeach()
 file(WRITE ${OUT} "#include \"version.h\"
 

@@ -1,5 +1,6 @@
 // One version of the book, wherever it is named:  node edition.test.mjs BUILD SOURCE
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -18,4 +19,12 @@ test('the citation, the newest entry of the changelog and every page name the ve
 test('the README stays short', () => {
   const words = read('README.md').split(/\s+/).filter(Boolean).length;
   assert.ok(words <= 700, `${words} words; what is for contributors stands in CONTRIBUTING.md`);
+});
+
+test('the grader, and so each report, names the version of the build', () => {
+  const lines = execFileSync(join(process.argv[2], 'exercises/grade'), ['--version'], { encoding: 'utf8' })
+    .trim()
+    .split('\n');
+  assert.ok(lines.length > 25, `only ${lines.length} exercises`);
+  for (const line of lines) assert.match(line, new RegExp(` ${version.replaceAll('.', '\\.')}-[0-9a-f]{16}$`));
 });
