@@ -3,8 +3,8 @@ set xrange [0:255]
 set yrange [-1.5:57]
 set xtics 50
 set ytics 0,10
-set label 1 "in a vacuum: a formula" at 122,53 center tc rgb "#000007"
-set label 2 "in air: steps" at 104,14.5 left tc rgb "#00000b"
+set label 1 "in a vacuum: a formula" at 122,53 center tc ls EXACT
+set label 2 "in air: steps" at 104,14.5 left tc ls SECOND
 plot 30.0/40*x - 9.81/2*(x/40.0)**2 with lines ls EXACT, \
      file("cannon-in-air") using col("x"):col("y") with lines ls SECOND, \
      file("cannon") using col("x"):col("y") with points ls EXACT pt 7 ps 0.7, \

@@ -5,8 +5,8 @@ set yrange [0:6.2]
 set xtics 0,5,last
 set ytics 0,1
 set grid noxtics
-set label 1 "newest state" at 0,5.6 left tc rgb "#00000a"
-set label 2 "blended" at last,2.08 left offset 0.5,0 tc rgb "#00000b"
+set label 1 "newest state" at 0,5.6 left tc ls FIRST
+set label 2 "blended" at last,2.08 left offset 0.5,0 tc ls SECOND
 plot file("display") every ::9::last + 8 using (val("frame") - 8):col("newest state") with impulses ls FIRST lw 3, \
      file("display") every ::9::last + 8 using (val("frame") - 8):col("newest state") with points ls FIRST, \
      file("display") every ::9::last + 8 using (val("frame") - 8):col("blended") with linespoints ls SECOND lw 1.4, \

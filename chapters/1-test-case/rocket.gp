@@ -3,9 +3,9 @@ set xrange [0:4.15]
 set yrange [0:100]
 set xtics 1
 set ytics 25
-set label 1 "true" at 3.2,75 right tc rgb "#000007"
-set label 2 NARROW ? "Euler" : "ten Euler steps" at NARROW ? 2.75 : 1.9,NARROW ? 18 : 4 left tc rgb "#000001"
-set label 3 NARROW ? "constant" : "constant acceleration" at 4.1,NARROW ? 36 : 31 right tc rgb "#00000b"
+set label 1 "true" at 3.2,75 right tc ls EXACT
+set label 2 NARROW ? "Euler" : "ten Euler steps" at NARROW ? 2.75 : 1.9,NARROW ? 18 : 4 left tc ls EULER
+set label 3 NARROW ? "constant" : "constant acceleration" at 4.1,NARROW ? 36 : 31 right tc ls CONSTANT_ACCELERATION
 plot file("rocket") using col("t"):col("as if constant") with lines ls SECOND, \
      file("rocket") using col("t"):col("exact") with lines ls EXACT, \
      file("rocket-euler") using col("t"):col("height") with linespoints ls EULER, \

@@ -4,10 +4,10 @@ set xrange [-0.5:21]
 set yrange [-3.5:8]
 set xtics 5
 set ytics 0,5
-set label 1 "no air" at 13,6.6 left tc rgb "#000007"
-set label 2 "in air" at 8.4,1.4 left tc rgb "#000007"
-set label 3 "Euler" at 5.5,6.8 right tc rgb "#000001"
-set label 4 "with  {/:Italic a h}^2/2" at 1.6,-1.6 left tc rgb "#00000b"
+set label 1 "no air" at 13,6.6 left tc ls EXACT
+set label 2 "in air" at 8.4,1.4 left tc ls EXACT
+set label 3 "Euler" at 5.5,6.8 right tc ls EULER
+set label 4 "with  {/:Italic a h}^2/2" at 1.6,-1.6 left tc ls SECOND
 set arrow 4 from 4.4,-1.1 to 8.1,-0.6 nohead ls CONTEXT
 vacuum = file("throw-in-a-vacuum")
 air = file("throw-in-air")

@@ -3,8 +3,8 @@ set xrange [0.31:0.75]
 set yrange [1.1:1.4]
 set xtics 0.4,0.1
 set ytics 1.1,0.1
-set label 1 "ten jumps" at 0.53,1.375 center tc rgb "#000001"
-set label 2 "ledge" at 0.32,1.342 left tc rgb "#000008"
+set label 1 "ten jumps" at 0.53,1.375 center tc ls EULER
+set label 2 "ledge" at 0.32,1.342 left tc ls LIMIT
 plot exact("ledge") with lines ls LIMIT, \
      for [jump=1:10] file("uneven") using (val("jump") == jump ? val("t") : NaN):col("height") with linespoints ls EULER lw 0.9 ps 0.4, \
      5*x - 9.81*x**2/2 with lines ls EXACT, \

@@ -5,9 +5,9 @@ set xtics 0.5
 set ytics 0.5
 inside = number("door-inside")
 outside = number("door-outside")
-set label 1 outside at 0.99,1.08 left tc rgb "#00000c"
-set label 2 inside at 1.5,0.33 left tc rgb "#000001"
-set label 3 "true" at 0.3,0.86 left tc rgb "#000007"
+set label 1 outside at 0.99,1.08 left tc ls THIRD
+set label 2 inside at 1.5,0.33 left tc ls EULER
+set label 3 "true" at 0.3,0.86 left tc ls EXACT
 plot file("door-outside") using col("t"):col("x") with linespoints ls THIRD pt 7 lw 1 ps 0.3, \
      file("door-inside") using col("t"):col("x") with linespoints ls EULER lw 1.2 ps 0.35, \
      file("door-exact") using col("t"):col("x") with lines ls EXACT, \

@@ -6,10 +6,10 @@ set ytics 0,5
 array ch = [0.5, 1.5, 2.1]
 array look = [EULER, FIRST, THIRD]
 falling(i) = sprintf("drag-%.0f", 10*ch[i])
-set label 1 sprintf("{/:Italic ch} = %g", ch[1]) at NARROW ? 6.4 : 0.5,NARROW ? 3.2 : 1.7 left tc rgb "#000001"
-set label 2 sprintf("%g", ch[2]) at NARROW ? 1.65 : 2.3,NARROW ? 6.9 : 6.3 left tc rgb "#00000a"
-set label 3 sprintf("%g", ch[3]) at NARROW ? 5.75 : 5.5,NARROW ? 12.2 : 11.6 left tc rgb "#00000c"
-if (!NARROW) set label 4 "true" at 7.2,4 left tc rgb "#000007"
+set label 1 sprintf("{/:Italic ch} = %g", ch[1]) at NARROW ? 6.4 : 0.5,NARROW ? 3.2 : 1.7 left tc ls EULER
+set label 2 sprintf("%g", ch[2]) at NARROW ? 1.65 : 2.3,NARROW ? 6.9 : 6.3 left tc ls FIRST
+set label 3 sprintf("%g", ch[3]) at NARROW ? 5.75 : 5.5,NARROW ? 12.2 : 11.6 left tc ls THIRD
+if (!NARROW) set label 4 "true" at 7.2,4 left tc ls EXACT
 plot 4.905*(1 - exp(-2*x)) with lines ls EXACT, \
      file(falling(3)) using col("t"):(-val("v")) with linespoints ls THIRD pt 7 lw 1.6, \
      file(falling(2)) using col("t"):(-val("v")) with linespoints ls FIRST pt 5 lw 1.6, \

@@ -5,11 +5,11 @@ set xrange [-17:17]
 set yrange [-17:17]
 set xtics 10
 set ytics 10
-set label 1 "should be on this" at 0,-3 center tc rgb "#000007"
+set label 1 "should be on this" at 0,-3 center tc ls EXACT
 set parametric
 set trange [0:2*pi]
-set label 2 "start" at 8.9,0.9 right tc rgb "#000001"
-set label 3 "fence" at 11.5,14.5 left tc rgb "#000008"
+set label 2 "start" at 8.9,0.9 right tc ls EULER
+set label 3 "fence" at 11.5,14.5 left tc ls LIMIT
 set arrow 3 from 12.5,13.4 to 8.6,8.6 nohead lc rgb "#000008"
 circle = exact("circle")
 fence = exact("fence")

@@ -6,11 +6,11 @@ set yrange [-36:50]
 set xtics 25
 set ytics 25
 array name = ["Jupiter", "Saturn", "Uranus", "Neptune", "Pluto"]
-set label 1 "Pluto" at 42,33 left tc rgb "#000007"
-set label 2 "Neptune" at 0,31 center tc rgb "#000007"
-set label 3 "Uranus" at 0,-23.5 center tc rgb "#000007"
-set label 4 "Jupiter" at 33,-25 left tc rgb "#000001"
-set label 5 "Saturn" at -34,NARROW ? 34 : 30 left tc rgb "#00000b"
+set label 1 "Pluto" at 42,33 left tc ls EXACT
+set label 2 "Neptune" at 0,31 center tc ls EXACT
+set label 3 "Uranus" at 0,-23.5 center tc ls EXACT
+set label 4 "Jupiter" at 33,-25 left tc ls EULER
+set label 5 "Saturn" at -34,NARROW ? 34 : 30 left tc ls SECOND
 set arrow 4 from 32.5,-24 to 12,-10 nohead lc rgb "#000001"
 array look = [EULER, SECOND, CONTEXT, CONTEXT, CONTEXT]
 array once = [26, 56, 156, 304, 456]  # rows that make one turn

@@ -5,9 +5,9 @@ set xtics 0,0.25
 set ytics 0.1
 inside = number("suspension-inside")
 outside = number("suspension-outside")
-set label 1 outside.": grows" at 1.48,0.17 right tc rgb "#00000c"
-set label 2 inside.": dies away" at 1.48,-0.17 right tc rgb "#000001"
-set label 3 "true" at 0.63,-0.165 center tc rgb "#000007"
+set label 1 outside.": grows" at 1.48,0.17 right tc ls THIRD
+set label 2 inside.": dies away" at 1.48,-0.17 right tc ls EULER
+set label 3 "true" at 0.63,-0.165 center tc ls EXACT
 set arrow 3 from 0.63,-0.145 to 0.63,0.02 nohead ls CONTEXT
 plot file("suspension-outside") using col("t"):col("x") with linespoints ls THIRD pt 7 lw 1.2 ps 0.35, \
      file("suspension-exact") using col("t"):col("x") with lines ls EXACT, \

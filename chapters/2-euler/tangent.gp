@@ -8,9 +8,9 @@ set ytics 10
 set parametric
 set trange [0:2*pi]
 unset grid
-set label 1 "{/:Italic r}" at 4.6,-1.1 center tc rgb "#000007"
-set label 2 "{/:Italic h v}" at 10.6,4 left tc rgb "#000001"
-set label 3 "outside" at 10.6,8.4 left tc rgb "#000001"
+set label 1 "{/:Italic r}" at 4.6,-1.1 center tc ls EXACT
+set label 2 "{/:Italic h v}" at 10.6,4 left tc ls EULER
+set label 3 "outside" at 10.6,8.4 left tc ls EULER
 set arrow 1 from 0,0 to 10,0 nohead ls CONTEXT
 set arrow 2 from 0,0 to cell("tangent", 2, "x"),cell("tangent", 2, "y") nohead ls CONTEXT
 set arrow 3 from 9,0 to 9,1 nohead ls CONTEXT

@@ -7,11 +7,11 @@ set ytics ("1 pm" 1e-12, "1 nm" 1e-9, "1 µm" 1e-6, "1 mm" 1e-3, "1 m" 1)
 set lmargin NARROW ? 7.5 : 8
 unset mxtics
 unset mytics
-set label 1 "Euler" at 1100,NARROW ? 0.2 : 0.09 left tc rgb "#000001"
-set label 2 "midpoint" at 1100,NARROW ? 3e-4 : 8e-5 left tc rgb "#000006"
-set label 3 "RK4" at NARROW ? 100 : 130,1e-8 right tc rgb "#000004"
+set label 1 "Euler" at 1100,NARROW ? 0.2 : 0.09 left tc ls EULER
+set label 2 "midpoint" at 1100,NARROW ? 3e-4 : 8e-5 left tc ls MIDPOINT
+set label 3 "RK4" at NARROW ? 100 : 130,1e-8 right tc ls RK4
 line = 0.01
-set label 4 sprintf("%g cm", 100*line) at 700,0.0032 center tc rgb "#000008"
+set label 4 sprintf("%g cm", 100*line) at 700,0.0032 center tc ls LIMIT
 plot line with lines ls LIMIT, \
      file("work") using col("evaluations"):col("Euler") with linespoints ls EULER, \
      file("work") using col("evaluations"):col("midpoint") with linespoints ls MIDPOINT, \

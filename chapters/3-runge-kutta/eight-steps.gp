@@ -7,9 +7,9 @@ set xtics 10
 set ytics 10
 set parametric
 set trange [0:2*pi]
-set label 1 "RK4" at -5,-4.2 center tc rgb "#000004"
-set label 2 "midpoint" at -9,-11.8 right tc rgb "#000006"
-set label 3 "start" at 9.1,1.2 right tc rgb "#000007"
+set label 1 "RK4" at -5,-4.2 center tc ls RK4
+set label 2 "midpoint" at -9,-11.8 right tc ls MIDPOINT
+set label 3 "start" at 9.1,1.2 right tc ls EXACT
 set label 2 "midpoint" at -8.2,-13 center
 circle = exact("circle")
 plot circle*cos(t), circle*sin(t) with lines ls EXACT, \

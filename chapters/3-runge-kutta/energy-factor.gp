@@ -4,10 +4,10 @@ set xrange [0:3.05]
 set yrange [0:2.05]
 set xtics 0.5
 set ytics 0,0.5
-set label 1 "Euler" at 0.78,1.78 right tc rgb "#000001"
-set label 2 "midpoint" at 1.46,1.95 left tc rgb "#000006"
-set label 3 "RK4" at 1.86,0.5 right tc rgb "#000004"
-set label 4 "√8" at 2.8,0.12 right tc rgb "#000008"
+set label 1 "Euler" at 0.78,1.78 right tc ls EULER
+set label 2 "midpoint" at 1.46,1.95 left tc ls MIDPOINT
+set label 3 "RK4" at 1.86,0.5 right tc ls RK4
+set label 4 "√8" at 2.8,0.12 right tc ls LIMIT
 set arrow 1 from sqrt(8),1 to sqrt(8),0 nohead ls LIMIT
 plot 1 with lines ls EXACT, \
      1 + x**2 with lines ls EULER lw 1.2, \

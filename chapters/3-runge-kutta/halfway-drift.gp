@@ -3,10 +3,10 @@ set xrange [0:80]
 set yrange [9.3:15.6]
 set xtics 0,16
 set ytics 10,1
-set label 1 "Euler, ".number("rate") at 66,14.45 right tc rgb "#000001"
-set label 2 NARROW ? "looks halfway" : "looks halfway, ".number("rate") at 80,NARROW ? 11 : 11.4 right tc rgb "#00000b"
-set label 3 "should stay here" at 40,9.7 center tc rgb "#000007"
-set label 4 "circles: Euler, ".number("rate-twice") at 80,NARROW ? 10.4 : 10.8 right tc rgb "#000001"
+set label 1 "Euler, ".number("rate") at 66,14.45 right tc ls EULER
+set label 2 NARROW ? "looks halfway" : "looks halfway, ".number("rate") at 80,NARROW ? 11 : 11.4 right tc ls SECOND
+set label 3 "should stay here" at 40,9.7 center tc ls EXACT
+set label 4 "circles: Euler, ".number("rate-twice") at 80,NARROW ? 10.4 : 10.8 right tc ls EULER
 plot exact("circle") with lines ls EXACT, \
      file("distance") using col("t"):col("Euler") with lines ls EULER, \
      file("distance") using col("t"):col("old velocity") with lines ls SECOND, \

@@ -8,13 +8,13 @@ set ytics 2
 set parametric
 set trange [-0.2:1.4]
 unset grid
-set label 1 "start" at 9.7,-0.2 right tc rgb "#000007"
-set label 2 "half a step" at 10.3,3.65 left tc rgb "#000001"
-set label 3 NARROW ? "Euler" : "Euler ends here" at 10.3,7.7 left tc rgb "#000001"
-set label 4 NARROW ? "midpoint" : "midpoint ends here" at 6.9,8.4 left tc rgb "#000006"
-set label 5 "should be here" at 6.6,6.7 right tc rgb "#000007"
+set label 1 "start" at 9.7,-0.2 right tc ls EXACT
+set label 2 "half a step" at 10.3,3.65 left tc ls EULER
+set label 3 NARROW ? "Euler" : "Euler ends here" at 10.3,7.7 left tc ls EULER
+set label 4 NARROW ? "midpoint" : "midpoint ends here" at 6.9,8.4 left tc ls MIDPOINT
+set label 5 "should be here" at 6.6,6.7 right tc ls EXACT
 if (NARROW) set label 5 "truth" at 6.6,6.9 right
-set label 6 NARROW ? "velocity" : "the velocity there" at 10.3,4.35 left tc rgb "#000006"
+set label 6 NARROW ? "velocity" : "the velocity there" at 10.3,4.35 left tc ls MIDPOINT
 # The table's rows: the start, half a step of Euler, a step of midpoint and one of Euler.
 x(row) = cell("middle", row, "x")
 y(row) = cell("middle", row, "y")

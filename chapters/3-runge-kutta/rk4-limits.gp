@@ -4,10 +4,10 @@ set xrange [0:3.1]
 set yrange [0:3.3]
 set xtics 0.5
 set ytics 1
-set label 1 "RK4" at 1.15,2.6 left tc rgb "#000004"
-set label 2 "midpoint" at 0.36,2.27 center tc rgb "#000006"
-set label 3 "Euler" at 0.42,0.5 left tc rgb "#000001"
-set label 4 "past ζ = 1 the fast rate decides" at 1.35,1.75 left tc rgb "#000007"
+set label 1 "RK4" at 1.15,2.6 left tc ls RK4
+set label 2 "midpoint" at 0.36,2.27 center tc ls MIDPOINT
+set label 3 "Euler" at 0.42,0.5 left tc ls EULER
+set label 4 "past ζ = 1 the fast rate decides" at 1.35,1.75 left tc ls EXACT
 if (NARROW) unset label 4
 plot file("limit-lines") using col("ζ"):col("RK4") with lines ls RK4 lw 1.2, \
      file("limit-lines") using col("ζ"):col("midpoint") with lines ls MIDPOINT lw 1.2, \

@@ -7,10 +7,10 @@ set ytics ("1 nm" 1e-9, "1 µm" 1e-6, "1 mm" 1e-3, "1 m" 1)
 set lmargin NARROW ? 7.5 : 8
 unset mxtics
 unset mytics
-set label 1 "RK4" at 7,1e-5 right tc rgb "#000004"
-set label 2 "with the bug" at 14,1.5e-3 left tc rgb "#00000c"
+set label 1 "RK4" at 7,1e-5 right tc ls RK4
+set label 2 "with the bug" at 14,1.5e-3 left tc ls THIRD
 line = 0.01
-set label 3 sprintf("%g cm", 100*line) at 150,0.022 right tc rgb "#000008"
+set label 3 sprintf("%g cm", 100*line) at 150,0.022 right tc ls LIMIT
 plot line with lines ls LIMIT, \
      file("stages") using col("steps per second"):col("bug") with linespoints ls THIRD, \
      file("stages") using col("steps per second"):col("RK4") with linespoints ls RK4, \

@@ -9,12 +9,12 @@ set ytics (10, 100, 1000, 10000)
 set lmargin NARROW ? 7.5 : 8
 unset mxtics
 unset mytics
-set label 1 "cloth, solved" at 7000,7200 right tc rgb "#00000c"
-set label 2 NARROW ? "substeps" : "cloth, substeps" at NARROW ? 2200 : 11500,NARROW ? 1050 : 1500 left tc rgb "#00000c"
-set label 3 "rope, substeps" at NARROW ? 1100 : 900,NARROW ? 530 : 510 center tc rgb "#00000b"
-set label 4 "rope, solved" at 900,84 center tc rgb "#00000b"
-set label 5 "chain, substeps" at 900,NARROW ? 175 : 190 center tc rgb "#00000a"
-set label 6 "chain, solved" at 900,14 center tc rgb "#00000a"
+set label 1 "cloth, solved" at 7000,7200 right tc ls THIRD
+set label 2 NARROW ? "substeps" : "cloth, substeps" at NARROW ? 2200 : 11500,NARROW ? 1050 : 1500 left tc ls THIRD
+set label 3 "rope, substeps" at NARROW ? 1100 : 900,NARROW ? 530 : 510 center tc ls SECOND
+set label 4 "rope, solved" at 900,84 center tc ls SECOND
+set label 5 "chain, substeps" at 900,NARROW ? 175 : 190 center tc ls FIRST
+set label 6 "chain, solved" at 900,14 center tc ls FIRST
 # The chain is one scene; the cloths bear their sizes in their names.
 of(thing) = txt("scene")[1:strlen(thing)] eq thing ? val("unknowns") : NaN
 plot file("work") using (of("chain")):col("solving") with linespoints ls FIRST, \

@@ -8,13 +8,13 @@ set ytics 2
 set parametric
 set trange [-0.2:1.4]
 unset grid
-set label 1 "start" at 10.3,-0.1 left tc rgb "#000007"
-set label 2 NARROW ? "Euler" : "Euler ends here" at 10.3,7.7 left tc rgb "#000001"
-set label 3 NARROW ? "backward" : "backward Euler ends here" at 5.9,NARROW ? 4.7 : 4.5 right tc rgb "#000005"
-if (!NARROW) set label 3 "backward Euler\nends here" at 5.8,4.9 right tc rgb "#000005"
-set label 4 "truth" at 7.4,7.35 left tc rgb "#000007"
-set label 5 NARROW ? "velocity" : "its velocity" at 4.85,7.0 left tc rgb "#000005"
-if (NARROW) set label 5 "velocity" at 3.9,8.4 right tc rgb "#000005"
+set label 1 "start" at 10.3,-0.1 left tc ls EXACT
+set label 2 NARROW ? "Euler" : "Euler ends here" at 10.3,7.7 left tc ls EULER
+set label 3 NARROW ? "backward" : "backward Euler ends here" at 5.9,NARROW ? 4.7 : 4.5 right tc ls BACKWARD_EULER
+if (!NARROW) set label 3 "backward Euler\nends here" at 5.8,4.9 right tc ls BACKWARD_EULER
+set label 4 "truth" at 7.4,7.35 left tc ls EXACT
+set label 5 NARROW ? "velocity" : "its velocity" at 4.85,7.0 left tc ls BACKWARD_EULER
+if (NARROW) set label 5 "velocity" at 3.9,8.4 right tc ls BACKWARD_EULER
 # The table's rows: the start, and the end of backward Euler.
 x(row) = cell("ends", row, "x")
 y(row) = cell("ends", row, "y")

@@ -8,10 +8,10 @@ if (NARROW) set xtics 0.5
 set ytics (0.5, 1, 2, 5, 10, 20)
 unset mytics
 set rmargin NARROW ? 11 : 24
-set label 1 NARROW ? "trapezoid,\none solve" : "trapezoid, one solve" at 1.03,NARROW ? 17 : 14.5 left tc rgb "#00000b"
-set label 2 NARROW ? "backward E.,\none solve" : "backward Euler, one solve" at 1.03,NARROW ? 1.82 : 1.57 left tc rgb "#000005"
-set label 4 NARROW ? "trapezoid,\nto the end" : "trapezoid, to the end" at 1.03,NARROW ? 1.02 : 0.88 left tc rgb "#00000b"
-set label 3 NARROW ? "backward E.,\nto the end" : "backward Euler, to the end" at 1.03,NARROW ? 0.55 : 0.473 left tc rgb "#000005"
+set label 1 NARROW ? "trapezoid,\none solve" : "trapezoid, one solve" at 1.03,NARROW ? 17 : 14.5 left tc ls TRAPEZOID
+set label 2 NARROW ? "backward E.,\none solve" : "backward Euler, one solve" at 1.03,NARROW ? 1.82 : 1.57 left tc ls BACKWARD_EULER
+set label 4 NARROW ? "trapezoid,\nto the end" : "trapezoid, to the end" at 1.03,NARROW ? 1.02 : 0.88 left tc ls TRAPEZOID
+set label 3 NARROW ? "backward E.,\nto the end" : "backward Euler, to the end" at 1.03,NARROW ? 0.55 : 0.473 left tc ls BACKWARD_EULER
 plot file("blow") using col("t"):col("trapezoid") with lines ls TRAPEZOID dt (6,4), \
      file("blow") using col("t"):col("one solve") with lines ls BACKWARD_EULER dt (6,4), \
      file("blow") using col("t"):col("trapezoid end") with lines ls TRAPEZOID dt solid, \

@@ -6,11 +6,11 @@ set xtics (1, 5, 10, 15)
 set ytics ("10^{−12}" 1e-12, "10^{−9}" 1e-9, "10^{−6}" 1e-6, "10^{−3}" 1e-3, "1" 1)
 set lmargin NARROW ? 7.5 : 8
 unset mytics
-set label 1 "parachute" at 2.6,12 left tc rgb "#00000a"
-set label 2 "cloth, hard blow" at 9.6,5e-5 left tc rgb "#00000c"
-set label 3 NARROW ? "rope, hard" : "rope, hard blow" at 6.5,4e-13 left tc rgb "#00000b"
-set label 4 NARROW ? "gentle" : "rope, gentle blow" at 1,1e-11 left tc rgb "#00000b"
-set label 5 "good enough" at 11.5,1.2e-10 center tc rgb "#000008"
+set label 1 "parachute" at 2.6,12 left tc ls FIRST
+set label 2 "cloth, hard blow" at 9.6,5e-5 left tc ls THIRD
+set label 3 NARROW ? "rope, hard" : "rope, hard blow" at 6.5,4e-13 left tc ls SECOND
+set label 4 NARROW ? "gentle" : "rope, gentle blow" at 1,1e-11 left tc ls SECOND
+set label 5 "good enough" at 11.5,1.2e-10 center tc ls LIMIT
 plot 1e-9 with lines ls LIMIT, \
      file("newton") using col("iteration"):(val("parachute") > 0 ? val("parachute") : NaN) with linespoints ls FIRST, \
      file("newton") using col("iteration"):col("rope, gentle") with linespoints ls SECOND dt (6,4) pt 4 lw 1.8, \

@@ -15,7 +15,7 @@ set yrange [(NARROW ? 265 : 132):-4]
 array what = ["chain", "rope", "cloth", "factor of the cloth"]
 do for [n=0:3] {
   set object n + 1 rectangle from x0(n) - 2,y0(n) - 2 to x0(n) + 110,y0(n) + 110 lw 0.6 fs empty border lc rgb "#000009"
-  set label n + 1 what[n + 1] at x0(n) + 54,y0(n) + 121 center tc rgb "#000007"
+  set label n + 1 what[n + 1] at x0(n) + 54,y0(n) + 121 center tc ls EXACT
 }
 dot = NARROW ? 0.16 : 0.17
 plot file("chain") using (x0(0) + val("column")):(y0(0) + val("row")) with points ls FIRST ps dot, \

@@ -5,10 +5,10 @@ set xtics 0.5
 set ytics 0.2
 array asked = [0, 0.2, 0.7]
 damping(i) = sprintf("%g", asked[i])
-set label 1 "asked for ζ = ".damping(3) at 1.2,0.95 left tc rgb "#00000c"
-set label 2 damping(2) at 1.9,NARROW ? 0.745 : 0.72 center tc rgb "#00000b"
-set label 3 damping(1) at 1.9,NARROW ? 0.49 : 0.5 center tc rgb "#000005"
-set label 4 "½ {/:Italic h}ω" at 0.62,0.22 left tc rgb "#000007"
+set label 1 "asked for ζ = ".damping(3) at 1.2,0.95 left tc ls THIRD
+set label 2 damping(2) at 1.9,NARROW ? 0.745 : 0.72 center tc ls SECOND
+set label 3 damping(1) at 1.9,NARROW ? 0.49 : 0.5 center tc ls BACKWARD_EULER
+set label 4 "½ {/:Italic h}ω" at 0.62,0.22 left tc ls EXACT
 tip(i) = sprintf("hω = %.1f, asked for %s: %.3f", val("hω"), damping(i), val("asked ".damping(i)))
 half(x) = x < 0.95 ? x/2 : NaN
 plot half(x) with lines ls EXACT, \

@@ -3,10 +3,10 @@ set xrange [0:10]
 set yrange [0:4]
 set xtics 2
 set ytics 1
-set label 1 "Euler" at 2.75,3.3 left tc rgb "#000001"
-set label 2 "backward Euler" at 4.2,0.47 left tc rgb "#000005"
-set label 3 "trapezoid" at 7.4,1.17 left tc rgb "#00000b"
-set label 4 "true" at 5.2,1.17 left tc rgb "#000007"
+set label 1 "Euler" at 2.75,3.3 left tc ls EULER
+set label 2 "backward Euler" at 4.2,0.47 left tc ls BACKWARD_EULER
+set label 3 "trapezoid" at 7.4,1.17 left tc ls TRAPEZOID
+set label 4 "true" at 5.2,1.17 left tc ls EXACT
 plot 1 with lines ls EXACT, \
      file("spin") using col("t"):(val("Euler") < 5 ? val("Euler") : NaN) with lines ls EULER, \
      file("spin") using col("t"):col("backward Euler") with lines ls BACKWARD_EULER, \

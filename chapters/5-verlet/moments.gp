@@ -3,9 +3,9 @@ set xrange [0:1.25]
 set yrange [NARROW ? -11.5 : -8.5:8.5]
 set xtics 0.25
 set ytics 4
-set label 1 "velocity Verlet" at 0.87,7.2 left tc rgb "#000003"
-set label 2 "last distance over h, said of now" at 0.48,-4.4 left tc rgb "#000008"
-set label 3 "the same, said of half a step ago" at 0.6,-6.7 left tc rgb "#00000a"
+set label 1 "velocity Verlet" at 0.87,7.2 left tc ls VELOCITY_VERLET
+set label 2 "last distance over h, said of now" at 0.48,-4.4 left tc ls LIMIT
+set label 3 "the same, said of half a step ago" at 0.6,-6.7 left tc ls FIRST
 if (NARROW) set label 2 "said of now" at 0.52,-4.2; set label 3 "said of half a step ago" at 0.25,-9.6
 plot file("swing-exact") using col("t"):col("v") with lines ls EXACT, \
      file("moments") using col("half a step ago"):col("last distance over h"):(val("t")-val("half a step ago")):(0) with vectors nohead ls GRID lw 1.4, \

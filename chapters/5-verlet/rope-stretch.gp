@@ -9,10 +9,10 @@ unset mytics
 set lmargin NARROW ? 8 : 9
 array count = [10, 20, 40]
 rope(i) = i == 4 ? rope(2)." in substeps" : sprintf("%d links", count[i])
-set label 1 rope(3) at 74,1.6 left tc rgb "#00000a"
-set label 2 rope(2) at 74,0.34 left tc rgb "#00000b"
-set label 3 rope(1) at 74,0.04 left tc rgb "#00000c"
-set label 4 rope(2).",\nsubsteps" at 7,0.12 right tc rgb "#00000b"
+set label 1 rope(3) at 74,1.6 left tc ls FIRST
+set label 2 rope(2) at 74,0.34 left tc ls SECOND
+set label 3 rope(1) at 74,0.04 left tc ls THIRD
+set label 4 rope(2).",\nsubsteps" at 7,0.12 right tc ls SECOND
 tip(name) = sprintf("%d: %.3g per cent", val("iterations"), val(name))
 plot file("stretch") using col("iterations"):col(rope(3)) with linespoints ls FIRST, \
      file("stretch") using col("iterations"):col(rope(2)) with linespoints ls SECOND, \

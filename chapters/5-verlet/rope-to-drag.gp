@@ -6,9 +6,9 @@ set yrange [-2.6:0.2]
 set xtics 1
 set ytics 1
 array iterations = [1, 4, 64]
-set label 1 sprintf("%d iteration", iterations[1]) at 0.5,-1.2 left tc rgb "#00000c"
-set label 2 sprintf("%d", iterations[2]) at 0.48,-2.35 left tc rgb "#00000b"
-set label 3 sprintf("%d", iterations[3]) at -0.1,-1.3 right tc rgb "#00000a"
+set label 1 sprintf("%d iteration", iterations[1]) at 0.5,-1.2 left tc ls THIRD
+set label 2 sprintf("%d", iterations[2]) at 0.48,-2.35 left tc ls SECOND
+set label 3 sprintf("%d", iterations[3]) at -0.1,-1.3 right tc ls FIRST
 set parametric
 set trange [0:2*pi]
 plot file("shapes") using (val("iterations") == iterations[1] ? val("x") : NaN):col("y") with linespoints ls THIRD lw 1.4, \

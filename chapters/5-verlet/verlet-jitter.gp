@@ -3,8 +3,8 @@ set xrange [0:1.05]
 set yrange [0:2.15]
 set xtics 0.25
 set ytics 0.5
-set label 1 "position Verlet as it is" at 0.02,2.02 left tc rgb "#000008"
-set label 2 "corrected" at 0.33,0.98 left tc rgb "#000003"
+set label 1 "position Verlet as it is" at 0.02,2.02 left tc ls LIMIT
+set label 2 "corrected" at 0.33,0.98 left tc ls VELOCITY_VERLET
 plot for [jump=1:10] file("jitter") using (val("jump") == jump ? val("t") : NaN):col("plain") with linespoints ls LIMIT dt solid lw 0.9 ps 0.3, \
      for [jump=1:10] file("jitter-corrected") every 10::jump using (val("jump") == jump ? val("t") : NaN):col("x") with points ls VELOCITY_VERLET ps 0.6, \
      5*x - 9.81*x**2/2 with lines ls EXACT, \

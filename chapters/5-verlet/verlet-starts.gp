@@ -7,10 +7,10 @@ set ytics ("1 µm" 1e-6, "0.1 mm" 1e-4, "1 cm" 0.01, "1 m" 1)
 unset mxtics
 unset mytics
 set lmargin NARROW ? 8.5 : 9
-set label 1 "x_{prev} = x, drone" at 120,80 center tc rgb "#000008"
-set label 2 "x_{prev} = x, a swing from rest" at NARROW ? 55 : 62,0.4 left tc rgb "#00000a"
-set label 3 "x – hv, drone" at 170,0.006 right tc rgb "#000002"
-set label 4 NARROW ? "x – hv + h^2a/2" : "x – hv + h^2a/2, drone" at NARROW ? 70 : 60,NARROW ? 4e-5 : 6e-5 right tc rgb "#000003"
+set label 1 "x_{prev} = x, drone" at 120,80 center tc ls LIMIT
+set label 2 "x_{prev} = x, a swing from rest" at NARROW ? 55 : 62,0.4 left tc ls FIRST
+set label 3 "x – hv, drone" at 170,0.006 right tc ls SYMPLECTIC_EULER
+set label 4 NARROW ? "x – hv + h^2a/2" : "x – hv + h^2a/2, drone" at NARROW ? 70 : 60,NARROW ? 4e-5 : 6e-5 right tc ls VELOCITY_VERLET
 tip(name) = sprintf("%d steps a second: %.2g m", val("steps per second"), val(name))
 plot file("starts") using col("steps per second"):col("drone x") with linespoints ls LIMIT dt solid lw 2.2 ps 0.7, \
      file("starts") using col("steps per second"):col("swing x") with linespoints ls FIRST, \

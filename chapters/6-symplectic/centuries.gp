@@ -6,12 +6,12 @@ set xtics (1, 10, 100, number("years") exact("years"))
 set ytics ("1" 1, "10^{-2}" 1e-2, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8)
 unset mxtics
 unset mytics
-set label 1 "Euler" at 680,0.68 left tc rgb "#000001"
-set label 2 "backward Euler" at 16,2 left tc rgb "#000005"
-set label 3 NARROW ? "symplectic\nEuler" : "symplectic Euler" at 680,NARROW ? 1.1e-2 : 2e-3 left tc rgb "#000002"
-set label 4 "RK4" at 680,NARROW ? 1.4e-4 : 9e-5 left tc rgb "#000004"
-set label 5 NARROW ? "vel. Verlet" : "velocity Verlet" at 680,NARROW ? 1.5e-5 : 1.9e-5 left tc rgb "#000003"
-set label 6 "Yoshida" at 680,NARROW ? 1.6e-6 : 2.2e-6 left tc rgb "#00000a"
+set label 1 "Euler" at 680,0.68 left tc ls EULER
+set label 2 "backward Euler" at 16,2 left tc ls BACKWARD_EULER
+set label 3 NARROW ? "symplectic\nEuler" : "symplectic Euler" at 680,NARROW ? 1.1e-2 : 2e-3 left tc ls SYMPLECTIC_EULER
+set label 4 "RK4" at 680,NARROW ? 1.4e-4 : 9e-5 left tc ls RK4
+set label 5 NARROW ? "vel. Verlet" : "velocity Verlet" at 680,NARROW ? 1.5e-5 : 1.9e-5 left tc ls VELOCITY_VERLET
+set label 6 "Yoshida" at 680,NARROW ? 1.6e-6 : 2.2e-6 left tc ls YOSHIDA4
 tip = "after %.0f years: %.2g"
 plot file("centuries") using col("year"):col("Euler") with lines ls EULER, \
      file("centuries") using col("year"):col("backward Euler") with lines ls BACKWARD_EULER, \

@@ -7,12 +7,12 @@ if (NARROW) set xtics (120, 960, 7680)
 set ytics ("10^{-2}" 1e-2, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{-10}" 1e-10)
 unset mxtics
 unset mytics
-set label 1 "symplectic Euler" at 8800,1.6e-4 left tc rgb "#000002"
-set label 2 "Yoshida, damped" at 8800,5e-6 left tc rgb "#00000a"
-set label 3 NARROW ? "Verlet" : "velocity Verlet" at 8800,5e-7 left tc rgb "#000003"
-set label 6 NARROW ? "Verlet, damped" : "velocity Verlet, damped" at 8800,6e-8 left tc rgb "#000003"
-set label 4 "Yoshida" at 8800,1.3e-9 left tc rgb "#00000a"
-set label 5 "RK4" at 8800,2e-10 left tc rgb "#000004"
+set label 1 "symplectic Euler" at 8800,1.6e-4 left tc ls SYMPLECTIC_EULER
+set label 2 "Yoshida, damped" at 8800,5e-6 left tc ls YOSHIDA4
+set label 3 NARROW ? "Verlet" : "velocity Verlet" at 8800,5e-7 left tc ls VELOCITY_VERLET
+set label 6 NARROW ? "Verlet, damped" : "velocity Verlet, damped" at 8800,6e-8 left tc ls VELOCITY_VERLET
+set label 4 "Yoshida" at 8800,1.3e-9 left tc ls YOSHIDA4
+set label 5 "RK4" at 8800,2e-10 left tc ls RK4
 tip = "%d evaluations: %.2g m"
 plot file("composition") using col("evaluations per second"):col("symplectic Euler") with linespoints ls SYMPLECTIC_EULER, \
      file("composition") using col("evaluations per second"):col("velocity Verlet") with linespoints ls VELOCITY_VERLET, \

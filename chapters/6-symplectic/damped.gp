@@ -3,11 +3,11 @@ set xrange [0:2]
 set yrange [0:5]
 set xtics 0.5
 set ytics 1
-set label 1 "Euler" at 0.97,2.2 right tc rgb "#000001"
-set label 2 "drag in the acceleration" at 1.97,0.2 right tc rgb "#000002"
-set label 3 "{/:Italic v} / (1 + {/:Italic ch}) + {/:Italic ha}" at 1.97,1.85 right tc rgb "#00000b"
-set label 4 "({/:Italic v} + {/:Italic ha}) / (1 + {/:Italic ch})" at 1.08,4.3 left tc rgb "#00000a"
-set label 5 "1/√3" at 0.6,0.22 left tc rgb "#000008"
+set label 1 "Euler" at 0.97,2.2 right tc ls EULER
+set label 2 "drag in the acceleration" at 1.97,0.2 right tc ls SYMPLECTIC_EULER
+set label 3 "{/:Italic v} / (1 + {/:Italic ch}) + {/:Italic ha}" at 1.97,1.85 right tc ls SECOND
+set label 4 "({/:Italic v} + {/:Italic ha}) / (1 + {/:Italic ch})" at 1.08,4.3 left tc ls FIRST
+set label 5 "1/√3" at 0.6,0.22 left tc ls LIMIT
 set arrow 1 from 1/sqrt(3),0 to 1/sqrt(3),2/sqrt(3) nohead ls LIMIT
 tip = "ζ = %.2f: stable under hω = %.3f"
 plot 2*(sqrt(1 + x*x) - x) with lines ls CONTEXT, 2*(sqrt(1 + x*x) + x) with lines ls CONTEXT, \

@@ -10,9 +10,9 @@ set trange [0:2*pi]
 k = 20/30.
 far = 10/sqrt(2 - k)
 near = 10/sqrt(2 + k)
-set label 1 "velocity first" at 4,12.6 left tc rgb "#000002"
-set label 2 "position first" at -4,12.6 right tc rgb "#00000a"
-set label 3 "true" at 0,8.4 center tc rgb "#000007"
+set label 1 "velocity first" at 4,12.6 left tc ls SYMPLECTIC_EULER
+set label 2 "position first" at -4,12.6 right tc ls FIRST
+set label 3 "true" at 0,8.4 center tc ls EXACT
 plot 10*cos(t), 10*sin(t) with lines ls EXACT, \
      far*cos(t) - near*sin(t), far*cos(t) + near*sin(t) with lines ls SYMPLECTIC_EULER lw 1, \
      near*cos(t) - far*sin(t), near*cos(t) + far*sin(t) with lines ls FIRST lw 1, \

@@ -6,12 +6,12 @@ set xtics (10, 20, 30, 60, 120, 240)
 if (NARROW) set xtics (10, 30, 120)
 set ytics 0.5
 unset mxtics
-set label 1 "implicit first" at 9,5.886 right tc rgb "#00000c"
-set label 2 "exponential first" at 9,5.411 right tc rgb "#00000b"
-set label 3 "implicit last" at 9,4.99 right tc rgb "#000007"
-set label 4 "explicit first" at 9,4.8 right tc rgb "#000007"
-set label 5 "exponential last" at 9,4.43 right tc rgb "#00000b"
-set label 6 "explicit last" at 9,3.924 right tc rgb "#00000a"
+set label 1 "implicit first" at 9,5.886 right tc ls THIRD
+set label 2 "exponential first" at 9,5.411 right tc ls SECOND
+set label 3 "implicit last" at 9,4.99 right tc ls EXACT
+set label 4 "explicit first" at 9,4.8 right tc ls EXACT
+set label 5 "exponential last" at 9,4.43 right tc ls SECOND
+set label 6 "explicit last" at 9,3.924 right tc ls FIRST
 array way = ["explicit last", "explicit first", "implicit last", "implicit first", "exponential last", "exponential first"]
 array look = [FIRST, EXACT, EXACT, THIRD, SECOND, SECOND]
 plot for [n=1:6] file("terminal") using col("steps per second"):col(way[n]) with linespoints ls look[n] dt solid, \

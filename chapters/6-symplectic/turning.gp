@@ -10,8 +10,8 @@ set xtics 10
 set ytics 10
 set parametric
 set trange [0:2*pi]
-set label 1 "should be here" at -6,-6.2 center tc rgb "#000007"
-set label 2 sprintf("after %.0f turns", ceil(passed/exact("turn-takes"))) at -6,16.4 center tc rgb "#000002"
+set label 1 "should be here" at -6,-6.2 center tc ls EXACT
+set label 2 sprintf("after %.0f turns", ceil(passed/exact("turn-takes"))) at -6,16.4 center tc ls SYMPLECTIC_EULER
 plot file("turning") every ::::(farthest + 130) using col("x"):col("y") with lines ls CONTEXT lw 0.35, \
      10*cos(t) - 6, 8*sin(t) with lines ls EXACT, \
      file("turning") every ::farthest::(farthest + 130) using col("x"):col("y") with lines ls SYMPLECTIC_EULER, \

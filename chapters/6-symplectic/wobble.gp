@@ -3,9 +3,9 @@ set xrange [0:1]
 set yrange [0.6:1.6]
 set xtics 0.25
 set ytics 0.2
-set label 1 "Euler" at 0.105,1.5 left tc rgb "#000001"
-set label 2 "symplectic Euler" at 0.5,1.29 center tc rgb "#000002"
-set label 3 "its shadow energy" at 0.5,0.77 center tc rgb "#00000a"
+set label 1 "Euler" at 0.105,1.5 left tc ls EULER
+set label 2 "symplectic Euler" at 0.5,1.29 center tc ls SYMPLECTIC_EULER
+set label 3 "its shadow energy" at 0.5,0.77 center tc ls FIRST
 plot file("wobble") using col("t"):(val("Euler") < 1.7 ? val("Euler") : NaN) with linespoints ls EULER lw 1.6, \
      file("wobble") using col("t"):col("shadow") with lines ls FIRST, \
      file("wobble") using col("t"):col("symplectic Euler") with linespoints ls SYMPLECTIC_EULER lw 1.4 ps 0.45, \

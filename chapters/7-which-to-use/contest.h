@@ -109,7 +109,7 @@ Attempt attempt(const measure::Method& method, const Scene& scene, const Bounds&
       worst.error = INFINITY;  // an implicit step that could not be solved
       break;
     }
-    const auto now = measure::seen(method, kept, double(n) * h, h, scene);
+    const auto now = measure::state_of(method, kept, double(n) * h, h, scene);
     const double error = measure::length(now.x - truth.x[seen]) / truth.size;
     if (!(error <= worst.error)) worst.error = error;
     if constexpr (requires { scene.energy(now.x, now.v); }) {

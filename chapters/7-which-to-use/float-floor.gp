@@ -8,10 +8,10 @@ set ytics ("1 m" 1, "1 cm" 1e-2, "0.1 mm" 1e-4, "1 µm" 1e-6, "10 nm" 1e-8, "0.1
 unset mxtics
 unset mytics
 set lmargin NARROW ? 7.5 : 8
-set label 1 "symplectic Euler" at 500,NARROW ? 2 : 0.8 left tc rgb "#000002"
-set label 2 NARROW ? "Verlet" : "velocity Verlet" at NARROW ? 28 : 30,0.012 left tc rgb "#000003"
-set label 3 "RK4 in float" at 1000,NARROW ? 1e-5 : 3e-5 left tc rgb "#000004"
-set label 4 "RK4 in double" at 760,3e-11 right tc rgb "#000004"
+set label 1 "symplectic Euler" at 500,NARROW ? 2 : 0.8 left tc ls SYMPLECTIC_EULER
+set label 2 NARROW ? "Verlet" : "velocity Verlet" at NARROW ? 28 : 30,0.012 left tc ls VELOCITY_VERLET
+set label 3 "RK4 in float" at 1000,NARROW ? 1e-5 : 3e-5 left tc ls RK4
+set label 4 "RK4 in double" at 760,3e-11 right tc ls RK4
 tip = "%d steps a second: %.2g m in double, %.2g m in float"
 plot file("floor") using col("steps per second"):col("symplectic Euler") with lines ls SYMPLECTIC_EULER dt solid lw 1.2, file("floor") using col("steps per second"):col("symplectic Euler float") with linespoints ls SYMPLECTIC_EULER, \
      file("floor") using col("steps per second"):col("velocity Verlet") with lines ls VELOCITY_VERLET lw 1.2, file("floor") using col("steps per second"):col("velocity Verlet float") with linespoints ls VELOCITY_VERLET, \

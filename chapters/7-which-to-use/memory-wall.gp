@@ -4,7 +4,7 @@ set xrange [3000:6.5e6]
 set yrange [0:2.5]
 set xtics ("4096" 4096, "65 536" 65536, "10^{6}" 1e6, "4×10^{6}" 4e6)
 unset mxtics
-set label 4 "grey: memory alone" at graph 0.99,0.6 right tc rgb "#000009"
+set label 4 "grey: memory alone" at graph 0.99,0.6 right tc ls CONTEXT
 visit = exact("steps-a-visit")
 tip = "%d particles: %.2f ns"
 place(name) = sprintf(tip, val("particles"), val(name))

@@ -19,8 +19,8 @@ do for [k=0:11] {
   set label k+1 methods[k+1] at left(k),low(k)+2.25 left font NARROW ? "Book Sans,12" : "Book Sans,15" tc ls look(methods[k+1])
 }
 do for [k=12-across:11] {
-  set label 20+k "0" at left(k),low(k)-0.24 left tc rgb "#000007"
-  set label 40+k number("camera-watched") at left(k)+4,low(k)-0.24 right tc rgb "#000007"
+  set label 20+k "0" at left(k),low(k)-0.24 left tc ls EXACT
+  set label 40+k number("camera-watched") at left(k)+4,low(k)-0.24 right tc ls EXACT
 }
 most = 1.5  # of the stretch, one at the start; what leaves the panel ends at its edge
 along(k) = left(k) + 4*val("t")/exact("camera-watched")

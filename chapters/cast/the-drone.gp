@@ -10,7 +10,7 @@ set xrange [-16:16]
 set yrange [-13:13]
 fence = exact("drone-fence") / exact("drone-radius")
 set label 1 "tower" at 0,-2 center
-set label 2 "fence" at -10.2,-11.4 center tc rgb "#000008"
+set label 2 "fence" at -10.2,-11.4 center tc ls LIMIT
 set label 9 "" at 0,0 point ls CONTEXT pt 9 ps 1.2
 plot file("drone") using (fence * val("x")):(fence * val("y")) with lines ls LIMIT, \
      file("drone") using col("x"):col("y") with lines ls CONTEXT, \

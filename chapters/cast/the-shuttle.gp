@@ -8,7 +8,7 @@ set bmargin 0
 set size ratio -1
 set xrange [-17:7]
 set yrange [-10:10]
-set label 1 "race" at -4.5,6.6 center tc rgb "#00000b"
+set label 1 "race" at -4.5,6.6 center tc ls SECOND
 set label 9 "" at 0,0 point ls CONTEXT pt 7 ps 1.6
 plot file("race-shuttle") using col("x"):col("y") with lines ls SECOND lw 1.4, \
      file("shuttle") using col("x"):col("y") with lines ls FIRST lw 1.4, \

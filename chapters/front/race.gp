@@ -24,7 +24,7 @@ do for [i=1:8] {
   set tmargin at screen 1 - real(row)/rows - 46.0/HEIGHT
   set bmargin at screen 1 - (row + 1.0)/rows + 6.0/HEIGHT
   set label 1 (method eq "velocity Verlet" ? "Verlet" : method) at graph 0.5,1.0 center offset 0,1.55
-  set label 2 fate at graph 0.5,1.0 center offset 0,0.55 font ",13" tc rgb "#000007"
+  set label 2 fate at graph 0.5,1.0 center offset 0,0.55 font ",13" tc ls EXACT
   # Who has left or crashed has no last turn; where there are few turns, each is drawn like a last one.
   from = fate eq "flies off" || fate eq "crashes" ? 0 : 152
   # Euler's shuttle comes back much later, from far outside.

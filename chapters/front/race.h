@@ -33,7 +33,7 @@ void race(const Step& step, double rate, Observe&& observe) {
   observe(0.0, s);
   for (long n = 0; n < std::lround(turns * shuttle_turn / h) && s.x.norm() > planet; ++n) {
     measure::advance(step, kept, double(n) * h, h, race_shuttle);
-    s = measure::seen(step, kept, double(n + 1) * h, h, race_shuttle);
+    s = measure::state_of(step, kept, double(n + 1) * h, h, race_shuttle);
     observe(double(n + 1) * h, s);
   }
 }

@@ -67,7 +67,7 @@ double seconds_per_step_of_many(Step step, const Scene& scene, double h, std::si
       for (auto& kept : all) advance(step, kept, double(n) * h, h, scene);
     }
     double sum = 0;
-    for (auto& kept : all) sum += length(seen(step, kept, double(stretch) * h, h, scene).x);
+    for (auto& kept : all) sum += length(state_of(step, kept, double(stretch) * h, h, scene).x);
     return sum;
   };
   return seconds_per_call<Clock>(run, 1) / static_cast<double>(stretch * static_cast<long>(bodies));

@@ -20,8 +20,8 @@ struct Stepper {
   using Kept = std::vector<Vec>;
   Kept (*start)(const scenes::State<Vec>& s, double h, const Force<Vec>& force) = nullptr;
   void (*step)(Kept& kept, double t, double h, const Force<Vec>& force) = nullptr;
-  scenes::State<Vec> (*seen)(const Kept& kept, double t, double h,
-                             const Force<Vec>& force) = nullptr;
+  scenes::State<Vec> (*state_of)(const Kept& kept, double t, double h,
+                                 const Force<Vec>& force) = nullptr;
 };
 
 /// Any method of the book, as an object that run() and the other measurements take. Its steps have
@@ -51,9 +51,9 @@ class Method {
 
   /// The state that it stands for.
   template <class Vec, class Scene>
-  scenes::State<Vec> seen(const std::vector<Vec>& kept, double t, double h,
-                          const Scene& scene) const {
-    return on<Vec>().seen(kept, t, h, Force<Vec>(scene));
+  scenes::State<Vec> state_of(const std::vector<Vec>& kept, double t, double h,
+                              const Scene& scene) const {
+    return on<Vec>().state_of(kept, t, h, Force<Vec>(scene));
   }
 
  private:

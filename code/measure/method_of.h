@@ -31,7 +31,7 @@ constexpr Stepper<Vec> stepper_of() {
               measure::advance(Step(), kept, t, h, force);
             },
             [](const Kept& kept, double t, double h, const Force<Vec>& force) {
-              return measure::seen(Step(), kept, t, h, force);
+              return measure::state_of(Step(), kept, t, h, force);
             }};
   } else {
     return {};

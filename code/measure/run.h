@@ -44,10 +44,10 @@ void advance(const Step& step, Kept& kept, Real t, Real h, const Scene& scene) {
 /// @param h  step size [s]
 /// @param scene  the acceleration, called as `scene(x, v, t)`
 template <class Step, class Kept, class Real, class Scene>
-scenes::State<typename Kept::value_type> seen(const Step& step, const Kept& kept, Real t, Real h,
-                                              const Scene& scene) {
-  if constexpr (requires { step.seen(kept, t, h, scene); }) {
-    return step.seen(kept, t, h, scene);
+scenes::State<typename Kept::value_type> state_of(const Step& step, const Kept& kept, Real t,
+                                                  Real h, const Scene& scene) {
+  if constexpr (requires { step.state_of(kept, t, h, scene); }) {
+    return step.state_of(kept, t, h, scene);
   } else {
     return {kept[0], kept[1]};
   }
@@ -71,7 +71,7 @@ void run(Step step, const Scene& scene, scenes::State<Vec>& s, Real h, long step
   observe(Real(0), s);
   for (long n = 0; n < steps; ++n) {
     advance(step, kept, Real(n) * h, h, scene);
-    s = seen(step, kept, Real(n + 1) * h, h, scene);
+    s = state_of(step, kept, Real(n + 1) * h, h, scene);
     observe(Real(n + 1) * h, s);
   }
 }
@@ -88,7 +88,7 @@ scenes::State<Vec> after(Step step, const Scene& scene, const scenes::State<Vec>
                          long steps) {
   auto kept = start(step, s, h, scene);
   for (long n = 0; n < steps; ++n) advance(step, kept, Real(n) * h, h, scene);
-  return seen(step, kept, Real(steps) * h, h, scene);
+  return state_of(step, kept, Real(steps) * h, h, scene);
 }
 
 }  // namespace measure

@@ -55,7 +55,7 @@ std::vector<State<Real>> steps_of_header(const Force& force, const State<Real>& 
   auto kept = measure::start(Method(), start, h, force);
   for (int n = 0; n < count; ++n) {
     measure::advance(Method(), kept, Real(n) * h, h, force);
-    states.push_back(measure::seen(Method(), kept, Real(n + 1) * h, h, force));
+    states.push_back(measure::state_of(Method(), kept, Real(n + 1) * h, h, force));
   }
   return states;
 }

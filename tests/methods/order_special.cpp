@@ -29,7 +29,7 @@ struct LongAndShort {
     integrate::stormer_verlet_uneven(kept[0], kept[1], t + lengthy, brief, lengthy, scene);
   }
   template <class Vec, class Real, class Scene>
-  static scenes::State<Vec> seen(const std::array<Vec, 2>& kept, Real, Real h, const Scene&) {
+  static scenes::State<Vec> state_of(const std::array<Vec, 2>& kept, Real, Real h, const Scene&) {
     return {kept[0], integrate::stormer_verlet_velocity(kept[0], kept[1], Real(0.375) * h)};
   }
 };

@@ -32,7 +32,7 @@ Errors largest_errors(const Step& step, const Problem<Real, Scene, Vec>& problem
   for (int n = 0; n < 8 * steps; ++n) {
     measure::advance(step, kept, Real(n) * h, h, problem.scene);
     if ((n + 1) % steps != 0) continue;
-    const auto now = measure::seen(step, kept, Real(n + 1) * h, h, problem.scene);
+    const auto now = measure::state_of(step, kept, Real(n + 1) * h, h, problem.scene);
     const auto& truth = problem.truth[std::size_t((n + 1) / steps - 1)];
     const double in_position = double(equation::length(Vec(now.x - truth.x)));
     const double in_velocity = double(equation::length(Vec(now.v - truth.v)));

@@ -25,7 +25,7 @@ struct KeepsAcceleration {
   }
   /// The state that it stands for.
   template <class Kept, class Real, class Scene>
-  static StateOf<Kept> seen(const Kept& kept, Real, Real, const Scene&) {
+  static StateOf<Kept> state_of(const Kept& kept, Real, Real, const Scene&) {
     return {kept[0], kept[1]};
   }
 };

@@ -26,7 +26,7 @@ struct KeepsTwoPositions {
   }
   /// The state that it stands for, its velocity half a step late.
   template <class Kept, class Real, class Scene>
-  static StateOf<Kept> seen(const Kept& kept, Real, Real h, const Scene&) {
+  static StateOf<Kept> state_of(const Kept& kept, Real, Real h, const Scene&) {
     return {kept[0], integrate::stormer_verlet_velocity(kept[0], kept[1], h)};
   }
 };
@@ -52,7 +52,7 @@ struct Leapfrog : Orders<2, 2, 1> {
   }
   /// The state that it stands for; asks for the acceleration to bring the velocity up to date.
   template <class Kept, class Real, class Scene>
-  static StateOf<Kept> seen(const Kept& kept, Real t, Real h, const Scene& scene) {
+  static StateOf<Kept> state_of(const Kept& kept, Real t, Real h, const Scene& scene) {
     return {kept[0], integrate::leapfrog_velocity(kept[0], kept[1], t, h, scene)};
   }
 };
@@ -98,7 +98,7 @@ struct StormerVerletCarried : Orders<2> {
   }
   /// The state that it stands for, its velocity brought up to date.
   template <class Kept, class Real, class Scene>
-  static StateOf<Kept> seen(const Kept& kept, Real, Real h, const Scene&) {
+  static StateOf<Kept> state_of(const Kept& kept, Real, Real h, const Scene&) {
     return {kept[0], integrate::stormer_verlet_carried_velocity(kept[0], kept[1], kept[2], h)};
   }
 };
