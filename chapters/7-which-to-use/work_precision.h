@@ -54,11 +54,14 @@ inline void work_energy(measure::Record& record) {
 
 inline constexpr int shuttles_at_once = 512;  ///< for which a step of one was timed
 
+/// What the time of a step of one of them is called.
+inline std::string timed_of_many(const measure::Method& method) {
+  return std::to_string(shuttles_at_once) + " shuttles/" + std::string(method.name);
+}
+
 /// The recorded time of a step of one of them [ns].
 inline double time_of_many(const measure::Method& method) {
-  return measure::recorded_times()
-      .at(std::to_string(shuttles_at_once) + " shuttles/" + std::string(method.name))
-      .median;
+  return measure::recorded_times().at(timed_of_many(method)).median;
 }
 
 /// What a step is charged, and the time that it takes: of one shuttle alone, and of one of many.
@@ -69,11 +72,12 @@ inline void step_times(measure::Record& record) {
   for (const measure::Method* method : entrants) {
     const std::string name(method->name);
     table.add({name, double(price(*method, shuttle, frame)), "time:shuttle/" + name,
-               "time:512 shuttles/" + name});
+               "time:" + timed_of_many(*method)});
   }
 }
 
-/// The errors of the shuttle beside the recorded times of a step of one of 512.
+/// The errors of the shuttle beside the recorded times of a step of one of 512. A new method has no
+/// time until somebody records all of them anew.
 inline void work_time(measure::Record& record) {
   record.number("shuttles-at-once", shuttles_at_once, measure::whole);
   auto& table = record.table("work-time", {{"method"},
@@ -81,6 +85,7 @@ inline void work_time(measure::Record& record) {
                                            {"time per second of play", "µs"},
                                            {"largest error", "m"}});
   for (const measure::Method* method : entrants) {
+    if (!measure::recorded_times().of.contains(timed_of_many(*method))) continue;
     for (const int rate : rates) {
       table.add({method->name, double(rate), 1e-3 * rate * time_of_many(*method),
                  off(*method, shuttle, 1.0 / rate, 8)});

@@ -159,6 +159,7 @@ void orbits(Record& record) {
 
 void ropes(Record& record) {
   const auto rope = rope_on_a_nail(1e4);
+  record.number("rope-drawn", 1e-3 * rope.k, 2, "kN/m");
   record.number("rope-length", rope.length, 1, "m");
   record.number("rope-beads", rope.count, whole);
   record.number("rope-springs", rope_of_springs.count - 1, whole);
