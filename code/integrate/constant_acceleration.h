@@ -12,6 +12,7 @@
 
 namespace integrate {
 
+// [signature]
 /// One step as if the acceleration stayed what it is at the start of the step.
 ///
 /// Exact for any h under a constant force. Order 1 otherwise, one evaluation of the acceleration,
@@ -23,7 +24,6 @@ namespace integrate {
 /// @param h  step size [s]; a negative step goes back in time
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see Galileo, Discorsi (1638), third day, proposition II
-// [signature]
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void constant_acceleration(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
   // [signature]

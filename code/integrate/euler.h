@@ -12,6 +12,7 @@
 
 namespace integrate {
 
+// [signature]
 /// One step of Euler's method: position and velocity both move along the tangent at the start.
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag while c*h < 2, on a damped spring
@@ -24,7 +25,6 @@ namespace integrate {
 /// @param h  step size [s]; a negative step goes back in time
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see L. Euler, Institutionum calculi integralis, volume 1 (1768), chapter 7
-// [signature]
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
   // [signature]

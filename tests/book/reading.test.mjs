@@ -57,7 +57,10 @@ test('the copy button copies the lines of the source, and no line numbers', asyn
   const [page] = (await listing.locator('a.file').getAttribute('href')).split('#');
   const numbers = await listing.locator('[data-n]').evaluateAll(marks => marks.map(mark => Number(mark.dataset.n)));
   const source = parse(page)('pre').text().split('\n');
-  const lines = numbers.map(n => source[n - 1]);
+  const places = parse(page)('pre [data-n]')
+    .toArray()
+    .map(mark => Number(mark.attribs['data-n']));
+  const lines = numbers.map(n => source[places.indexOf(n)]);
   const indent = Math.min(...lines.filter(line => line.trim()).map(line => line.search(/\S/)));
   assert.deepEqual(
     copied,

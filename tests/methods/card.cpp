@@ -173,6 +173,7 @@ TEST_CASE("Euler's first lines are right about damped springs") {
   const auto words = every_promise();
   const auto euler = std::find_if(words.begin(), words.end(),
                                   [](const Promise& promise) { return promise.method == "euler"; });
+  REQUIRE(euler != words.end());
   match(euler->words,
         "h\\*omega < 2\\*zeta \\(zeta <= 1\\) or 2\\*\\(zeta - sqrt\\(zeta\\^2 - 1\\)\\)");
   check_limit(card.at("spring-limit-0.1"), "0.2");
@@ -186,6 +187,7 @@ TEST_CASE("Predicted Euler's first lines are right about more corrections") {
   const auto predicted = std::find_if(words.begin(), words.end(), [](const Promise& promise) {
     return promise.method == "predicted_euler";
   });
+  REQUIRE(predicted != words.end());
   const auto found = match(predicted->words,
                            "with two the limits are ([0-9.]+) and ([0-9.]+), with three 1 again");
   const Card card = card_of("predicted_euler");
