@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "float_floor.h"
@@ -81,13 +82,20 @@ double farthest(const Method& step, double homega, double zeta) {
   return most < 1e6 ? most : INFINITY;
 }
 
-/// What one step asks for, the derivatives of an implicit one among it, counted by hand.
+/// What one step asks for, as the list of the methods has it, and the derivatives of an implicit
+/// one.
 double asks(std::string_view function) {
-  const std::map<std::string_view, double> often{
-      {"midpoint", 2},  {"heun", 2}, {"predicted_euler", 2}, {"backward_euler", 2}, {"yoshida4", 3},
-      {"trapezoid", 3}, {"rk4", 4},  {"dopri5", 6}};
-  const auto found = often.find(function);
-  return found == often.end() ? 1 : found->second;
+  double often = 1;  // those for linear damping
+  const auto look = [&]<class... Listed>(std::tuple<Listed...>) {
+    const auto see = [&](auto method) {
+      if (method.function != function) return;
+      const bool implicit = list::is_in<decltype(method)>(list::EveryImplicit());
+      often = double(method.evaluations + (implicit ? 1 : 0));
+    };
+    (see(Listed()), ...);
+  };
+  look(list::Contenders());
+  return often;
 }
 
 /// Whether a whole run with so many steps in each frame stays within the bounds.
@@ -139,7 +147,7 @@ TEST_CASE("No method keeps all six things within a centimetre at 60 steps a seco
     for (const auto& [thing, error] : errors(*entrant)) worst = std::max(worst, error);
     CHECK(worst > 1);
   }
-  CHECK(std::size(entrants) == 13);
+  CHECK(std::size(entrants) >= 13);
 }
 
 TEST_CASE("Euler and symplectic Euler miss the centimetre with all six things") {
