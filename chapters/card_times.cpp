@@ -7,15 +7,12 @@
 
 namespace {
 
-template <class Listed, class Scene>
-void add(std::vector<measure::Timed>& all, const Scene& scene) {
-  all.push_back({"card/" + std::string(Listed::function),
-                 [scene] { return measure::seconds_per_step(Listed(), scene, 1e-5); }});
-}
-
-template <class... Listed, class Scene>
-void add_each(std::vector<measure::Timed>& all, std::tuple<Listed...>, const Scene& scene) {
-  (add<Listed>(all, scene), ...);
+template <class List, class Scene>
+void add_each(std::vector<measure::Timed>& all, List methods, const Scene& scene) {
+  list::for_each(methods, [&](auto method) {
+    all.push_back({"card/" + std::string(method.function),
+                   [method, scene] { return measure::seconds_per_step(method, scene, 1e-5); }});
+  });
 }
 
 }  // namespace

@@ -43,24 +43,18 @@ measure::Timed best_of_five(const measure::Timed& timed) {
           }};
 }
 
-/// Timed are the headers' own functions, which the compiler sees through.
-template <class... Listed>
-void add_entrants(std::vector<measure::Timed>& all, std::tuple<Listed...>) {
-  const auto add = [&all](auto method) {
+}  // namespace
+
+void add_shuttle_times(std::vector<measure::Timed>& all) {
+  // The headers' own functions, which the compiler sees through.
+  list::for_each(list::Contenders(), [&all](auto method) {
     const std::string name(method.name);
     all.push_back({"shuttle/" + name,
                    [method] { return measure::seconds_per_step(method, shuttle, brief); }});
     all.push_back({"512 shuttles/" + name, [method] {
                      return measure::seconds_per_step_of_many(method, shuttle, brief, 512);
                    }});
-  };
-  (add(Listed()), ...);
-}
-
-}  // namespace
-
-void add_shuttle_times(std::vector<measure::Timed>& all) {
-  add_entrants(all, list::Contenders());
+  });
 }
 
 void add_particle_times(std::vector<measure::Timed>& all) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // Which methods have a card, and which lines make sense on it.
 #include <stdexcept>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -59,7 +58,7 @@ void more_corrections(Card& card) {
 }
 
 template <class Listed>
-Card explicit_one() {
+Card explicit_one(Listed) {
   const Method& method = compiled<Listed>;
   // On an orbit, errors of higher order hide those of the fifth until rounding hides both.
   Card card = Listed::order < 5 ? any(method, Passing(), "on an orbit", 1.0 / 32)
@@ -133,10 +132,8 @@ const Cell& Card::at(const std::string& name) const {
 
 std::vector<Card> every_card() {
   std::vector<Card> all;
-  const auto add_explicit = [&all]<class... Listed>(std::tuple<Listed...>) {
-    (all.push_back(explicit_one<Listed>()), ...);
-  };
-  add_explicit(list::EveryExplicit());
+  list::for_each(list::EveryExplicit(),
+                 [&all](auto method) { all.push_back(explicit_one(method)); });
   all.push_back(adaptive());
   for (const Method* method : all_compiled(list::EveryImplicit())) all.push_back(implicit(*method));
   for (const Method* method : all_compiled(list::EveryOnSprings())) {

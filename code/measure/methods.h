@@ -48,6 +48,12 @@ constexpr bool is_in(std::tuple<Methods...>) {
   return (std::is_same_v<Method, Methods> || ...);
 }
 
+/// Calls something with an object of each type of a list.
+template <class... Methods, class Go>
+void for_each(std::tuple<Methods...>, Go go) {
+  (go(Methods()), ...);
+}
+
 // A method that says too little is refused below, in a sentence, and is left out of the lists, so
 // that the sentence is all that the compiler says.
 /// Refuses methods that say too little.
@@ -104,7 +110,6 @@ using Chosen = List;
 #endif
 
 using Explicit = Chosen<EveryExplicit>;    ///< those to go over
-using Implicit = Chosen<EveryImplicit>;    ///< those to go over
 using OnSprings = Chosen<EveryOnSprings>;  ///< those to go over
 using Damping = Chosen<EveryDamping>;      ///< those to go over
 using General = Chosen<EveryGeneral>;      ///< those to go over

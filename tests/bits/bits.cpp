@@ -63,12 +63,6 @@ void print(const char* where, const Scene& scene, scenes::State<Vec> s, double h
   }
 }
 
-// Calls `go` with an object of each type of a list.
-template <class... Methods, class Go>
-void for_each(std::tuple<Methods...>, Go go) {
-  (go(Methods()), ...);
-}
-
 }  // namespace
 
 int main() {
@@ -77,15 +71,15 @@ int main() {
   const scenes::State<Eigen::Vector2d> pericentre{{0.4, 0}, {0, 2}};
   const scenes::OuterSolarSystem<> planets;
   const scenes::Spring<> spring{.omega = 3, .zeta = 0.01};
-  for_each(list::General(), [&](auto method) {
+  list::for_each(list::General(), [&](auto method) {
     using Method = decltype(method);
     print<Method>("pendulum", pendulum, pendulum.start(), 1e-3, 10'000);
     print<Method>("orbit", orbit, pericentre, 1e-3, 5000);
   });
-  for_each(list::Explicit(), [&](auto method) {
+  list::for_each(list::Explicit(), [&](auto method) {
     print<decltype(method)>("planets", planets, planets.start(), 10.0, 500);
   });
-  for_each(std::tuple_cat(list::OnSprings(), list::Damping()), [&](auto method) {
+  list::for_each(list::Joined<list::OnSprings, list::Damping>(), [&](auto method) {
     print<decltype(method)>("spring", spring, spring.start(), 1e-3, 10'000);
   });
 }

@@ -1,9 +1,10 @@
 // Every name of std that a file uses comes from a standard header that it includes, or that one of our own headers included by it
 // does. What comes with another standard header by chance comes with this compiler's alone.   node includes.test.mjs SOURCE
 import assert from 'node:assert/strict';
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { dirname, join, normalize } from 'node:path';
 import { test } from 'node:test';
+import { sourceFiles } from '../source_files.mjs';
 import { headersOf } from './std_headers.mjs';
 
 const source = process.argv[2];
@@ -55,10 +56,8 @@ function missing(file) {
   return [...found.values()];
 }
 
-const files = ['code', 'chapters', 'exercises', 'tests', 'book']
-  .flatMap(room => readdirSync(join(source, room), { recursive: true }).map(name => `${room}/${name}`))
+const files = sourceFiles(source)
   .filter(name => /\.(cpp|h)$/.test(name))
-  .sort()
   // Not what students hand in, what is broken on purpose, and what is only woven.
   .filter(
     file =>

@@ -5,7 +5,6 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <stdexcept>
-#include <tuple>
 
 #include "measure/compiled.h"
 #include "measure/method_of.h"
@@ -15,7 +14,7 @@
 
 namespace {
 
-using Special = decltype(std::tuple_cat(list::Damping(), list::OnSprings()));
+using Special = list::Joined<list::Damping, list::OnSprings>;
 
 // Neither has a Jacobian or a damping to hand on.
 const auto bare = [](double x, double, double) { return -x; };

@@ -42,11 +42,11 @@ static_assert(std::is_same_v<list::Where<has_formula>, list::General>,
               "tests/methods/textbook has no formula of a method in code/measure/methods");
 
 using MoreCorrections = std::tuple<MoreCorrected<2>, MoreCorrected<3>>;
-using AllMethods = decltype(std::tuple_cat(list::Where<has_formula>(), MoreCorrections()));
+using AllMethods = list::Joined<list::Where<has_formula>, MoreCorrections>;
 constexpr auto is_explicit = [](auto method) {
   return has_formula(method) && list::is_in<decltype(method)>(list::EveryExplicit());
 };
-using AllExplicit = decltype(std::tuple_cat(list::Where<is_explicit>(), MoreCorrections()));
+using AllExplicit = list::Joined<list::Where<is_explicit>, MoreCorrections>;
 
 template <class Method, class Real, class Force>
 std::vector<State<Real>> steps_of_header(const Force& force, const State<Real>& start, Real h,

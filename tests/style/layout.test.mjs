@@ -1,17 +1,14 @@
 // C++ as .clang-format says, JavaScript as .prettierrc.json does.   node layout.test.mjs SOURCE CLANG_FORMAT
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { readdirSync } from 'node:fs';
-import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { sourceFiles } from '../source_files.mjs';
 
 const [source, clangFormat] = process.argv.slice(2);
 
 // Without what is broken or hostile on purpose, and what is only woven.
-const files = ['code', 'chapters', 'exercises', 'tests', 'book']
-  .flatMap(room => readdirSync(join(source, room), { recursive: true }).map(name => `${room}/${name}`))
-  .filter(file => !/^tests\/(grader\/corpus|weave\/sample)\//.test(file));
+const files = sourceFiles(source).filter(file => !/^tests\/(grader\/corpus|weave\/sample)\//.test(file));
 
 test('C++', () => {
   const sources = files.filter(file => /\.(cpp|h)$/.test(file));

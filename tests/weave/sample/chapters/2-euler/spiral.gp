@@ -1,3 +1,3 @@
 # The planet's way outwards.
 set output OUT . NAME . ".svg"
-plot file("growth") using 1:2 with lines title "Euler"
+plot file("growth") using col("h"):col("factor") with lines title "Euler"
