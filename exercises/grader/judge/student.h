@@ -45,7 +45,6 @@ class Student {
   std::unique_ptr<cage::Process> process_;
   Acceleration acceleration_;
   std::vector<Evaluation> evaluations_;
-  std::size_t calls_ = 0;
 };
 
 }  // namespace judge
