@@ -25,19 +25,21 @@
 
 namespace integrate {
 
-/// The weights of dopri5: each row makes a stage of the slopes before it. The last stage but one is
-/// the new state; the last row is what it differs by from a solution of order 4.
-inline constexpr double dopri5_weights[7][7] = {
-    {1.0 / 5},
-    {3.0 / 40, 9.0 / 40},
-    {44.0 / 45, -56.0 / 15, 32.0 / 9},
-    {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-    {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-    {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
-    {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40}};
-
-/// When the stages of dopri5 are evaluated, in parts of the step.
-inline constexpr double dopri5_times[6] = {1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
+/// The weights of dopri5, in parts of a step: stage i is at c_i and goes along slope j by a_ij.
+/// Stage 7 is the end. It is e_j of each slope away from the end of order 4.
+struct Dopri5Weights {
+  static constexpr double c2 = 1.0 / 5, a21 = 1.0 / 5;
+  static constexpr double c3 = 3.0 / 10, a31 = 3.0 / 40, a32 = 9.0 / 40;
+  static constexpr double c4 = 4.0 / 5, a41 = 44.0 / 45, a42 = -56.0 / 15, a43 = 32.0 / 9;
+  static constexpr double c5 = 8.0 / 9, a51 = 19372.0 / 6561, a52 = -25360.0 / 2187,
+                          a53 = 64448.0 / 6561, a54 = -212.0 / 729;
+  static constexpr double c6 = 1, a61 = 9017.0 / 3168, a62 = -355.0 / 33, a63 = 46732.0 / 5247,
+                          a64 = 49.0 / 176, a65 = -5103.0 / 18656;
+  static constexpr double c7 = 1, a71 = 35.0 / 384, a73 = 500.0 / 1113, a74 = 125.0 / 192,
+                          a75 = -2187.0 / 6784, a76 = 11.0 / 84;
+  static constexpr double e1 = 71.0 / 57600, e3 = -71.0 / 16695, e4 = 71.0 / 1920,
+                          e5 = -17253.0 / 339200, e6 = 22.0 / 525, e7 = -1.0 / 40;
+};
 
 /// How far two solutions of dopri5, of order 5 and 4, are apart.
 template <class Vec>
@@ -83,24 +85,40 @@ constexpr Dopri5Error<Vec> dopri5(Vec& x, Vec& v, Vec& a, Time t, Real h,
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales) {
     // [move]
-    Vec velocities[7] = {v, v, v, v, v, v, v};
-    Vec accelerations[7] = {a, a, a, a, a, a, a};
-    const auto sum = [h](const Vec* slopes, int row) {
-      Vec total = (h * Real(dopri5_weights[row][0])) * slopes[0];
-      for (int n = 1; n <= row; ++n) total = total + (h * Real(dopri5_weights[row][n])) * slopes[n];
-      return total;
-    };
-    Vec x_end = x;
-    for (int stage = 1; stage < 7; ++stage) {
-      x_end = x + sum(velocities, stage - 1);
-      velocities[stage] = v + sum(accelerations, stage - 1);
-      accelerations[stage] =
-          acceleration(x_end, velocities[stage], t + h * Real(dopri5_times[stage - 1]));
-    }
-    x = x_end;
-    v = velocities[6];
-    a = accelerations[6];
-    return {sum(velocities, 6), sum(accelerations, 6)};
+    using W = Dopri5Weights;
+    const auto part = [h](double weight) { return h * Real(weight); };
+    const Vec x2 = x + part(W::a21) * v;
+    const Vec v2 = v + part(W::a21) * a;
+    const Vec a2 = acceleration(x2, v2, t + part(W::c2));
+    const Vec x3 = x + (part(W::a31) * v + part(W::a32) * v2);
+    const Vec v3 = v + (part(W::a31) * a + part(W::a32) * a2);
+    const Vec a3 = acceleration(x3, v3, t + part(W::c3));
+    const Vec x4 = x + (part(W::a41) * v + part(W::a42) * v2 + part(W::a43) * v3);
+    const Vec v4 = v + (part(W::a41) * a + part(W::a42) * a2 + part(W::a43) * a3);
+    const Vec a4 = acceleration(x4, v4, t + part(W::c4));
+    const Vec x5 =
+        x + (part(W::a51) * v + part(W::a52) * v2 + part(W::a53) * v3 + part(W::a54) * v4);
+    const Vec v5 =
+        v + (part(W::a51) * a + part(W::a52) * a2 + part(W::a53) * a3 + part(W::a54) * a4);
+    const Vec a5 = acceleration(x5, v5, t + part(W::c5));
+    const Vec x6 = x + (part(W::a61) * v + part(W::a62) * v2 + part(W::a63) * v3 +
+                        part(W::a64) * v4 + part(W::a65) * v5);
+    const Vec v6 = v + (part(W::a61) * a + part(W::a62) * a2 + part(W::a63) * a3 +
+                        part(W::a64) * a4 + part(W::a65) * a5);
+    const Vec a6 = acceleration(x6, v6, t + part(W::c6));
+    const Vec x7 = x + (part(W::a71) * v + part(W::a73) * v3 + part(W::a74) * v4 +
+                        part(W::a75) * v5 + part(W::a76) * v6);
+    const Vec v7 = v + (part(W::a71) * a + part(W::a73) * a3 + part(W::a74) * a4 +
+                        part(W::a75) * a5 + part(W::a76) * a6);
+    const Vec a7 = acceleration(x7, v7, t + part(W::c7));
+    const Dopri5Error<Vec> error{part(W::e1) * v + part(W::e3) * v3 + part(W::e4) * v4 +
+                                     part(W::e5) * v5 + part(W::e6) * v6 + part(W::e7) * v7,
+                                 part(W::e1) * a + part(W::e3) * a3 + part(W::e4) * a4 +
+                                     part(W::e5) * a5 + part(W::e6) * a6 + part(W::e7) * a7};
+    x = x7;
+    v = v7;
+    a = a7;
+    return error;
     // [move]
   }
 }
