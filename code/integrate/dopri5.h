@@ -111,14 +111,15 @@ constexpr Dopri5Error<Vec> dopri5(Vec& x, Vec& v, Vec& a, Time t, Real h,
     const Vec v7 = v + (part(W::a71) * a + part(W::a73) * a3 + part(W::a74) * a4 +
                         part(W::a75) * a5 + part(W::a76) * a6);
     const Vec a7 = acceleration(x7, v7, t + part(W::c7));
-    const Dopri5Error<Vec> error{part(W::e1) * v + part(W::e3) * v3 + part(W::e4) * v4 +
-                                     part(W::e5) * v5 + part(W::e6) * v6 + part(W::e7) * v7,
-                                 part(W::e1) * a + part(W::e3) * a3 + part(W::e4) * a4 +
-                                     part(W::e5) * a5 + part(W::e6) * a6 + part(W::e7) * a7};
+    // Two sums of their own, since clang++ -O3 would pack one of both into every stage.
+    const Vec x_error = part(W::e1) * v + part(W::e3) * v3 + part(W::e4) * v4 + part(W::e5) * v5 +
+                        part(W::e6) * v6 + part(W::e7) * v7;
+    const Vec v_error = part(W::e1) * a + part(W::e3) * a3 + part(W::e4) * a4 + part(W::e5) * a5 +
+                        part(W::e6) * a6 + part(W::e7) * a7;
     x = x7;
     v = v7;
     a = a7;
-    return error;
+    return {x_error, v_error};
     // [move]
   }
 }
