@@ -585,6 +585,21 @@ TEST_CASE("With an adaptive step, players with other frames get another comet") 
   CHECK(apart > 100 * (sixty.end.x - pass(1200, nudged).end.x).norm());
 }
 
+TEST_CASE("Read out of its path in frames, the comet is the same for all and costs nothing more") {
+  const Passage alone = pass(1), sixty = read(1200), fast = read(2880);
+  CHECK((sixty.end.x == fast.end.x && sixty.end.v == fast.end.v));
+  CHECK(sixty.total() == fast.total());
+  CHECK(sixty.total() == alone.total());
+  // A step is taken in few of the frames, and most are read out of one that is there.
+  CHECK(sixty.cheapest() == 0);
+}
+
+TEST_CASE("In no frame is the comet that runs ahead further off than at the end of its year") {
+  const Passage read_out = read(1200);
+  CHECK(read_out.farthest == read_out.error);
+  CHECK(read_out.farthest < 1.01 * pass(1).error);
+}
+
 TEST_CASE("In steps of one length, players with other frames get the same comet to the last bit") {
   const auto sixty = end_of_fixed_steps(60), fast = end_of_fixed_steps(144);
   CHECK(sixty.x == fast.x);
