@@ -552,6 +552,24 @@ TEST_CASE("No method keeps the level within a centimetre with fewer steps than i
   });
 }
 
+TEST_CASE("In uneven frames RK4 in one step and Störmer–Verlet miss the example's bound ninefold") {
+  const Contest found = full_contest(example, example_bounds);
+  const Entry& one_step = entry_of(found, rk4);
+  CHECK(one_step.last.substeps == 1);
+  CHECK(one_step.uneven > 9 * example_bounds.error);
+  CHECK(entry_of(found, method::stormer_verlet).uneven > 9 * example_bounds.error);
+  CHECK(entry_of(found, velocity_verlet).uneven <= example_bounds.error);
+}
+
+TEST_CASE(
+    "On an orbit of eccentricity 0.9 adaptive steps cost a fourteenth of the cheapest equal ones") {
+  const Contest found =
+      full_contest(scenes::Orbit<>{.eccentricity = 0.9, .mu = 100}, {.error = 0.01});
+  const Entry& best = found.methods.front();
+  REQUIRE(best.good);
+  CHECK_THAT(best.evaluations / found.undisturbed.front().evaluations, WithinAbs(14, 0.5));
+}
+
 TEST_CASE("When nothing meets the bounds the nearest miss comes first") {
   const Bounds bounds{.hz = 10, .seconds = 1, .error = 1e-18};
   const Contest found = contest(shuttle, bounds);

@@ -6,12 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "frames/recorded.h"
+#include "integrate/dopri5.h"
 #include "level.h"
+#include "prices.h"
 
 /// What is wanted of a method.
 struct Bounds {
@@ -28,9 +32,10 @@ inline constexpr long most_substeps = 1024;  ///< in one frame
 
 /// What one run came to.
 struct Attempt {
-  long substeps = 0;  ///< steps in each frame
-  double error = 0;   ///< share of how far the motion gets
-  double energy = 0;  ///< relative change, where energy is kept
+  long substeps = 0;     ///< steps in each frame; 0 if they do not end with the frames
+  double tolerance = 0;  ///< of an adaptive method, as a share of how far the motion gets
+  double error = 0;      ///< share of how far the motion gets
+  double energy = 0;     ///< relative change, where energy is kept
   bool good(const Bounds& bounds) const { return error <= bounds.error && energy <= bounds.energy; }
 };
 
@@ -38,11 +43,14 @@ struct Attempt {
 struct Entry {
   std::string name;                         ///< "exact step", or what the book calls the method
   const measure::Method* method = nullptr;  ///< never null
-  Attempt last{};          ///< the first that is good enough; if none is, the nearest miss
-  Attempt before{};        ///< with one step less; none if its `substeps` are zero
-  bool good = false;       ///< whether `last` meets the bounds
-  long tried = 0;          ///< steps in a frame at which the doubling ended
-  double evaluations = 0;  ///< in a second of play, for `last`
+  Attempt last{};             ///< the first that is good enough; if none is, the nearest miss
+  Attempt before{};           ///< with one step less; none if its `substeps` are zero
+  bool good = false;          ///< whether `last` meets the bounds
+  long tried = 0;             ///< steps in a frame at which the doubling ended
+  double evaluations = 0;     ///< in a second of play, for `last`
+  double microseconds = NAN;  ///< in a frame, for a thousand bodies, as recorded; NaN if it isn't
+  double uneven = 0;          ///< the error of `last` in frames as uneven as recorded ones
+  std::vector<Attempt> on_the_way{};  ///< what the doubling tried
 };
 
 /// Whether the scene's energy ought to stay what it is.
@@ -122,6 +130,43 @@ Attempt attempt(const measure::Method& method, const Scene& scene, const Bounds&
   return worst;
 }
 
+/// When frames end that are as uneven as those of `frames::recorded`, with a mean of `hz` [s].
+inline std::vector<double> uneven_frames(const Bounds& bounds) {
+  const auto& frames = frames::recorded;
+  const double sum = std::accumulate(frames.begin(), frames.end(), 0.0);
+  std::vector<double> ends;
+  double end = 0;
+  for (long n = 0; n < bounds.frames(); ++n) {
+    end += frames[std::size_t(n) % frames.size()] * double(frames.size()) / (sum * bounds.hz);
+    ends.push_back(end);
+  }
+  return ends;
+}
+
+/// The largest error in uneven frames, each cut into as many equal steps, as a share of `size`.
+template <class Scene>
+double uneven_error(const measure::Method& method, const Scene& scene, const Bounds& bounds,
+                    double size, long substeps) {
+  double worst = 0, begin = 0;
+  std::vector<double> ends = uneven_frames(bounds);
+  auto kept = measure::start(method, scene.start(), ends.front() / double(substeps), scene);
+  for (const double end : ends) {
+    const double h = (end - begin) / double(substeps);
+    try {
+      for (long n = 0; n < substeps; ++n)
+        measure::advance(method, kept, begin + double(n) * h, h, scene);
+    } catch (const std::runtime_error&) {
+      return INFINITY;
+    }
+    const auto now = measure::state_of(method, kept, end, h, scene);
+    const double error = measure::length(now.x - scene.exact(end).x) / size;
+    if (!(error <= worst)) worst = error;
+    if (!(worst < 1e3)) return INFINITY;
+    begin = end;
+  }
+  return worst;
+}
+
 /// Evaluations a second with so many steps in a frame.
 template <class Scene>
 double cost_of(const measure::Method& method, const Scene& scene, const Bounds& bounds,
@@ -139,6 +184,7 @@ Entry enter(const measure::Method& method, const Scene& scene, const Bounds& bou
   const long most = std::clamp(most_steps / bounds.frames(), 1L, most_substeps);
   for (long substeps = 1; !entry.good; substeps = std::min(2 * substeps, most)) {
     const Attempt now = attempt(method, scene, bounds, truth, substeps, INFINITY);
+    entry.on_the_way.push_back(now);
     entry.good = now.good(bounds);
     if (substeps == 1 || entry.good || nearer(now, entry.last, bounds)) entry.last = now;
     if (substeps == most) break;
@@ -168,6 +214,103 @@ void fill_in(Entry& entry, const Scene& scene, const Bounds& bounds, const Truth
   entry.evaluations = cost(entry.last.substeps);
 }
 // [enter]
+
+/// What a step costs in time is known of the things of the level: which of them a scene is like.
+inline const char* timed_as(const scenes::Spring<>&) {
+  return "suspension";
+}
+inline const char* timed_as(const scenes::Orbit<>&) {
+  return "shuttle";
+}
+inline const char* timed_as(const scenes::Pendulum<>&) {
+  return "lamp";
+}
+inline const char* timed_as(const scenes::LinearDrag<>&) {
+  return "leaf";
+}
+inline const char* timed_as(const Ball&) {
+  return "jump";
+}
+
+/// Adds what is not searched for: the price in time, and the error in uneven frames.
+template <class Scene>
+void complete(Entry& entry, const Scene& scene, const Bounds& bounds, double size) {
+  const char* thing = timed_as(scene);
+  const long substeps = entry.last.substeps;
+  if (has_step_time(thing, in_a_loop, *entry.method))
+    entry.microseconds = double(substeps) * step_time(thing, in_a_loop, *entry.method);
+  entry.uneven = uneven_error(*entry.method, scene, bounds, size, substeps);
+}
+
+/// The adaptive method, as it is called; its steps do not end with the frames.
+inline constexpr measure::Method adaptive{
+    "Dormand-Prince, adaptive", "dopri5_adaptive", "dopri5.h", {}, {}, {}};
+
+/// The tolerances that it is tried with, as shares of how far the motion gets.
+inline std::vector<double> ladder() {
+  std::vector<double> all;
+  for (int rung = 2; rung <= 28; ++rung) all.push_back(std::pow(10, -rung / 2.0));
+  return all;
+}
+
+/// A run of the adaptive method, read in frames.
+struct AdaptiveRun {
+  Attempt worst;
+  double evaluations = 0;  ///< in a second of play
+};
+
+/// Runs the scene with adaptive steps, and reads it at the ends of frames.
+/// @param ends  of the frames [s]
+template <class Scene>
+AdaptiveRun adaptive_run(const Scene& scene, const Bounds& bounds, const std::vector<double>& ends,
+                         double size, double tolerance) {
+  const measure::Counted<Scene> counted{scene};
+  const auto start = scene.start();
+  const auto norm = [](const auto& error) { return measure::length(error); };
+  AdaptiveRun run{.worst = {.tolerance = tolerance}};
+  const bool keeps = keeps_energy(scene);
+  auto path = integrate::dopri5_path(start.x, start.v, 0.0, 1 / bounds.hz, counted);
+  for (const double end : ends) {
+    if (!integrate::dopri5_adaptive(path, end, counted, norm, tolerance * size)) {
+      run.worst.error = INFINITY;
+      break;
+    }
+    const double error = measure::length(path.position(end) - scene.exact(end).x) / size;
+    if (!(error <= run.worst.error)) run.worst.error = error;
+    if constexpr (requires { scene.energy(start.x, start.v); }) {
+      const double first = scene.energy(start.x, start.v);
+      const double now = scene.energy(path.position(end), path.velocity(end));
+      run.worst.energy = std::max(run.worst.energy, keeps ? std::abs(now / first - 1) : 0);
+    }
+  }
+  run.evaluations = double(counted.evaluations) / ends.back();
+  return run;
+}
+
+/// Tries every rung of the ladder and keeps the cheapest that is good enough; if none is, the
+/// nearest miss.
+template <class Scene>
+Entry enter_adaptive(const Scene& scene, const Bounds& bounds, double size) {
+  Entry entry{.name = std::string(adaptive.name), .method = &adaptive};
+  std::vector<double> ends;
+  for (long n = 1; n <= bounds.frames(); ++n) ends.push_back(double(n) / bounds.hz);
+  for (const double tolerance : ladder()) {
+    const AdaptiveRun run = adaptive_run(scene, bounds, ends, size, tolerance);
+    const bool good = run.worst.good(bounds), first = entry.evaluations == 0;
+    const bool better = good != entry.good ? good
+                        : good             ? run.evaluations < entry.evaluations
+                                           : nearer(run.worst, entry.last, bounds);
+    if (!first && !better) continue;
+    entry.last = run.worst;
+    entry.good = good;
+    entry.evaluations = run.evaluations;
+  }
+  entry.uneven =
+      adaptive_run(scene, bounds, uneven_frames(bounds), size, entry.last.tolerance).worst.error;
+  const double step = step_time(timed_as(scene), in_a_loop, method::dopri5);
+  entry.microseconds = entry.evaluations / 6 / bounds.hz * step;
+  return entry;
+}
 
 /// A number in a few digits.
 inline std::string brief(double value, int digits = 2) {
@@ -206,9 +349,10 @@ const measure::Method* exact_step_of(const Scene&) {
 
 /// All entries for a scene, the best first.
 struct Contest {
-  std::vector<Entry> exact;    ///< the exact step, if there is one
-  std::vector<Entry> methods;  ///< what works with other forces added, too
-  bool keeps_energy = false;   ///< whether the scene's energy ought to stay what it is
+  std::vector<Entry> exact;        ///< the exact step, if there is one
+  std::vector<Entry> methods;      ///< what works with other forces added, too
+  std::vector<Entry> undisturbed;  ///< adaptive steps, for what moves with nobody interfering
+  bool keeps_energy = false;       ///< whether the scene's energy ought to stay what it is
 };
 
 /// The least that an entry within the bounds costs; infinite if there is none.
@@ -242,6 +386,33 @@ Contest contest(const Scene& scene, const Bounds& bounds) {
   std::sort(found.methods.begin(), found.methods.end(),
             [&](const Entry& a, const Entry& b) { return better(a, b, bounds); });
   return found;
+}
+
+/// The contest with all that `choose` tells besides: prices in time, errors in uneven frames, and
+/// adaptive steps.
+template <class Scene>
+Contest full_contest(const Scene& scene, const Bounds& bounds) {
+  Contest found = contest(scene, bounds);
+  const double size = size_of(scene, bounds);
+  for (Entry& entry : found.exact) complete(entry, scene, bounds, size);
+  for (Entry& entry : found.methods) complete(entry, scene, bounds, size);
+  found.undisturbed.push_back(enter_adaptive(scene, bounds, size));
+  return found;
+}
+
+/// Whether anything that goes on in frames, or is exact, meets the bounds.
+inline bool is_met(const Contest& found) {
+  return found.methods.front().good || (!found.exact.empty() && found.exact.front().good);
+}
+
+/// The cheapest by time of those within the bounds; null if nobody took a time of any.
+inline const Entry* cheapest_by_time(const std::vector<Entry>& entries) {
+  const Entry* best = nullptr;
+  for (const Entry& entry : entries) {
+    if (!entry.good || std::isnan(entry.microseconds)) continue;
+    if (!best || entry.microseconds < best->microseconds) best = &entry;
+  }
+  return best;
 }
 
 /// A number above a bound, in as many digits as show that it is above, three at least.

@@ -35,17 +35,62 @@ answers(0 "^The cheapest within the bounds:\n" --scene pendulum --angle 2 --ener
 answers(0 "^The cheapest within the bounds:\n  dopri5" --scene orbit --energy 0.001)
 answers(1 "^Nothing meets the bounds. The nearest:\n" --scene orbit --error 1e-14 --hz 10)
 answers(0 "--eccentricity[^\n]*default 0.5.*default any.*2 bad input.*Example: choose" --help)
-answers(0 "evals/s +error +energy .*\nsymplectic_euler +33 +1980 +0.0097 +- +error 0.0100[1-9] in 32 steps"
+answers(0 "evals/s +us/frame +error +uneven +energy .*\nsymplectic_euler +33 +1980 +[0-9.]+ +0.0097 +0.00[0-9]+ +- +error 0.0100[1-9] in 32 steps"
   --scene spring --omega 40 --zeta 0.1 --hz 60 --error 0.01)
 # Neither the method nor the price is found by doubling the steps.
-answers(0 "within the bounds is\n  velocity_verlet, 5 steps a frame: 300 evaluations a second, error 0.0084\n"
+answers(0 "within the bounds is\n  velocity_verlet, 5 steps a frame: 300 evaluations a second, [0-9.]+ us a frame for 1000, error 0.0084\n"
   --scene spring --omega 60 --zeta 2 --hz 60 --seconds 1 --error 0.01)
 answers(0 "within the bounds is\n  velocity_verlet, 3 steps a frame: 90 "
   --scene spring --omega 25 --zeta 0.3 --hz 30 --seconds 5 --error 0.02)
 answers(0 "\nvelocity_verlet [^\n]*\nleapfrog [^\n]*\nstormer_verlet " --scene spring --omega 10)
 answers(0 "\nvelocity_verlet [^\n]*\nleapfrog [^\n]*\nstormer_verlet " --scene ball)
 
+# A stiffness and a mass are a frequency, and metres are a share.
+function(same first second)
+  run(${${first}})
+  set(one "${out}")
+  run(${${second}})
+  if(NOT out STREQUAL one)
+    message(SEND_ERROR "${${second}} answers otherwise than ${${first}}: ${out}")
+  endif()
+endfunction()
+set(by_omega --scene spring --omega 5 --error 0.02)
+set(by_stiffness --scene spring --k 100 --m 4 --error-metres 0.1 --reach 5)
+same(by_omega by_stiffness)
+
+# Where the two prices choose differently, it says so; and what adaptive steps cost.
+answers(0 "By time, [^\n]*\n  rk4, 1 step a frame" --scene spring --omega 40 --zeta 0.1 --hz 60 --error 0.01)
+answers(0 "end with the frames:\n  dopri5_adaptive, a tolerance of 1e-05: 688 evaluations a second.*\ndopri5_adaptive +adaptive +688 "
+  --scene orbit --eccentricity 0.9)
+
+# For other programs: all entries, each with what is known of it.
+answers(0 "^function,header,good,[^\n]*\nspring_exact,spring_exact.h,true,1,,0,[^\n]*\n.*\ndopri5_adaptive,dopri5.h,true,,[0-9.e-]+,"
+  --scene spring --format csv)
+answers(0 "^\\[\n  {\n    \"function\": \"constant_acceleration\",.*\"steps_per_frame\": null,\n    \"tolerance\": [0-9.e-]+,"
+  --scene ball --format json)
+
+# The chart is there and whole, or there is none.
+set(chart ${SCRATCH}/chart.svg)
+file(REMOVE_RECURSE ${SCRATCH})
+file(MAKE_DIRECTORY ${SCRATCH})
+answers(0 "^The cheapest" --scene drag --chart ${chart})
+file(READ ${chart} drawn)
+if(NOT drawn MATCHES "velocity_verlet.*</svg>")
+  message(SEND_ERROR "the chart has no line of velocity_verlet: ${drawn}")
+endif()
+file(GLOB left ${SCRATCH}/*.part)
+if(left)
+  message(SEND_ERROR "the chart leaves ${left}")
+endif()
+refuses("can't draw ${SCRATCH}/no/chart.svg" --scene drag --chart ${SCRATCH}/no/chart.svg)
+
 refuses("--scene is required")
+refuses("there is no format 'xml'; there are text, csv, json" --scene ball --format xml)
+refuses("--k and --omega say the same" --scene spring --k 3 --omega 2)
+refuses("--error and --error-metres say the same|--error-metres and --error say the same" --scene ball --error 0.1 --error-metres 2)
+refuses("--m means nothing without --k" --scene spring --m 3)
+refuses("--reach means nothing without --error-metres" --scene spring --reach 3)
+refuses("the scene ball takes no --k" --scene ball --k 3)
 refuses("there is no scene 'spoon'; there are spring, orbit, pendulum, drag, ball" --scene spoon)
 refuses("the scene ball takes no --omega" --scene ball --omega 3)
 refuses("--omega must lie between 0.001 and 1000" --scene spring --omega nan)
