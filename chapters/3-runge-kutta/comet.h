@@ -9,7 +9,7 @@
 #include "../cast.h"
 #include "frames/fixed_step.h"
 #include "integrate/dopri5.h"
-#include "measure/cost.h"
+#include "measure/evaluations.h"
 #include "measure/methods.h"
 #include "measure/run.h"
 
