@@ -136,8 +136,8 @@ constexpr Vec dopri5_start(const Vec& x, const Vec& v, Time t, Acceleration&& ac
   if constexpr (calls) return acceleration(x, v, t);
 }
 
-#ifdef __GNUC__
-// Or clang++ calls so long a step, and takes the bodies of a loop one by one.
+#ifdef __clang__
+// Or it calls so long a step, and takes the bodies of a loop one by one.
 template <class Vec, class Time, class Real, class Acceleration>
 [[gnu::always_inline]] constexpr Dopri5Error<Vec> dopri5(Vec&, Vec&, Vec&, Time, Real,
                                                          Acceleration&&);

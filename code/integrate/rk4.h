@@ -12,8 +12,8 @@
 
 namespace integrate {
 
-#ifdef __GNUC__
-// Or clang++ calls so long a step, and takes the bodies of a loop one by one.
+#ifdef __clang__
+// Or it calls so long a step, and takes the bodies of a loop one by one.
 template <class Vec, class Time, class Real, class Acceleration>
 [[gnu::always_inline]] constexpr void rk4(Vec&, Vec&, Time, Real, Acceleration&&);
 #endif

@@ -27,8 +27,8 @@ constexpr Vec yoshida4_start(const Vec& x, const Vec& v, Time t, Acceleration&& 
   if constexpr (calls) return acceleration(x, v, t);
 }
 
-#ifdef __GNUC__
-// Or clang++ calls so long a step, and takes the bodies of a loop one by one.
+#ifdef __clang__
+// Or it calls so long a step, and takes the bodies of a loop one by one.
 template <class Vec, class Time, class Real, class Acceleration>
 [[gnu::always_inline]] constexpr void yoshida4(Vec&, Vec&, Vec&, Time, Real, Acceleration&&);
 #endif
