@@ -887,6 +887,40 @@ TEST_CASE("For a step of RK4 GSL takes twice the time of the loop by hand, SUNDI
   CHECK_THAT(library_time("rk4", "SUNDIALS ERKStep") / by_hand, WithinAbs(12, 1));
 }
 
+TEST_CASE("Of 512 planets the headers on a struct take the time of a loop by hand") {
+  for (const char* method : {"symplectic_euler", "velocity_verlet", "rk4", "dopri5"}) {
+    CAPTURE(method);
+    CHECK_THAT(library_time(method, "header struct", true) / library_time(method, "by hand", true),
+               WithinAbs(1, 0.1));
+  }
+}
+
+TEST_CASE("No library takes less time for one of 512 planets than a header on a struct") {
+  for (const char* method : {"symplectic_euler", "velocity_verlet", "rk4", "dopri5"}) {
+    const double header = library_time(method, "header struct", true);
+    for (const char* called : {"odeint array", "odeint Eigen", "GSL", "SUNDIALS ERKStep"}) {
+      const std::string name = library_name(method, called, true);
+      if (!measure::recorded_times("libraries.csv").of.contains(name)) continue;
+      CAPTURE(method, called);
+      CHECK(library_time(method, called, true) > 0.93 * header);
+    }
+  }
+}
+
+TEST_CASE("Of 512 planets RK4 takes GSL twice the time of the loop by hand, SUNDIALS six times") {
+  const double by_hand = library_time("rk4", "by hand", true);
+  CHECK_THAT(library_time("rk4", "GSL", true) / by_hand, WithinAbs(2, 0.3));
+  CHECK_THAT(library_time("rk4", "SUNDIALS ERKStep", true) / by_hand, WithinAbs(6.3, 0.7));
+}
+
+TEST_CASE("Of 512 planets symplectic Euler takes a quarter of the time of one, RK4 over half") {
+  const auto share = [](const char* method) {
+    return library_time(method, "header struct", true) / library_time(method, "header struct");
+  };
+  CHECK_THAT(share("symplectic_euler"), WithinAbs(0.25, 0.03));
+  CHECK_THAT(share("rk4"), WithinAbs(0.55, 0.05));
+}
+
 TEST_CASE("Times of particles that undercut their limit are forgotten, and others kept") {
   measure::Times times = measure::recorded_times();
   forget_if_disturbed(times);

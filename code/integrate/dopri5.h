@@ -136,6 +136,13 @@ constexpr Vec dopri5_start(const Vec& x, const Vec& v, Time t, Acceleration&& ac
   if constexpr (calls) return acceleration(x, v, t);
 }
 
+#ifdef __clang__
+// Or it calls so long a step, and takes the bodies of a loop one by one.
+template <class Vec, class Time, class Real, class Acceleration>
+[[gnu::always_inline]] constexpr Dopri5Error<Vec> dopri5(Vec&, Vec&, Vec&, Time, Real,
+                                                         Acceleration&&);
+#endif
+
 /// One step of the method of Dormand and Prince, of order 5, with an estimate of its error.
 ///
 /// Order 5, six evaluations of the acceleration, stable on drag while c*h < 3.306, on an undamped

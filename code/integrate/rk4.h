@@ -12,6 +12,12 @@
 
 namespace integrate {
 
+#ifdef __clang__
+// Or it calls so long a step, and takes the bodies of a loop one by one.
+template <class Vec, class Time, class Real, class Acceleration>
+[[gnu::always_inline]] constexpr void rk4(Vec&, Vec&, Time, Real, Acceleration&&);
+#endif
+
 /// One step of the classical Runge-Kutta method.
 ///
 /// Order 4, four evaluations of the acceleration, stable on drag while c*h < 2.785, on an undamped

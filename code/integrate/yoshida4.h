@@ -27,6 +27,12 @@ constexpr Vec yoshida4_start(const Vec& x, const Vec& v, Time t, Acceleration&& 
   if constexpr (calls) return acceleration(x, v, t);
 }
 
+#ifdef __clang__
+// Or it calls so long a step, and takes the bodies of a loop one by one.
+template <class Vec, class Time, class Real, class Acceleration>
+[[gnu::always_inline]] constexpr void yoshida4(Vec&, Vec&, Vec&, Time, Real, Acceleration&&);
+#endif
+
 /// One step of Yoshida's method: velocity Verlet forward, backward and forward again.
 ///
 /// Order 4, 2 under drag, three evaluations of the acceleration, stable on drag while c*h < 0.912,

@@ -9,6 +9,7 @@
 
 #include "many/by_hand.h"
 #include "many/with_headers.h"
+#include "orbit/by_hand.h"
 #include "rows.h"
 
 namespace {
@@ -53,14 +54,15 @@ State planet(const Orbits& all, std::size_t i) {
 }
 
 // Against each planet alone. How far roundings may lead them apart: see orbit.cpp.
-template <class Alone>
-bool agree(const std::vector<Variant>& variants, Alone alone) {
+template <class ByHand>
+bool agree(const std::vector<Variant>& variants) {
   bool all = true;
   for (const auto& [row, run] : variants) {
     const Orbits end = run(many::start(), 10, 0.05);
     double away = 0;
     for (std::size_t i = 0; i < many::count; ++i) {
-      away = std::max(away, distance(planet(end, i), alone(planet(many::start(), i), 10, 0.05)));
+      const auto alone = orbit::loop<1, ByHand>({planet(many::start(), i)}, 10, 0.05);
+      away = std::max(away, distance(planet(end, i), alone[0]));
     }
     if (away <= 1e-12) continue;
     std::fprintf(stderr, "%s: %s ends %g from where each planet alone ends\n", row.group.c_str(),
@@ -84,7 +86,8 @@ void add(const std::vector<Variant>& variants) {
 int main(int count, char** arguments) {
   const auto euler = symplectic_euler_variants();
   const auto rk4 = rk4_variants();
-  if (!agree(euler, orbit::by_hand::symplectic_euler) || !agree(rk4, orbit::by_hand::rk4)) return 1;
+  using namespace orbit::by_hand;
+  if (!agree<SymplecticEuler>(euler) || !agree<Rk4>(rk4)) return 1;
   add(euler);
   add(rk4);
   return peers::measure_rows(count, arguments);

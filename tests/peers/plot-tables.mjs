@@ -1,6 +1,4 @@
 // The tables that speed.gp draws, each with the names of its columns. Rows run downwards, so the first has the largest y.
-const native = '-O3 -march=native';
-const noErrno = `${native} -fno-math-errno`;
 const missing = ['NaN', 'NaN', 'NaN'];
 
 const spread = t => (t ? [t.median, t.min, t.max] : missing);
@@ -10,12 +8,22 @@ const table = (names, rows) => [
   ...rows.map(([label, ...values], i) => [label, rows.length - i, ...values]),
 ];
 
-export function plotTables(groups) {
-  const times = (group, variant, flags) => groups.get(group)?.get(variant)?.times.get(flags);
-  return { orbit: orbit(groups, times), particles: particles(groups, times), many: many(times) };
+/// The flags of the fast builds, with and without errno.
+export function fastFlags(flags) {
+  const fast = flags.filter(set => set.startsWith('-O3'));
+  return {
+    native: fast.find(set => !set.includes('-fno-math-errno')),
+    noErrno: fast.find(set => set.includes('-fno-math-errno')),
+  };
 }
 
-function orbit(groups, times) {
+export function plotTables({ groups, flags }) {
+  const fast = fastFlags(flags);
+  const times = (group, variant, flags) => groups.get(group)?.get(variant)?.times.get(flags);
+  return { orbit: orbit(groups, times, fast), particles: particles(groups, times, fast), many: many(times, fast) };
+}
+
+function orbit(groups, times, { native }) {
   const methods = ['rk4', 'euler', 'symplectic_euler', 'velocity_verlet'];
   const variants = new Set(methods.flatMap(method => [...groups.get(method).keys()]));
   variants.delete('GSL, for each call');
@@ -25,7 +33,7 @@ function orbit(groups, times) {
   );
 }
 
-function particles(groups, times) {
+function particles(groups, times, { native }) {
   const kinds = ['float, one thread', 'float, two threads', 'double, one thread', 'double, two threads'];
   const group = kind => `10 million particles, ${kind}`;
   const speed = (kind, variant) => {
@@ -40,7 +48,7 @@ function particles(groups, times) {
   );
 }
 
-function many(times) {
+function many(times, { native, noErrno }) {
   const variants = ['vectorised by hand', 'header, blocks', 'header, plain loop'];
   const kinds = ['symplectic_euler', 'rk4'].flatMap(method => [native, noErrno].map(flags => ({ method, flags })));
   return table(

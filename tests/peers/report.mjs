@@ -3,7 +3,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { goalsTable, markdown } from './markdown.mjs';
-import { plotTables } from './plot-tables.mjs';
+import { fastFlags, plotTables } from './plot-tables.mjs';
 import { readMeasurements } from './read.mjs';
 
 const [out, ...files] = process.argv.slice(2);
@@ -25,8 +25,8 @@ function allRows() {
   return rows;
 }
 
-// The steps of one planet as the book keeps times: code/measure/times.h.
-function timesOfThePlanet(flags) {
+// The steps of one planet, and of one of 512, as the book keeps times: code/measure/times.h.
+function timesOfPlanets(flags) {
   const lines = [
     '# Times of a step [ns]: what a quarter, a half and three quarters of the runs stayed below.',
     `# processor: ${processor}`,
@@ -37,15 +37,17 @@ function timesOfThePlanet(flags) {
     `# others: ${Number((1 - Math.min(1, share)).toPrecision(2))}`,
     'name,lower,median,upper',
   ];
-  for (const method of ['symplectic_euler', 'velocity_verlet', 'rk4']) {
-    for (const [variant, { times }] of groups.get(method)) {
-      const { lower, median, upper } = times.get(flags);
-      lines.push(
-        [
-          `library/${method}/${variant.replaceAll(',', '')}`,
-          ...[lower, median, upper].map(time => time.toPrecision(4)),
-        ].join(','),
-      );
+  for (const method of ['symplectic_euler', 'velocity_verlet', 'rk4', 'dopri5']) {
+    for (const group of [method, `512 orbits, ${method}`]) {
+      for (const [variant, { times }] of groups.get(group)) {
+        const { lower, median, upper } = times.get(flags);
+        lines.push(
+          [
+            `library/${group}/${variant}`.replaceAll(',', ''),
+            ...[lower, median, upper].map(time => time.toPrecision(4)),
+          ].join(','),
+        );
+      }
     }
   }
   return lines.join('\n') + '\n';
@@ -54,11 +56,12 @@ function timesOfThePlanet(flags) {
 mkdirSync(join(out, 'plot'), { recursive: true });
 writeFileSync(join(out, 'speed.md'), markdown(measured));
 writeFileSync(join(out, 'speed.csv'), csv(allRows()));
-writeFileSync(join(out, 'times.csv'), timesOfThePlanet('-O3 -march=native'));
-for (const [name, rows] of Object.entries(plotTables(groups)))
+writeFileSync(join(out, 'times.csv'), timesOfPlanets(fastFlags(measured.flags).native));
+for (const [name, rows] of Object.entries(plotTables(measured)))
   writeFileSync(join(out, 'plot', `${name}.csv`), csv(rows));
 writeFileSync(
   join(out, 'plot', 'machine.gp'),
-  `MACHINE = ${JSON.stringify(`Measured on ${processor}, with ${compiler}`)}\n`,
+  `MACHINE = ${JSON.stringify(`Measured on ${processor}, with ${compiler}`)}
+FLAGS = ${JSON.stringify(fastFlags(measured.flags).native)}\n`,
 );
 console.log(`${goalsTable(measured)}\nAll the rest: ${join(out, 'speed.md')}, with speed.csv and speed.svg beside it.`);

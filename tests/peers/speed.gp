@@ -21,7 +21,8 @@ panel(name, top, bottom) = sprintf("set tmargin at screen %g; set bmargin at scr
 
 # Its place, and not txt("variant"), which ends at a comma.
 variant = (file("orbit"), col("variant"))
-eval head("{/:Bold One orbit:} ns for a step, -O3 -march=native", 20)
+load DATA."machine.gp"
+eval head("{/:Bold One orbit:} ns for a step, ".FLAGS, 20)
 eval key(2, "euler", 0.05, 48, "ls EULER")
 eval key(3, "symplectic\\_euler", 0.19, 48, "ls SYMPLECTIC_EULER")
 eval key(4, "velocity\\_verlet", 0.45, 48, "ls VELOCITY_VERLET")
@@ -35,7 +36,7 @@ plot file("orbit") using col("rk4"):col("row"):col("rk4 from"):col("rk4 to") wit
      file("orbit") using col("velocity_verlet"):(val("row") - 0.12):col("velocity_verlet from"):col("velocity_verlet to") with xerrorbars ls VELOCITY_VERLET, \
      file("orbit") every ::1 using (10):col("row"):(""):ytic(variant) with labels
 
-eval head("{/:Bold Ten million particles:} speed in multiples of what memory allows, -O3 -march=native", 458)
+eval head("{/:Bold Ten million particles:} speed in multiples of what memory allows, ".FLAGS, 458)
 eval key(2, "float", 0.05, 486, "ls FIRST")
 eval key(3, "float, two threads", 0.19, 486, "ls FIRST pt 6")
 eval key(4, "double", 0.45, 486, "ls SECOND")
@@ -51,12 +52,11 @@ plot file("particles") using col("float, one thread"):(val("row") + 0.24):col("f
      file("particles") every ::1 using (1):col("row"):(""):ytic(variant) with labels
 unset arrow 1
 
-eval head("{/:Bold Thirty-two orbits at once:} ns for a step of one of them, -O3 -march=native", 814)
+eval head("{/:Bold Thirty-two orbits at once:} ns for a step of one of them, ".FLAGS, 814)
 eval key(2, "symplectic\\_euler", 0.05, 842, "ls SYMPLECTIC_EULER pt 4")
 eval key(3, "and -fno-math-errno", 0.31, 842, "ls SYMPLECTIC_EULER")
 eval key(4, "rk4", 0.62, 842, "ls RK4 pt 12")
 eval key(5, "and -fno-math-errno", 0.70, 842, "ls RK4")
-load DATA."machine.gp"
 set label 9 MACHINE at screen 0.97,y(1006) right noenhanced font ",12"
 eval panel("many", 858, 954)
 set xrange [0.5:30]

@@ -32,6 +32,7 @@ endfunction()
 # Lists the functions of a header as "name(parameters)", and its classes by name.
 function(functions_of header functions classes)
   file(READ ${header} text)
+  string(REGEX REPLACE "\n#ifdef __clang__[^#]*#endif" "" text "${text}")  # only asks for inlining
   string(REGEX MATCHALL "\ntemplate <" templates "${text}")
   string(REGEX MATCHALL "\nstruct " structs "${text}")
   string(REGEX MATCHALL "\nclass [a-zA-Z0-9]+" found_classes "${text}")

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 
-#include "orbit/by_hand.h"
 #include "orbit/state.h"
 
 namespace many {
@@ -15,13 +14,10 @@ struct Orbits {
   alignas(64) std::array<double, count> x, y, vx, vy;
 };
 
-/// Each planet starts with a little less speed than the one before.
 inline Orbits start() {
   Orbits all{};
-  for (std::size_t i = 0; i < count; ++i) {
-    all.x[i] = orbit::start.x;
-    all.vy[i] = orbit::start.vy - 0.01 * double(i);
-  }
+  const auto each = orbit::start(count);
+  for (std::size_t i = 0; i < count; ++i) all.x[i] = each[i].x, all.vy[i] = each[i].vy;
   return all;
 }
 

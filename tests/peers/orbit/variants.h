@@ -15,85 +15,149 @@
 
 namespace orbit {
 
+/// From which planets, how many steps of what length: where they end.
+using Run = std::function<std::vector<State>(const std::vector<State>&, long, double)>;
+
+enum class For { one_and_many, one, many };
+
 struct Variant {
   peers::Row row;
-  std::function<State(State, long, double)> run;
+  Run run;
+  For planets = For::one_and_many;
   int steps_for_one = 1;  ///< how many steps to count as one
 };
 
-using AnyAcceleration =
-    std::function<Eigen::Vector2d(const Eigen::Vector2d&, const Eigen::Vector2d&, double)>;
-
 inline const std::string any_note = "trap: what hides behind a pointer is not inlined";
 inline const std::string dynamic_note = "trap: each temporary is fetched from the heap";
+inline const std::string whole_note = "all planets as one state";
+inline const std::string one_vec_note = "all positions as one Vec";
 
-inline std::vector<Variant> euler_variants() {
+template <std::size_t count>
+std::vector<Variant> euler_variants() {
   using namespace boost::numeric;
   using Eigen::Vector2d, Eigen::Vector4d;
   using Four = std::array<double, 4>;
+  const std::string g = "euler";
   return {
-      {{"euler", "by hand", ""}, by_hand::euler},
-      {{"euler", "header, struct", ""}, with_headers::euler<Pair>()},
-      {{"euler", "header, Vector2d", ""}, with_headers::euler<Vector2d>()},
-      {{"euler", "odeint, array", ""}, with_odeint::first_order<odeint::euler<Four>>},
-      {{"euler", "odeint, Eigen", "packed in a Vector4d, see rk4"},
-       with_odeint::first_order<odeint::euler<Vector4d>>},
+      {{g, "by hand", ""}, loop<count, by_hand::Euler>},
+      {{g, "header, struct", ""}, loop<count, with_headers::Euler<Pair>>},
+      {{g, "header, Vector2d", ""}, loop<count, with_headers::Euler<Vector2d>>},
+      {{g, "header, one Vec", one_vec_note},
+       with_headers::whole<count, with_headers::Euler>,
+       For::many},
+      {{g, "odeint, array", ""}, loop<count, with_odeint::FirstOrder<odeint::euler<Four>>>},
+      {{g, "odeint, Eigen", "packed in a Vector4d, see rk4"},
+       loop<count, with_odeint::FirstOrder<odeint::euler<Vector4d>>>},
+      {{g, "odeint, vector", whole_note},
+       with_odeint::whole<odeint::euler<std::vector<double>>>,
+       For::many},
   };
 }
 
-inline std::vector<Variant> symplectic_euler_variants() {
+template <std::size_t count>
+std::vector<Variant> symplectic_euler_variants() {
   using Eigen::Vector2d, Eigen::VectorXd;
   using Two = std::array<double, 2>;
-  const AnyAcceleration any = Gravity();
   const std::string g = "symplectic_euler";
   return {
-      {{g, "by hand", ""}, by_hand::symplectic_euler},
-      {{g, "header, struct", ""}, with_headers::symplectic_euler<Pair>()},
-      {{g, "header, Vector2d", ""}, with_headers::symplectic_euler<Vector2d>()},
-      {{g, "header, std::function", any_note}, with_headers::symplectic_euler<Vector2d>(any)},
-      {{g, "header, VectorXd", dynamic_note}, with_headers::symplectic_euler<VectorXd>()},
+      {{g, "by hand", ""}, loop<count, by_hand::SymplecticEuler>},
+      {{g, "header, struct", ""}, loop<count, with_headers::SymplecticEuler<Pair>>},
+      {{g, "header, Vector2d", ""}, loop<count, with_headers::SymplecticEuler<Vector2d>>},
+      {{g, "header, one Vec", one_vec_note},
+       with_headers::whole<count, with_headers::SymplecticEuler>,
+       For::many},
+      {{g, "header, std::function", any_note},
+       loop<count, with_headers::SymplecticEuler<Vector2d, AnyGravity>>,
+       For::one},
+      {{g, "header, VectorXd", dynamic_note},
+       loop<count, with_headers::SymplecticEuler<VectorXd>>,
+       For::one},
       {{g, "odeint, array", "told that x is v and v is x, so that v moves first"},
-       with_odeint::symplectic_euler<Two>},
-      {{g, "odeint, Eigen", "likewise, Vector2d"}, with_odeint::symplectic_euler<Vector2d>},
+       loop<count, with_odeint::SymplecticEuler<Two>>},
+      {{g, "odeint, Eigen", "likewise, Vector2d"},
+       loop<count, with_odeint::SymplecticEuler<Vector2d>>},
   };
 }
 
-inline std::vector<Variant> velocity_verlet_variants() {
+template <std::size_t count>
+std::vector<Variant> velocity_verlet_variants() {
   using Eigen::Vector2d;
   using Two = std::array<double, 2>;
   const std::string g = "velocity_verlet";
   return {
-      {{g, "by hand", ""}, by_hand::velocity_verlet},
-      {{g, "header, struct", ""}, with_headers::velocity_verlet<Pair>()},
-      {{g, "header, Vector2d", ""}, with_headers::velocity_verlet<Vector2d>()},
-      {{g, "odeint, array", ""}, with_odeint::velocity_verlet<Two>},
-      {{g, "odeint, Eigen", "Vector2d"}, with_odeint::velocity_verlet<Vector2d>},
+      {{g, "by hand", ""}, loop<count, by_hand::VelocityVerlet>},
+      {{g, "header, struct", ""}, loop<count, with_headers::VelocityVerlet<Pair>>},
+      {{g, "header, Vector2d", ""}, loop<count, with_headers::VelocityVerlet<Vector2d>>},
+      {{g, "header, one Vec", one_vec_note},
+       with_headers::whole<count, with_headers::VelocityVerlet>,
+       For::many},
+      {{g, "odeint, array", ""}, loop<count, with_odeint::VelocityVerlet<Two>>},
+      {{g, "odeint, Eigen", "Vector2d"}, loop<count, with_odeint::VelocityVerlet<Vector2d>>},
   };
 }
 
-inline std::vector<Variant> rk4_variants() {
+template <std::size_t count>
+std::vector<Variant> rk4_variants() {
   using namespace boost::numeric;
   using Eigen::Vector2d, Eigen::Vector4d, Eigen::VectorXd;
   using Four = std::array<double, 4>;
-  const AnyAcceleration any = Gravity();
+  const std::string g = "rk4";
   const std::string packed = "trap: stored as one vector of four, read again number by number";
   const std::string gsl =
       "a call of 2h: a whole step, two halves, 11 evaluations; what the halves gave is returned";
   return {
-      {{"rk4", "by hand", ""}, by_hand::rk4},
-      {{"rk4", "header, struct", ""}, with_headers::rk4<Pair>()},
-      {{"rk4", "header, Vector2d", ""}, with_headers::rk4<Vector2d>()},
-      {{"rk4", "header, std::function", any_note}, with_headers::rk4<Vector2d>(any)},
-      {{"rk4", "header, VectorXd", dynamic_note}, with_headers::rk4<VectorXd>()},
-      {{"rk4", "by hand, packed in a Vector4d", packed}, by_hand::rk4_packed<Vector4d>},
-      {{"rk4", "odeint, array", ""}, with_odeint::first_order<odeint::runge_kutta4<Four>>},
-      {{"rk4", "odeint classic, array", "the same method, its second implementation"},
-       with_odeint::first_order<odeint::runge_kutta4_classic<Four>>},
-      {{"rk4", "odeint, Eigen", "packed in a Vector4d"},
-       with_odeint::first_order<odeint::runge_kutta4<Vector4d>>},
-      {{"rk4", "GSL", gsl + ", so it counts as two steps of h"}, WithGsl()},
-      {{"rk4", "GSL, for each call", "the same, counted as one step"}, WithGsl(), 2},
-      {{"rk4", "SUNDIALS ERKStep", ""}, with_sundials(WithSundials::rk4())},
+      {{g, "by hand", ""}, loop<count, by_hand::Rk4>},
+      {{g, "header, struct", ""}, loop<count, with_headers::Rk4<Pair>>},
+      {{g, "header, Vector2d", ""}, loop<count, with_headers::Rk4<Vector2d>>},
+      {{g, "header, one Vec", one_vec_note},
+       with_headers::whole<count, with_headers::Rk4>,
+       For::many},
+      {{g, "header, std::function", any_note},
+       loop<count, with_headers::Rk4<Vector2d, AnyGravity>>,
+       For::one},
+      {{g, "header, VectorXd", dynamic_note}, loop<count, with_headers::Rk4<VectorXd>>, For::one},
+      {{g, "by hand, packed in a Vector4d", packed},
+       loop<count, by_hand::Rk4Packed<Vector4d>>,
+       For::one},
+      {{g, "odeint, array", ""}, loop<count, with_odeint::FirstOrder<odeint::runge_kutta4<Four>>>},
+      {{g, "odeint classic, array", "the same method, its second implementation"},
+       loop<count, with_odeint::FirstOrder<odeint::runge_kutta4_classic<Four>>>},
+      {{g, "odeint, Eigen", "packed in a Vector4d"},
+       loop<count, with_odeint::FirstOrder<odeint::runge_kutta4<Vector4d>>>},
+      {{g, "odeint, vector", whole_note},
+       with_odeint::whole<odeint::runge_kutta4<std::vector<double>>>,
+       For::many},
+      {{g, "GSL", gsl + ", so it counts as two steps of h"}, with_gsl},
+      {{g, "GSL, for each call", "the same, counted as one step"}, with_gsl, For::one, 2},
+      {{g, "SUNDIALS ERKStep", ""}, with_sundials([](auto& all) { all.choose_rk4(); })},
+  };
+}
+
+template <std::size_t count>
+std::vector<Variant> dopri5_variants() {
+  using namespace boost::numeric;
+  using Eigen::Vector2d, Eigen::Vector4d;
+  using Four = std::array<double, 4>;
+  using Numbers = std::vector<double>;
+  const std::string g = "dopri5";
+  return {
+      {{g, "by hand", "without the estimate of its error; that of the others is not asked for"},
+       loop<count, by_hand::Dopri5>},
+      {{g, "header, struct", ""}, loop<count, with_headers::Dopri5<Pair>>},
+      {{g, "header, Vector2d", ""}, loop<count, with_headers::Dopri5<Vector2d>>},
+      {{g, "header, one Vec", one_vec_note},
+       with_headers::whole<count, with_headers::Dopri5>,
+       For::many},
+      {{g, "odeint, array",
+        "adds slope by slope: one addition less to wait for, four more roundings"},
+       loop<count, with_odeint::Dopri5<odeint::runge_kutta_dopri5<Four>>>},
+      {{g, "odeint, Eigen", "packed in a Vector4d"},
+       loop<count, with_odeint::Dopri5<odeint::runge_kutta_dopri5<Vector4d>>>},
+      {{g, "odeint, vector", whole_note},
+       with_odeint::whole<odeint::runge_kutta_dopri5<Numbers>>,
+       For::many},
+      {{g, "SUNDIALS ERKStep", "its own table"},
+       with_sundials([](auto& all) { all.choose_dopri5(); })},
   };
 }
 
@@ -102,8 +166,11 @@ inline std::vector<Variant> sprk_variants() {
   const peers::Row euler{"symplectic_euler", "SUNDIALS SPRKStep", ""};
   const peers::Row verlet{"velocity_verlet", "SUNDIALS SPRKStep", ""};
 #if SUNDIALS_IS_NEW
-  return {{euler, with_sundials(WithSundials::symplectic("ARKODE_SPRK_EULER_1_1"))},
-          {verlet, with_sundials(WithSundials::symplectic("ARKODE_SPRK_PSEUDO_LEAPFROG_2_2"))}};
+  const auto stepper = [](const char* method) {
+    return with_sundials([method](auto& all) { all.choose_symplectic(method); });
+  };
+  return {{euler, stepper("ARKODE_SPRK_EULER_1_1")},
+          {verlet, stepper("ARKODE_SPRK_PSEUDO_LEAPFROG_2_2")}};
 #else
   for (peers::Row row : {euler, verlet}) {
     row.note = "SUNDIALS " SUNDIALS_VERSION

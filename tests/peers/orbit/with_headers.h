@@ -2,7 +2,11 @@
 // The headers of this book, on several types of vector.
 #pragma once
 #include <Eigen/Core>
+#include <functional>
+#include <type_traits>
+#include <vector>
 
+#include "integrate/dopri5.h"
 #include "integrate/euler.h"
 #include "integrate/rk4.h"
 #include "integrate/symplectic_euler.h"
@@ -28,65 +32,108 @@ struct Gravity {
   }
 };
 
+/// The same behind a pointer.
+struct AnyGravity {
+  using Vec = Eigen::Vector2d;
+  std::function<Vec(const Vec&, const Vec&, double)> pulls = Gravity();
+  Vec operator()(const Vec& x, const Vec& v, double t) const { return pulls(x, v, t); }
+};
+
 }  // namespace orbit
 
 namespace orbit::with_headers {
 
-inline void set(Pair& p, double x, double y) {
-  p = {x, y};
-}
 template <class Vec>
-void set(Vec& p, double x, double y) {
-  p = Eigen::Vector2d(x, y);
+Vec both(double x, double y) {
+  if constexpr (std::is_same_v<Vec, Pair>) {
+    return {x, y};
+  } else {
+    return Eigen::Vector2d(x, y);
+  }
 }
 
 inline State both(Pair x, Pair v) {
-  return end_at(x.x, x.y, v.x, v.y);
+  return {x.x, x.y, v.x, v.y};
 }
 template <class Vec>
 State both(const Vec& x, const Vec& v) {
-  return end_at(x[0], x[1], v[0], v[1]);
+  return {x[0], x[1], v[0], v[1]};
 }
 
-/// The loop that a reader writes around a method without memory.
-template <class Vec, class Step, class Acceleration>
-auto loop(Step step, Acceleration acceleration) {
-  return [step, acceleration](State s, long steps, double h) {
-    Vec x, v;
-    set(x, s.x, s.y);
-    set(v, s.vx, s.vy);
-    for (long n = 0; n < steps; ++n) step(x, v, double(n) * h, h, acceleration);
-    return both(x, v);
-  };
-}
-
-template <class Vec, class Acceleration = Gravity>
-auto euler(Acceleration acceleration = {}) {
-  return loop<Vec>([](auto&&... all) { integrate::euler(all...); }, acceleration);
-}
+/// A planet, and what pulls it.
+template <class SomeVec, class Acceleration>
+struct Planet {
+  using Vec = SomeVec;
+  using Shared = Acceleration;
+  Vec x, v;
+  explicit Planet(State s) : x(both<Vec>(s.x, s.y)), v(both<Vec>(s.vx, s.vy)) {}
+  Planet(const Vec& from, const Vec& speed) : x(from), v(speed) {}
+  State state() const { return both(x, v); }
+};
 
 template <class Vec, class Acceleration = Gravity>
-auto symplectic_euler(Acceleration acceleration = {}) {
-  return loop<Vec>([](auto&&... all) { integrate::symplectic_euler(all...); }, acceleration);
-}
+struct Euler : Planet<Vec, Acceleration> {
+  using Planet<Vec, Acceleration>::Planet;
+  void step(const Acceleration& acceleration, double t, double h) {
+    integrate::euler(this->x, this->v, t, h, acceleration);
+  }
+};
 
 template <class Vec, class Acceleration = Gravity>
-auto rk4(Acceleration acceleration = {}) {
-  return loop<Vec>([](auto&&... all) { integrate::rk4(all...); }, acceleration);
-}
+struct SymplecticEuler : Planet<Vec, Acceleration> {
+  using Planet<Vec, Acceleration>::Planet;
+  void step(const Acceleration& acceleration, double t, double h) {
+    integrate::symplectic_euler(this->x, this->v, t, h, acceleration);
+  }
+};
 
 template <class Vec, class Acceleration = Gravity>
-auto velocity_verlet(Acceleration acceleration = {}) {
-  return [acceleration](State s, long steps, double h) {
-    Vec x, v;
-    set(x, s.x, s.y);
-    set(v, s.vx, s.vy);
-    Vec a = integrate::velocity_verlet_start(x, v, 0.0, acceleration);
-    for (long n = 0; n < steps; ++n) {
-      integrate::velocity_verlet(x, v, a, double(n) * h, h, acceleration);
+struct Rk4 : Planet<Vec, Acceleration> {
+  using Planet<Vec, Acceleration>::Planet;
+  void step(const Acceleration& acceleration, double t, double h) {
+    integrate::rk4(this->x, this->v, t, h, acceleration);
+  }
+};
+
+template <class Vec, class Acceleration = Gravity>
+struct VelocityVerlet : Planet<Vec, Acceleration> {
+  using Planet<Vec, Acceleration>::Planet;
+  Vec a = integrate::velocity_verlet_start(this->x, this->v, 0.0, Acceleration());
+  void step(const Acceleration& acceleration, double t, double h) {
+    integrate::velocity_verlet(this->x, this->v, a, t, h, acceleration);
+  }
+};
+
+template <class Vec, class Acceleration = Gravity>
+struct Dopri5 : Planet<Vec, Acceleration> {
+  using Planet<Vec, Acceleration>::Planet;
+  Vec a = integrate::dopri5_start(this->x, this->v, 0.0, Acceleration());
+  void step(const Acceleration& acceleration, double t, double h) {
+    integrate::dopri5(this->x, this->v, a, t, h, acceleration);
+  }
+};
+
+/// The positions of all planets as one Vec, a column each.
+template <std::size_t count, template <class, class> class Method>
+std::vector<State> whole(const std::vector<State>& from, long steps, double h) {
+  using All = Eigen::Matrix<double, 2, int(count)>;
+  struct Pull {
+    All operator()(const All& x, const All&, double) const {
+      All a;
+      for (long i = 0; i < a.cols(); ++i) a.col(i) = pull(x.col(i).squaredNorm()) * x.col(i);
+      return a;
     }
-    return both(x, v);
   };
+  All x, v;
+  for (std::size_t i = 0; i < count; ++i) {
+    x.col(long(i)) << from[i].x, from[i].y;
+    v.col(long(i)) << from[i].vx, from[i].vy;
+  }
+  Method<All, Pull> all(x, v);
+  for (long n = 0; n < steps; ++n) all.step(Pull(), double(n) * h, h);
+  std::vector<State> end;
+  for (long i = 0; i < x.cols(); ++i) end.push_back(both(all.x.col(i), all.v.col(i)));
+  return end;
 }
 
 }  // namespace orbit::with_headers

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT-0
-// SUNDIALS: ERKStep with the tableau of Runge-Kutta 4; and SPRKStep, for the symplectic methods.
+// SUNDIALS, with all planets as one system: ERKStep with the tableau of Runge-Kutta 4 and with its
+// own of Dormand and Prince; and SPRKStep, for the symplectic methods.
 #pragma once
 #include <nvector/nvector_serial.h>
 
-#include <memory>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "orbit/arkode.h"
 #include "orbit/state.h"
@@ -18,16 +20,13 @@ namespace orbit {
 /// Any of its steppers, at steps of fixed length.
 class WithSundials {
  public:
-  State operator()(State s, long steps, double h) const {
-    put(s);
-    const double end = double(steps) * h;
-    must(ARKodeReset(stepper_, 0, y_));
-    must(ARKodeSetFixedStep(stepper_, h));
-    must(ARKodeSetStopTime(stepper_, end));
-    double reached = 0;
-    must(ARKodeEvolve(stepper_, end, y_, &reached, ARK_NORMAL));
-    const double* y = N_VGetArrayPointer(y_);
-    return {y[0], y[1], y[2], y[3]};
+  explicit WithSundials(const std::vector<State>& from) {
+    must(SUNContext_Create(SUN_COMM_NULL, &context_));
+    y_ = N_VNew_Serial(long(4 * from.size()), context_);
+    double* y = N_VGetArrayPointer(y_);
+    for (const State& s : from) {
+      for (const double number : {s.x, s.y, s.vx, s.vy}) *y++ = number;
+    }
   }
 
   ~WithSundials() {
@@ -36,48 +35,54 @@ class WithSundials {
     SUNContext_Free(&context_);
   }
 
+  WithSundials(const WithSundials&) = delete;
+  WithSundials& operator=(const WithSundials&) = delete;
+
   /// Runge-Kutta 4. Its last time is written as less than 1: ERKStep 6.4.1 takes any method that
   /// ends at 1 for one whose last slope is the next step's first, and computes something else. No
   /// time enters this scene.
-  static std::shared_ptr<WithSundials> rk4() {
+  void choose_rk4() {
     double c[] = {0, 0.5, 0.5, 1 - 1e-6};
     double A[] = {0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1, 0};
     double b[] = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
-    const std::shared_ptr<WithSundials> made(new WithSundials);
-    made->stepper_ = ERKStepCreate(all_slopes, 0, made->y_, made->context_);
+    stepper_ = ERKStepCreate(all_slopes, 0, y_, context_);
     const ARKodeButcherTable table = ARKodeButcherTable_Create(4, 4, 0, c, A, b, nullptr);
-    must(ERKStepSetTable(made->stepper_, table));
+    must(ERKStepSetTable(stepper_, table));
     ARKodeButcherTable_Free(table);
-    must(ARKodeSetMaxNumSteps(made->stepper_, -1));
-    return made;
+  }
+
+  void choose_dopri5() {
+    stepper_ = ERKStepCreate(all_slopes, 0, y_, context_);
+    must(ERKStepSetTableNum(stepper_, ARKODE_DORMAND_PRINCE_7_4_5));
   }
 
 #if SUNDIALS_IS_NEW
   /// @param method  its name there: "ARKODE_SPRK_EULER_1_1" moves the velocity first, and
   ///     "ARKODE_SPRK_PSEUDO_LEAPFROG_2_2" is velocity Verlet
-  static std::shared_ptr<WithSundials> symplectic(const std::string& method) {
-    const std::shared_ptr<WithSundials> made(new WithSundials);
-    made->stepper_ = SPRKStepCreate(accelerations, velocities, 0, made->y_, made->context_);
-    must(SPRKStepSetMethodName(made->stepper_, method.c_str()));
-    must(ARKodeSetMaxNumSteps(made->stepper_, -1));
-    return made;
+  void choose_symplectic(const std::string& method) {
+    stepper_ = SPRKStepCreate(accelerations, velocities, 0, y_, context_);
+    must(SPRKStepSetMethodName(stepper_, method.c_str()));
   }
 #endif
 
- private:
-  WithSundials() {
-    must(SUNContext_Create(SUN_COMM_NULL, &context_));
-    y_ = N_VNew_Serial(4, context_);
-    put(start);
+  std::vector<State> steps(long count, double h) {
+    const double end = double(count) * h;
+    must(ARKodeSetMaxNumSteps(stepper_, -1));
+    must(ARKodeSetFixedStep(stepper_, h));
+    must(ARKodeSetStopTime(stepper_, end));
+    double reached = 0;
+    must(ARKodeEvolve(stepper_, end, y_, &reached, ARK_NORMAL));
+    std::vector<State> all;
+    const double* y = N_VGetArrayPointer(y_);
+    for (long i = 0; i < N_VGetLength(y_); i += 4) {
+      all.push_back({y[i], y[i + 1], y[i + 2], y[i + 3]});
+    }
+    return all;
   }
 
+ private:
   static void must(int status) {
     if (status < 0) throw std::runtime_error("SUNDIALS: error " + std::to_string(status));
-  }
-
-  void put(State s) const {
-    double* y = N_VGetArrayPointer(y_);
-    y[0] = s.x, y[1] = s.y, y[2] = s.vx, y[3] = s.vy;
   }
 
   static int all_slopes(double t, N_Vector y, N_Vector slope, void* data) {
@@ -88,17 +93,23 @@ class WithSundials {
   static int velocities(double, N_Vector state, N_Vector slope, void*) {
     const double* y = N_VGetArrayPointer(state);
     double* f = N_VGetArrayPointer(slope);
-    f[0] = y[2];
-    f[1] = y[3];
+    const long numbers = N_VGetLength(state);
+    for (long i = 0; i < numbers; i += 4) {
+      f[i] = y[i + 2];
+      f[i + 1] = y[i + 3];
+    }
     return 0;
   }
 
   static int accelerations(double, N_Vector state, N_Vector slope, void*) {
     const double* y = N_VGetArrayPointer(state);
     double* f = N_VGetArrayPointer(slope);
-    const double p = pull(y[0] * y[0] + y[1] * y[1]);
-    f[2] = p * y[0];
-    f[3] = p * y[1];
+    const long numbers = N_VGetLength(state);
+    for (long i = 0; i < numbers; i += 4) {
+      const double p = pull(y[i] * y[i] + y[i + 1] * y[i + 1]);
+      f[i + 2] = p * y[i];
+      f[i + 3] = p * y[i + 1];
+    }
     return 0;
   }
 
@@ -107,8 +118,14 @@ class WithSundials {
   void* stepper_ = nullptr;
 };
 
-inline auto with_sundials(std::shared_ptr<WithSundials> stepper) {
-  return [stepper](State s, long steps, double h) { return (*stepper)(s, steps, h); };
+/// @param choose  called with a WithSundials, whose method it chooses
+template <class Choose>
+auto with_sundials(Choose choose) {
+  return [choose](const std::vector<State>& from, long steps, double h) {
+    WithSundials all(from);
+    choose(all);
+    return all.steps(steps, h);
+  };
 }
 
 }  // namespace orbit
