@@ -105,7 +105,7 @@ function facts({ rows }) {
     said.push(`falls ${value(row('fall'), 2)} <i>gh</i>² for 50`);
   if (is('energy', 'kept')) said.push(`energy kept to ${value(row('energy-off'))}`);
   else if (is('energy', 'falls'))
-    said.push(`takes ${value(row('energy-step'), 2).replace(/^−/, '')} of the energy a step`);
+    said.push(`energy: loses ${value(row('energy-step'), 2).replace(/^−/, '')} of it a step`);
   return said;
 }
 

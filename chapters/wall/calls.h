@@ -141,10 +141,10 @@ double move_in_frames(Vec& x, Vec& v, double tick, int steps, const Lengths& len
   // [frames]
   frames::FixedStep<> clock{tick / steps};
   Vec a = integrate::velocity_verlet_start(x, v, 0.0, acceleration);
-  for (const double length : lengths) {  // of the frames, in seconds
-    clock.frame(length,
-                [&](double t) { integrate::velocity_verlet(x, v, a, t, clock.h, acceleration); });
-  }
+  const auto step = [&](double now) {
+    integrate::velocity_verlet(x, v, a, now, clock.h, acceleration);
+  };
+  for (const double length : lengths) clock.frame(length, step);  // in seconds
   // [frames]
   return double(clock.steps) * clock.h;
 }
@@ -161,16 +161,18 @@ void move_closely(Vec& x, Vec& v, double t, double tick, int steps,
   // [closely]
 }
 
-/// To a tolerance; `next` is kept from call to call.
+/// To a tolerance.
+/// @param now  when it is to be seen [s]
 template <class Vec, class Acceleration>
-bool move_within(Vec& x, Vec& v, double t, double duration, double& next,
+void move_within(Vec& x, Vec& v, double t, double tick, double now,
                  const Acceleration& acceleration, double tolerance) {
   // [tolerance]
   const auto size = [](const Vec& error) { return length(error); };
-  const bool arrived =
-      integrate::dopri5_adaptive(x, v, t, duration, next, acceleration, size, tolerance);
+  auto path = integrate::dopri5_path(x, v, t, tick, acceleration);  // once
+  if (integrate::dopri5_adaptive(path, now, acceleration, size, tolerance)) {
+    x = path.position(now), v = path.velocity(now);
+  }
   // [tolerance]
-  return arrived;
 }
 
 /// A stiff spring to a fixed place, among other forces.
