@@ -4,8 +4,10 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
+#include <cstddef>
+#include <iterator>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "measure/compiled.h"
