@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "bdf2_spring.h"
 #include "parachute.h"
 
 void a_second(measure::Record& record) {
@@ -23,12 +22,16 @@ void a_second(measure::Record& record) {
   record.number("second-rope", 100 * r[60], 2, "%");
   record.number("second-cloth", 100 * cl[60], 2, "%");
   for (const int times : {1, 2}) {
-    record.number("bdf2-" + std::to_string(times) + "hz", 100 * left_by_bdf2(swinging(times).omega),
-                  2, "%");
+    record.number("bdf2-" + std::to_string(times) + "hz", 100 * left_by_bdf2(swinging(times)), 2,
+                  "%");
   }
+  record.number("bdf2-begun-backward", 100 * left_by_bdf2(swinging(1), measure::backward_euler), 3,
+                "%");
+  record.number("bdf2-begun-trapezoid", 100 * left_by_bdf2(swinging(1), measure::trapezoid), 3,
+                "%");
   record.number("bdf2-cloth", 100 * shares(steel_cloth, gentle, 60, bdf2_once()).back(), 2, "%");
   record.number("bdf2-rope", 100 * shares(steel_rope, gentle, 60, bdf2_once()).back(), 2, "%");
-  record.number("bdf2-suspension", 100 * left_by_bdf2(suspension.omega), 2, "%");
+  record.number("bdf2-suspension", 100 * left_by_bdf2(undamped_suspension), 2, "%");
   const auto left = [](const scenes::Spring<>& spring) {
     return 100 * std::pow(left_in_a_step(frame * spring.omega), 60);
   };

@@ -2,13 +2,42 @@
 /// @file
 /// What is left of a blow in chapter 4, and how often each step is solved for it.
 #pragma once
+#include <cmath>
 #include <optional>
 
 #include "../cast.h"
-#include "bdf2_spring.h"
+#include "integrate/bdf2.h"
 #include "integrate/trapezoid.h"
+#include "measure/energy.h"
+#include "measure/methods.h"
 #include "measure/record.h"
 #include "struck_nets.h"
+
+/// What one step of backward Euler leaves of the energy of an undamped spring.
+constexpr double left_in_a_step(double homega) {
+  return 1 / (1 + homega * homega);
+}
+
+/// What a second of BDF2 leaves of the energy of an undamped spring.
+inline double left_by_bdf2(const scenes::Spring<>& spring) {
+  const auto energy = [&](double x, double v) { return spring.energy(x, v); };
+  return 1 + measure::drift(measure::bdf2, spring, frame, 60, energy).last;
+}
+
+/// The same, begun with a step of another method.
+/// @param first  takes it, as `first(x, v, t, h, scene)`
+template <class First>
+double left_by_bdf2(const scenes::Spring<>& spring, First first) {
+  auto [x, v] = spring.start();
+  integrate::Bdf2Previous<double> previous{x, v};
+  const double given = spring.energy(x, v);
+  const auto solve = measure::solver_of(spring);
+  first(x, v, 0.0, frame, spring);
+  for (int n = 1; n < 60; ++n) {
+    if (!integrate::bdf2(x, v, previous, n * frame, frame, frame, spring, solve)) return NAN;
+  }
+  return spring.energy(x, v) / given;
+}
 
 /// One solve of the trapezoid rule.
 inline constexpr auto trapezoid_once = [](Struck& s, const auto& scene, auto& system) {
@@ -35,17 +64,14 @@ double solves_of_trapezoid(const Scene& scene, double speed, int steps) {
   return double(sum) / steps;
 }
 
-/// One solve of BDF2, begun with one of backward Euler; for one blow.
+/// One solve of BDF2; for one blow.
 inline auto bdf2_once() {
-  return [previous = std::optional<Struck>()](Struck& s, const auto& scene, auto& system) mutable {
-    const Struck now = s;
-    if (previous) {
-      s = {(4 * now.x - previous->x) / 3, (4 * now.v - previous->v) / 3};
-    }
-    const double step = previous ? 2 * frame / 3 : frame;
-    previous = now;
-    return integrate::backward_euler(s.x, s.v, 0.0, step, scene, system);
-  };
+  using Previous = integrate::Bdf2Previous<Eigen::VectorXd>;
+  return
+      [previous = std::optional<Previous>()](Struck& s, const auto& scene, auto& system) mutable {
+        if (!previous) previous = integrate::bdf2_start(s.x, s.v, 0.0, frame, scene);
+        return integrate::bdf2(s.x, s.v, *previous, 0.0, frame, frame, scene, system);
+      };
 }
 
 /// A gentle blow, and what a second leaves of it.

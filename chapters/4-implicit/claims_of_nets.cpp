@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "bdf2_spring.h"
 #include "blows.h"
 #include "iterated.h"
 #include "matrix_costs.h"

@@ -26,7 +26,7 @@ double energy_error(const measure::Method& method, const Scene& scene, double h)
 struct Offer {
   const measure::Method* method;
   double evaluations;  ///< of a step
-  double nanoseconds;  ///< of a step, of one of many bodies in a loop
+  double nanoseconds;  ///< of a step, of one of many bodies in a loop; NaN until it is recorded
 };
 
 /// What a scene can be stepped with.
@@ -66,7 +66,7 @@ Bought best_for(double price, double Offer::* cost, const std::vector<Offer>& of
   for (const Offer& offer : offers) {
     if (is_verlet_in_other_words(*offer.method)) continue;
     const double rate = std::min(price / (offer.*cost), double(rates[std::size(rates) - 1]));
-    if (rate < 0.999 * rates[0]) continue;
+    if (!(rate >= 0.999 * rates[0])) continue;
     const Bought bought{offer.method, off_at(rate, *offer.method, scene, seconds)};
     if (bought.error < best.error) best = bought;
     if (offer.method == in_use) used = bought;

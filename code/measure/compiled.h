@@ -97,6 +97,8 @@ inline constexpr const measure::Method& trapezoid = measure::compiled<measure::T
 /// Trapezoid, to the end.
 inline constexpr const measure::Method& trapezoid_newton =
     measure::compiled<measure::TrapezoidNewton>;
+/// BDF2.
+inline constexpr const measure::Method& bdf2 = measure::compiled<measure::Bdf2>;
 /// Backward Euler on a spring.
 inline constexpr const measure::Method& backward_euler_spring =
     measure::compiled<measure::BackwardEulerSpring>;

@@ -5,6 +5,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <typeinfo>
 
 #include "measure/methods.h"
@@ -46,6 +47,11 @@ constexpr double lead(Method) {
   return (Method::free_fall - 50) / 10.0;
 }
 
+// BDF2's start leads once, and not with every step; tests/methods/engines.cpp has by how much.
+constexpr auto moves_alike = [](auto method) {
+  return !std::is_base_of_v<measure::KeepsLastState, decltype(method)>;
+};
+
 // How far ahead the velocity is, in a h.
 constexpr double lead_of_velocity(
     theory::OneOf<measure::StormerVerlet, measure::StormerVerletUneven> auto) {
@@ -59,7 +65,7 @@ constexpr double lead_of_velocity(auto) {
 
 TEMPLATE_LIST_TEST_CASE(
     "Under constant force a position leads by half a h t, or lags by it, or is exact", "",
-    list::General) {
+    list::Where<moves_alike>) {
   INFO(typeid(TestType).name());
   for (const double h : {1.0 / 60, 0.25, 30.0}) {
     for (const int steps : {1, 7, 100}) {

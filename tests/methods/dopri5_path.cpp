@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "integrate/dopri5.h"
-#include "measure/cost.h"
+#include "measure/evaluations.h"
 #include "measure/length.h"
 #include "reference.h"
 #include "scenes/orbit.h"

@@ -33,10 +33,13 @@ void check_fingerprint(double wanted) {
 }
 
 // The speeds of the steps that each moves with, in g h, are 0 to 9, 1/2 to 9 1/2, or 1 to 10.
-template <int Depth>
+template <auto Depth>
 using Falling = list::Where<[](auto method) { return method.free_fall == Depth; }>;
+// Of BDF2's start, whose first step moves with a third of the velocity of its start and two thirds
+// of that of its end.
+using FallingByStart = Falling<measure::KeepsLastState::free_fall>;
 static_assert(std::tuple_size_v<Falling<45>> + std::tuple_size_v<Falling<50>> +
-                      std::tuple_size_v<Falling<55>> >=
+                      std::tuple_size_v<Falling<55>> + std::tuple_size_v<FallingByStart> >=
                   std::tuple_size_v<list::General>,
               "tests/methods/engines.cpp: a method whose `free_fall` is none of 45, 50 and 55");
 
@@ -76,6 +79,14 @@ TEMPLATE_LIST_TEST_CASE("Ten steps of free fall with the velocity between give t
 TEMPLATE_LIST_TEST_CASE("Ten steps of free fall with the velocity after give 55 g h^2", "",
                         Falling<55>) {
   check_fingerprint<TestType>(55);
+}
+
+TEMPLATE_LIST_TEST_CASE("Ten steps of free fall by BDF2 give its start's quarter more than 50", "",
+                        FallingByStart) {
+  // A sixth of the first step, and a third of what is left of it in each step after that.
+  double more = 0;
+  for (int n = 0; n < 10; ++n) more += std::pow(3, -n) / 6;
+  check_fingerprint<TestType>(50 + more);
 }
 
 TEST_CASE("Position Verlet that begins with x_previous = x falls like symplectic Euler") {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "integrate/backward_euler.h"
+#include "integrate/bdf2.h"
 #include "integrate/trapezoid.h"
 #include "textbook/runge_kutta.h"
 
@@ -70,6 +71,40 @@ TEMPLATE_TEST_CASE("What Newton's method finds for the trapezoid rule has the me
   }
 }
 
+// By divided differences: the slope of the last step, and its length times the second difference.
+TEMPLATE_TEST_CASE("Through what BDF2 finds and the last two states a parabola has the end's slope",
+                   "", double, float) {
+  TestType x = TestType(0.7), v = TestType(-1.1), t = TestType(0.2), h_previous = TestType(0.1);
+  integrate::Bdf2Previous<TestType> previous{TestType(0.8), TestType(-0.9)};
+  for (const double length : {0.3, 0.3, 0.1, 0.05, 0.25, 0.4, 0.4}) {
+    const TestType h = TestType(length);
+    const Pair two_ago{previous.x, previous.v}, one_ago{x, v};
+    REQUIRE(integrate::bdf2_newton(x, v, previous, t, h, h_previous, pushed, solve, size,
+                                   rounding<TestType>));
+    CHECK(previous.x == TestType(one_ago[0]));
+    CHECK(previous.v == TestType(one_ago[1]));
+    const Pair after{x, v};
+    const Pair last = (after - one_ago) / h, before = (one_ago - two_ago) / h_previous;
+    const Pair second = (last - before) / (textbook::Real(h) + h_previous);
+    const Pair defect = last + h * second - textbook::slope(pushed, after, t + h);
+    // Each state is rounded, and the differences divide by steps.
+    CHECK_THAT(double(defect.norm()), WithinAbs(0, 2 * rounding<TestType> / h));
+    t += h;
+    h_previous = h;
+  }
+}
+
+TEMPLATE_TEST_CASE("BDF2 starts with a state from which backward Euler would come", "", double,
+                   float) {
+  TestType x = TestType(0.7), v = TestType(-1.1);
+  const TestType t = TestType(2.3), h = TestType(0.3);
+  const auto previous = integrate::bdf2_start(x, v, t, h, pushed);
+  const Pair here{x, v};
+  const Pair before{previous.x, previous.v};
+  const Pair defect = here - before - h * textbook::slope(pushed, here, t);
+  CHECK_THAT(double(defect.norm()), WithinAbs(0, rounding<TestType>));
+}
+
 TEST_CASE("Newton's method stops where its tolerance is met, and counts its iterations") {
   long evaluations = 0;
   const auto counted = [&evaluations](double x, double v, double t) {
@@ -110,6 +145,15 @@ TEST_CASE("An implicit step that cannot be solved says so and leaves everything 
   SECTION("Newton's method for the trapezoid rule") {
     CHECK(integrate::trapezoid_newton(x, v, 0.0, 0.3, pushed, unsolvable, size, 1e-9) == 0);
     CHECK(integrate::trapezoid_newton(x, v, 0.0, 0.3, pushed, endless, size, 1e-9) == 0);
+  }
+  SECTION("BDF2, once and by Newton's method") {
+    integrate::Bdf2Previous<double> previous{0.8, -0.9};
+    CHECK_FALSE(integrate::bdf2(x, v, previous, 0.0, 0.3, 0.1, pushed, unsolvable));
+    CHECK(integrate::bdf2_newton(x, v, previous, 0.0, 0.3, 0.1, pushed, unsolvable, size, 1e-9) ==
+          0);
+    CHECK(integrate::bdf2_newton(x, v, previous, 0.0, 0.3, 0.1, pushed, endless, size, 1e-9) == 0);
+    CHECK(previous.x == 0.8);
+    CHECK(previous.v == -0.9);
   }
   CHECK(x == 0.7);
   CHECK(v == -1.1);

@@ -97,6 +97,15 @@ constexpr scenes::State<Vec> one_step(measure::Trapezoid, scenes::State<Vec> s, 
 }
 
 template <class Vec, class Time, class Real, class Scene>
+constexpr scenes::State<Vec> one_step(measure::Bdf2, scenes::State<Vec> s, Time t, Real h,
+                                      const Scene& scene) {
+  const Real before = h / Real(4);
+  auto previous = integrate::bdf2_start(s.x, s.v, t, before, scene);
+  const bool solved = integrate::bdf2(s.x, s.v, previous, t, h, before, scene, solver(scene));
+  return solved ? s : scenes::State<Vec>{};
+}
+
+template <class Vec, class Time, class Real, class Scene>
 constexpr scenes::State<Vec> one_step(measure::BackwardEulerNewton, scenes::State<Vec> s, Time t,
                                       Real h, const Scene& scene) {
   const int iterations = integrate::backward_euler_newton(s.x, s.v, t, h, scene, solver(scene),
@@ -109,5 +118,15 @@ constexpr scenes::State<Vec> one_step(measure::TrapezoidNewton, scenes::State<Ve
                                       Real h, const Scene& scene) {
   const int iterations =
       integrate::trapezoid_newton(s.x, s.v, t, h, scene, solver(scene), size_of_change, Real(1e-5));
+  return iterations > 0 ? s : scenes::State<Vec>{};
+}
+
+template <class Vec, class Time, class Real, class Scene>
+constexpr scenes::State<Vec> one_step(measure::Bdf2Newton, scenes::State<Vec> s, Time t, Real h,
+                                      const Scene& scene) {
+  const Real before = h / Real(4);
+  auto previous = integrate::bdf2_start(s.x, s.v, t, before, scene);
+  const int iterations = integrate::bdf2_newton(s.x, s.v, previous, t, h, before, scene,
+                                                solver(scene), size_of_change, Real(1e-5));
   return iterations > 0 ? s : scenes::State<Vec>{};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
-// The orders of what has no place in the list of general methods: position Verlet with uneven
-// steps, the methods for a spring or a damping alone, and an estimate of an error.
+// The orders of what has no place in the list of general methods: position Verlet and BDF2 with
+// uneven steps, the methods for a spring or a damping alone, and an estimate of an error.
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -34,6 +34,39 @@ struct LongAndShort {
   }
 };
 
+// The same for BDF2, with one solve and to the end.
+template <bool to_the_end>
+struct LongAndShortBdf2 {
+  template <class Vec, class Real, class Scene>
+  static std::array<Vec, 4> start(const scenes::State<Vec>& s, Real h, const Scene& scene) {
+    const auto previous = integrate::bdf2_start(s.x, s.v, Real(0), Real(0.375) * h, scene);
+    return {s.x, s.v, previous.x, previous.v};
+  }
+  template <class Vec, class Real, class Scene>
+  static void step(std::array<Vec, 4>& kept, Real t, Real h, const Scene& scene) {
+    const Real lengthy = Real(0.625) * h, brief = Real(0.375) * h;
+    part(kept, t, lengthy, brief, scene);
+    part(kept, t + lengthy, brief, lengthy, scene);
+  }
+  template <class Vec, class Real, class Scene>
+  static void part(std::array<Vec, 4>& kept, Real t, Real h, Real h_previous, const Scene& scene) {
+    const auto solve = measure::solver_of(scene);
+    integrate::Bdf2Previous<Vec> previous{kept[2], kept[3]};
+    if constexpr (to_the_end) {
+      const auto size = [](const Vec& y) { return Real(measure::length(y)); };
+      REQUIRE(integrate::bdf2_newton(kept[0], kept[1], previous, t, h, h_previous, scene, solve,
+                                     size, Real(1e-13)) > 0);
+    } else {
+      REQUIRE(integrate::bdf2(kept[0], kept[1], previous, t, h, h_previous, scene, solve));
+    }
+    kept = {kept[0], kept[1], previous.x, previous.v};
+  }
+  template <class Vec, class Real, class Scene>
+  static scenes::State<Vec> state_of(const std::array<Vec, 4>& kept, Real, Real, const Scene&) {
+    return {kept[0], kept[1]};
+  }
+};
+
 // A scene with an exact solution as a problem to measure orders on.
 template <class Scene>
 order::Problem<double, Scene> problem(const Scene& scene, double part) {
@@ -50,6 +83,14 @@ TEST_CASE("With long and short steps in turn, position Verlet has its orders sti
   order::check(LongAndShort(), order::pendulum<double>(), 2, 1);
   order::check(LongAndShort(), order::driven<double>(0.45), 2, 1);
   order::check(LongAndShort(), order::pushed<double>(), 1, 1);
+}
+
+TEMPLATE_TEST_CASE("With long and short steps in turn, BDF2 has order 2 in position and velocity",
+                   "", LongAndShortBdf2<false>, LongAndShortBdf2<true>) {
+  order::check(TestType(), order::pendulum<double>(), 2, 2);
+  order::check(TestType(), order::kepler<double>(), 2, 2);
+  order::check(TestType(), order::driven<double>(0.45), 2, 2);
+  order::check(TestType(), order::pushed<double>(), 2, 2);
 }
 
 TEST_CASE("On a damped spring, implicit Euler by formula has order 1 and RK4's matrix order 4") {

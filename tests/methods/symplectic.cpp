@@ -53,6 +53,16 @@ std::array<Complex, 2> moved(measure::TrapezoidNewton, Complex x, Complex v, dou
   REQUIRE(integrate::trapezoid_newton(x, v, 0.0, h, Swing(), solve, size, 1e-14) > 0);
   return {x, v};
 }
+std::array<Complex, 2> moved(measure::Bdf2, Complex x, Complex v, double h) {
+  auto previous = integrate::bdf2_start(x, v, 0.0, h, Swing());
+  REQUIRE(integrate::bdf2(x, v, previous, 0.0, h, h, Swing(), solve));
+  return {x, v};
+}
+std::array<Complex, 2> moved(measure::Bdf2Newton, Complex x, Complex v, double h) {
+  auto previous = integrate::bdf2_start(x, v, 0.0, h, Swing());
+  REQUIRE(integrate::bdf2_newton(x, v, previous, 0.0, h, h, Swing(), solve, size, 1e-14) > 0);
+  return {x, v};
+}
 
 struct Determinant {
   double value, rounding;  // some ten operations for each entry

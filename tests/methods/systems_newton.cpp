@@ -26,7 +26,7 @@ auto band(const Scene& scene) {
 }  // namespace
 
 TEMPLATE_TEST_CASE("On a linear force Newton's method is done with the first iteration", "", Newton,
-                   TrapezoidNewton) {
+                   TrapezoidNewton, Bdf2Newton) {
   auto solve = band<1>(chain);
   auto [x, v] = chain.start();
   for (int n = 0; n < 20; ++n) {
@@ -39,7 +39,7 @@ TEMPLATE_TEST_CASE("On a linear force Newton's method is done with the first ite
 }
 
 TEMPLATE_TEST_CASE("On a force that is not linear Newton's method doubles its digits", "", Newton,
-                   TrapezoidNewton) {
+                   TrapezoidNewton, Bdf2Newton) {
   double x_exact = 1.5, v_exact = -0.25;
   REQUIRE(TestType::step(x_exact, v_exact, 0.5, cubic, solve_cubic, 1e-14) > 0);
   int before = 0;
@@ -56,7 +56,7 @@ TEMPLATE_TEST_CASE("On a force that is not linear Newton's method doubles its di
 }
 
 TEMPLATE_TEST_CASE("On a rope in the air each implicit step can be solved", "", Once, Newton,
-                   TrapezoidOnce, TrapezoidNewton) {
+                   TrapezoidOnce, TrapezoidNewton, Bdf2Once, Bdf2Newton) {
   auto solve = band<5>(rope);
   auto [x, v] = rope.start();
   for (int n = 0; n < 60; ++n) REQUIRE(TestType::step(x, v, 1.0 / 60, rope, solve, 1e-6) > 0);

@@ -14,7 +14,7 @@
 using namespace systems;
 
 TEMPLATE_TEST_CASE("A step whose system cannot be solved leaves position and velocity alone", "",
-                   Once, Newton, TrapezoidOnce, TrapezoidNewton) {
+                   Once, Newton, TrapezoidOnce, TrapezoidNewton, Bdf2Once, Bdf2Newton) {
   // Also if the system has spoilt what it was to change.
   const auto refuse = [](double, double, double, double, double, double& change) {
     change = std::numeric_limits<double>::quiet_NaN();
@@ -27,7 +27,7 @@ TEMPLATE_TEST_CASE("A step whose system cannot be solved leaves position and vel
 }
 
 TEMPLATE_TEST_CASE("Newton's method that fails in a later iteration leaves them alone, too", "",
-                   Newton, TrapezoidNewton) {
+                   Newton, TrapezoidNewton, Bdf2Newton) {
   int left = 3;
   const auto refuse_later = [&left](double x, double v, double t, double p, double q,
                                     double& change) {
@@ -41,7 +41,7 @@ TEMPLATE_TEST_CASE("Newton's method that fails in a later iteration leaves them 
 }
 
 TEMPLATE_TEST_CASE("Newton's method that finds no end gives up after fifty iterations", "", Newton,
-                   TrapezoidNewton) {
+                   TrapezoidNewton, Bdf2Newton) {
   int solves = 0;
   const auto count = [&solves](double x, double v, double t, double p, double q, double& change) {
     ++solves;
@@ -55,7 +55,7 @@ TEMPLATE_TEST_CASE("Newton's method that finds no end gives up after fifty itera
 }
 
 TEMPLATE_TEST_CASE("Newton's method with derivatives of the wrong sign says that it found no end",
-                   "", Newton, TrapezoidNewton) {
+                   "", Newton, TrapezoidNewton, Bdf2Newton) {
   const auto wrong = [](double x, double v, double t, double p, double q, double& change) {
     return solve_cubic(x, v, t, -p, q, change);
   };
@@ -66,7 +66,7 @@ TEMPLATE_TEST_CASE("Newton's method with derivatives of the wrong sign says that
 }
 
 TEMPLATE_TEST_CASE("An acceleration that is not a number is no step", "", Once, Newton,
-                   TrapezoidOnce, TrapezoidNewton) {
+                   TrapezoidOnce, TrapezoidNewton, Bdf2Once, Bdf2Newton) {
   const auto broken = [](const Eigen::Vector2d& x, const Eigen::Vector2d&, double) {
     return Eigen::Vector2d(std::numeric_limits<double>::quiet_NaN() * x);
   };
@@ -79,7 +79,7 @@ TEMPLATE_TEST_CASE("An acceleration that is not a number is no step", "", Once, 
 }
 
 TEMPLATE_TEST_CASE("Newton's method finds no end where the acceleration is not a number", "",
-                   Newton, TrapezoidNewton) {
+                   Newton, TrapezoidNewton, Bdf2Newton) {
   // With a system that takes no notice of it.
   const auto broken = [](double, double, double) {
     return std::numeric_limits<double>::quiet_NaN();

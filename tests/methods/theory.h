@@ -103,12 +103,17 @@ Complex factor(Method method, Complex z) {
   }
 }
 
-// lambda^3 + p[0] lambda^2 + p[1] lambda + p[2]; a matrix of two rows has a root of zero as well.
-using Polynomial = std::array<double, 3>;
+// lambda^4 + p[0] lambda^3 + p[1] lambda^2 + p[2] lambda + p[3]; a matrix of fewer rows has roots
+// of zero as well.
+using Polynomial = std::array<double, 4>;
 
 inline Polynomial characteristic(const Eigen::MatrixXd& m) {
-  if (m.rows() == 2) return {-m.trace(), m.determinant(), 0};
-  return {-m.trace(), (m.trace() * m.trace() - (m * m).trace()) / 2, -m.determinant()};
+  const double trace = m.trace(), pairs = (trace * trace - (m * m).trace()) / 2;
+  if (m.rows() == 2) return {-trace, m.determinant()};
+  if (m.rows() == 3) return {-trace, pairs, -m.determinant()};
+  const double of_squares = (m * m).trace(), of_cubes = (m * m * m).trace();
+  const double triples = trace * (trace * trace - 3 * of_squares) / 6 + of_cubes / 3;
+  return {-trace, pairs, -triples, m.determinant()};
 }
 
 // From the two rates z of the force, where z^2 + d z + s = 0.
@@ -136,6 +141,15 @@ inline Polynomial characteristic(
 inline Polynomial characteristic(OneOf<measure::StormerVerletCarried, measure::VelocityVerlet> auto,
                                  Force f) {
   return {f.s + 1.5 * f.d - 2, 1 - 2 * f.d, f.d / 2};
+}
+
+// Of either rate z of the force, 3/2 lambda^2 - 2 lambda + 1/2 = z lambda^2; and the product of
+// both.
+inline Polynomial characteristic(OneOf<measure::Bdf2, measure::Bdf2Newton> auto, Force f) {
+  const Complex root = std::sqrt(Complex(f.d * f.d / 4 - f.s));
+  const Complex first = 1.5 + f.d / 2 - root, second = 1.5 + f.d / 2 + root;
+  const double both = (first * second).real(), sum = (first + second).real();
+  return {-2 * sum / both, (4 + sum / 2) / both, -2 / both, 0.25 / both};
 }
 
 // Velocity Verlet for a part of a step, on x, h v and h^2 a.

@@ -12,14 +12,14 @@ namespace theory {
 
 // The size of the largest root.
 inline double radius(const Polynomial& p) {
-  Eigen::Matrix3d companion;
-  companion << -p[0], -p[1], -p[2], 1, 0, 0, 0, 1, 0;
+  Eigen::Matrix4d companion;
+  companion << -p[0], -p[1], -p[2], -p[3], 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0;
   return measure::largest_eigenvalue(companion);
 }
 
 // Of the velocity alone: drag leaves the position where it is, which is a root of one.
 inline double radius_of_velocity(const Polynomial& p) {
-  return radius({1 + p[0], 1 + p[0] + p[1], 0});
+  return radius({1 + p[0], 1 + p[0] + p[1], 1 + p[0] + p[1] + p[2], 0});
 }
 
 // The first place, looking outwards in small strides, where `growth` exceeds 1, or nowhere. Where

@@ -137,7 +137,11 @@ void system_refuses() {
     CHECK(!integrate::trapezoid(x, v, 0.0, Real(1), force, system));
     CHECK(!integrate::backward_euler_newton(x, v, 0.0, Real(1), force, system, norm, Real(1e-3)));
     CHECK(!integrate::trapezoid_newton(x, v, 0.0, Real(1), force, system, norm, Real(1e-3)));
-    CHECK(x == ones && v == ones);
+    integrate::Bdf2Previous<Vec> previous{ones, ones};
+    CHECK(!integrate::bdf2(x, v, previous, 0.0, Real(1), Real(1), force, system));
+    CHECK(!integrate::bdf2_newton(x, v, previous, 0.0, Real(1), Real(1), force, system, norm,
+                                  Real(1e-3)));
+    CHECK(x == ones && v == ones && previous.x == ones && previous.v == ones);
   }
 }
 

@@ -2,14 +2,17 @@
 /// @file
 /// The implicit methods, as objects that can be handed to run() and to the other measurements.
 #pragma once
+#include <array>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <tuple>
 
 #include "integrate/backward_euler.h"
+#include "integrate/bdf2.h"
 #include "integrate/trapezoid.h"
 #include "measure/length.h"
+#include "measure/methods/keeps.h"
 #include "measure/methods/traits.h"
 #include "measure/solver_of.h"
 
@@ -90,17 +93,77 @@ struct TrapezoidNewton : Orders<2> {
   }
 };
 
+/// What both forms of BDF2 have in common: they keep the state of a step ago as well.
+struct KeepsLastState {
+  /// Besides the true 50, a quarter that its start moves too far.
+  static constexpr double free_fall = 50.25 - 0.25 / 59049;
+
+  /// What it keeps at the start.
+  template <class Vec, class Real, class Scene>
+  static std::array<Vec, 4> start(const scenes::State<Vec>& s, Real h, const Scene& scene) {
+    const auto previous = integrate::bdf2_start(s.x, s.v, Real(0), h, scene);
+    return {s.x, s.v, previous.x, previous.v};
+  }
+  /// The state that it stands for.
+  template <class Kept, class Real, class Scene>
+  static StateOf<Kept> state_of(const Kept& kept, Real, Real, const Scene&) {
+    return {kept[0], kept[1]};
+  }
+};
+
+/// integrate::bdf2 with equal steps on a scene with a `jacobian`: keeps the last state.
+struct Bdf2 : Orders<2>, KeepsLastState {
+  static constexpr std::string_view name = "BDF2", function = "bdf2", header = "bdf2.h";
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = always, spring_limit = always;
+  static constexpr bool symplectic = false, reversible = false, central = false;
+  static constexpr bool goes_back = false, contender = false;
+
+  /// One step, as long as the one before it.
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
+    integrate::Bdf2Previous<typename Kept::value_type> previous{kept[2], kept[3]};
+    require_solved(integrate::bdf2(kept[0], kept[1], previous, t, h, h, scene, solver_of(scene)));
+    kept[2] = previous.x, kept[3] = previous.v;
+  }
+};
+
+/// integrate::bdf2_newton with equal steps on a scene with a `jacobian`: keeps the last state; down
+/// to rounding.
+struct Bdf2Newton : Orders<2>, KeepsLastState {
+  static constexpr std::string_view name = "BDF2, to the end", function = "bdf2_newton",
+                                    header = "bdf2.h";
+  static constexpr long evaluations = as_needed;
+  static constexpr double drag_limit = always, spring_limit = always;
+  static constexpr bool symplectic = false, reversible = false, central = false;
+  static constexpr bool goes_back = false, contender = false;
+
+  /// One step, as long as the one before it.
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
+    const auto size = [](const auto& y) { return Real(length(y)); };
+    const auto tolerance = 512 * std::numeric_limits<Real>::epsilon() * (1 + size(kept[1]));
+    integrate::Bdf2Previous<typename Kept::value_type> previous{kept[2], kept[3]};
+    require_solved(integrate::bdf2_newton(kept[0], kept[1], previous, t, h, h, scene,
+                                          solver_of(scene), size, tolerance) > 0);
+    kept[2] = previous.x, kept[3] = previous.v;
+  }
+};
+
 inline constexpr BackwardEuler backward_euler;               ///< to hand on
 inline constexpr BackwardEulerNewton backward_euler_newton;  ///< to hand on
 inline constexpr Trapezoid trapezoid;                        ///< to hand on
 inline constexpr TrapezoidNewton trapezoid_newton;           ///< to hand on
+inline constexpr Bdf2 bdf2;                                  ///< to hand on
+inline constexpr Bdf2Newton bdf2_newton;                     ///< to hand on
 
 }  // namespace measure
 
 namespace list {
 
 /// Those that solve for the end of a step.
-using ImplicitKin = std::tuple<measure::BackwardEuler, measure::BackwardEulerNewton,
-                               measure::Trapezoid, measure::TrapezoidNewton>;
+using ImplicitKin =
+    std::tuple<measure::BackwardEuler, measure::BackwardEulerNewton, measure::Trapezoid,
+               measure::TrapezoidNewton, measure::Bdf2, measure::Bdf2Newton>;
 
 }  // namespace list

@@ -59,4 +59,44 @@ inline std::vector<State> steps(measure::Trapezoid, const Force& force, const St
   return states;
 }
 
+// The end from which a parabola through it and the last two states has the slope that the force
+// asks for there. The first step has a third of the slope of its start and two thirds of its end's.
+template <class Solve>
+std::vector<State> bdf2_steps(const Force& force, const State& start, Real h, int count,
+                              Solve solve) {
+  std::vector<State> states;
+  Pair before, z{start.x, start.v};
+  for (int n = 0; n < count; ++n) {
+    const auto defect = [&](const Pair& end) -> Pair {
+      const Pair wanted = h * slope(force, end, (n + 1) * h);
+      if (n == 0) return end - z - h / 3 * slope(force, z, 0) - 2 * wanted / 3;
+      return (3 * end - 4 * z + before) / 2 - wanted;
+    };
+    const Pair from = n == 0 ? Pair(z + h / 3 * slope(force, z, 0)) : Pair((4 * z - before) / 3);
+    const Pair end = solve(defect, from, 2 * h / 3);
+    before = z;
+    z = end;
+    states.push_back({z[0], z[1]});
+  }
+  return states;
+}
+
+inline std::vector<State> steps(measure::Bdf2, const Force& force, const State& start, Real h,
+                                int count) {
+  const auto once = [](const auto& defect, const Pair& from, Real part) {
+    return newton_step(defect, from, part);
+  };
+  return bdf2_steps(force, start, h, count, once);
+}
+
+inline std::vector<State> steps(measure::Bdf2Newton, const Force& force, const State& start, Real h,
+                                int count) {
+  const auto to_the_end = [](const auto& defect, const Pair& from, Real part) {
+    Pair end = newton_step(defect, from, part);
+    for (int n = 0; n < 20; ++n) end -= derivative(defect, end).partialPivLu().solve(defect(end));
+    return end;
+  };
+  return bdf2_steps(force, start, h, count, to_the_end);
+}
+
 }  // namespace textbook
