@@ -6,6 +6,7 @@
 #include "frames/fixed_step.h"
 #include "integrate/backward_euler.h"
 #include "integrate/backward_euler_spring.h"
+#include "integrate/bdf2.h"
 #include "integrate/constant_acceleration.h"
 #include "integrate/dopri5.h"
 #include "integrate/linear_damping.h"
@@ -97,13 +98,13 @@ void move_linked(Vec& x, Vec& v, double t, double tick, int steps, const Acceler
                  const Links& pull_links) {
   // [links]
   const double h = tick / steps;
-  Vec before = integrate::stormer_verlet_start(x, v, t, h, acceleration);  // once
+  Vec last = integrate::stormer_verlet_start(x, v, t, h, acceleration);
   for (int n = 0; n < steps; ++n) {
-    integrate::stormer_verlet(x, before, t + n * h, h, acceleration);
+    integrate::stormer_verlet(x, last, t + n * h, h, acceleration);
     pull_links(x);  // changes the velocity, too
   }
   // [links]
-  v = integrate::stormer_verlet_velocity(x, before, h);
+  v = integrate::stormer_verlet_velocity(x, last, h);
 }
 
 /// An orbit whose place counts.
@@ -144,7 +145,7 @@ double move_in_frames(Vec& x, Vec& v, double tick, int steps, const Lengths& len
   const auto step = [&](double now) {
     integrate::velocity_verlet(x, v, a, now, clock.h, acceleration);
   };
-  for (const double length : lengths) clock.frame(length, step);  // in seconds
+  for (const double length : lengths) clock.frame(length, step);
   // [frames]
   return double(clock.steps) * clock.h;
 }
@@ -198,5 +199,20 @@ bool move_net(Vec& x, Vec& v, double t, double tick, const Acceleration& acceler
   integrate::SparseSystem<decltype(jacobian)> system(jacobian);  // once
   const bool solved = integrate::backward_euler(x, v, t, tick, acceleration, system);
   // [net]
+  return solved;
+}
+
+/// Many stiff springs, and slow swings among them.
+template <class Vec, class Acceleration, class Jacobian>
+bool move_slow(Vec& x, Vec& v, double t, double tick, int ticks, const Acceleration& acceleration,
+               Jacobian jacobian) {
+  // [slow]
+  integrate::SparseSystem<decltype(jacobian)> system(jacobian);
+  auto last = integrate::bdf2_start(x, v, t, tick, acceleration);
+  bool solved = true;
+  for (int n = 0; n < ticks && solved; ++n) {  // till something hits it
+    solved = integrate::bdf2(x, v, last, t + n * tick, tick, tick, acceleration, system);
+  }
+  // [slow]
   return solved;
 }

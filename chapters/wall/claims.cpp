@@ -162,7 +162,10 @@ TEST_CASE("What the page takes where forces switch asks once in a step and is of
 TEST_CASE("What the page takes for stiff springs has no limit on springs or on drag") {
   CHECK(measure::BackwardEuler::spring_limit == always);
   CHECK(measure::BackwardEuler::drag_limit == always);
-  for (const measure::Method* method : {&method::backward_euler, &method::backward_euler_spring}) {
+  CHECK(measure::Bdf2::spring_limit == always);
+  CHECK(measure::Bdf2::drag_limit == always);
+  for (const measure::Method* method :
+       {&method::backward_euler, &method::backward_euler_spring, &method::bdf2}) {
     for (const double h : {0.01, 1.0, 100.0, 1e4}) {
       for (const double zeta : {0.0, 0.1, 1.0, 10.0}) {
         CAPTURE(method->name, h, zeta);
@@ -316,7 +319,7 @@ TEST_CASE("The lines of the page take what they are for to where it should be") 
     for (int n = 0; n < 60; ++n) move_stiff(x, v, n * tick, tick, 1, Vec{}, 600, 0.0, nothing);
     CHECK(length(x) < 1e-12);
   }
-  SECTION("a net") {
+  SECTION("nets") {
     // Two masses between two walls.
     Eigen::VectorXd places = Eigen::Vector2d(1, -1), speeds = Eigen::Vector2d(0, 0);
     const double k = 1e6;
@@ -329,5 +332,17 @@ TEST_CASE("The lines of the page take what they are for to where it should be") 
     };
     for (int n = 0; n < 60; ++n) CHECK(move_net(places, speeds, n * tick, tick, net, jacobian));
     CHECK(places.norm() < 1e-12);
+    // One that swings once a second, when both go the same way
+    places = Eigen::Vector2d(2, 0), speeds = Eigen::Vector2d(0, 0);
+    const double soft = omega * omega;
+    const auto both = [&](const Eigen::VectorXd& at, const Eigen::VectorXd&, double) {
+      return Eigen::VectorXd(-(k + soft) * at + k * at.reverse());
+    };
+    const auto slopes = [&](const auto&, const auto&, double, auto&& add) {
+      add(0, 0, -(k + soft), 0.0), add(1, 1, -(k + soft), 0.0);
+      add(0, 1, k, 0.0), add(1, 0, k, 0.0);
+    };
+    CHECK(move_slow(places, speeds, 0.0, tick, 60, both, slopes));
+    CHECK((places - Eigen::Vector2d(1, 1)).norm() < 0.05);
   }
 }
