@@ -197,7 +197,7 @@ bool move_net(Vec& x, Vec& v, double t, double tick, const Acceleration& acceler
               Jacobian jacobian) {
   // [net]
   integrate::SparseSystem<decltype(jacobian)> system(jacobian);  // once
-  const bool solved = integrate::backward_euler(x, v, t, tick, acceleration, system);
+  bool solved = integrate::backward_euler(x, v, t, tick, acceleration, system);
   // [net]
   return solved;
 }
