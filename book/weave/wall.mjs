@@ -103,9 +103,8 @@ function facts({ rows }) {
     said[2] += is('drag-limit', 'any step') ? ' and any drag' : `, <i>ch</i> = ${value(row('drag-limit'))}`;
   if (row('fall') && Math.round(Number(row('fall').measured)) !== 50)
     said.push(`falls ${value(row('fall'), 2)} <i>gh</i>² for 50`);
-  if (is('energy', 'kept')) said.push(`energy kept to ${value(row('energy-off'))}`);
-  else if (is('energy', 'falls'))
-    said.push(`takes ${value(row('energy-step'), 2).replace(/^−/, '')} of the energy a step`);
+  if (is('energy', 'kept')) said.push(`energy within ${value(row('energy-off'))}`);
+  else if (is('energy', 'falls')) said.push(`energy ${value(row('energy-step'), 2)} a step`);
   return said;
 }
 

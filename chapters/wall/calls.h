@@ -6,6 +6,7 @@
 #include "frames/fixed_step.h"
 #include "integrate/backward_euler.h"
 #include "integrate/backward_euler_spring.h"
+#include "integrate/bdf2.h"
 #include "integrate/constant_acceleration.h"
 #include "integrate/dopri5.h"
 #include "integrate/linear_damping.h"
@@ -46,24 +47,25 @@ void move_on_spring(Vec& x, Vec& v, double tick, const Vec& target, double omega
 }
 
 /// A body with contacts and joints.
-template <class Vec, class Forces>
-void move_undamped(Vec& x, Vec& v, double t, double tick, int steps, const Forces& forces) {
+template <class Vec, class Acceleration>
+void move_undamped(Vec& x, Vec& v, double t, double tick, int steps,
+                   const Acceleration& acceleration) {
   // [undamped]
   const double h = tick / steps;
   for (int n = 0; n < steps; ++n) {
-    integrate::symplectic_euler(x, v, t + n * h, h, forces);
+    integrate::symplectic_euler(x, v, t + n * h, h, acceleration);
   }
   // [undamped]
 }
 
 /// A body with drag.
-template <class Vec, class Forces>
+template <class Vec, class Acceleration>
 void move_with_drag(Vec& x, Vec& v, double t, double tick, int steps, double c,
-                    const Forces& forces) {
+                    const Acceleration& acceleration) {
   // [drag]
   const double h = tick / steps;
-  for (int n = 0; n < steps; ++n) {  // forces: all but the drag
-    integrate::linear_damping_implicit_last(x, v, t + n * h, h, c, forces);
+  for (int n = 0; n < steps; ++n) {  // acceleration: without the drag
+    integrate::linear_damping_implicit_last(x, v, t + n * h, h, c, acceleration);
   }
   // [drag]
 }
@@ -77,7 +79,7 @@ void move_pair(Body& one, Body& two, const Vec& axis, double d, double tick, int
   const double h = tick / steps;
   const double light = 1 / one.m + 1 / two.m;
   for (int n = 0; n < steps; ++n) {
-    one.v = one.v + h * a1;  // but the damper's
+    one.v = one.v + h * a1;
     two.v = two.v + h * a2;
     const double fast = dot(two.v - one.v, axis);
     const double left = fast / (1 + d * h * light);
@@ -91,40 +93,42 @@ void move_pair(Body& one, Body& two, const Vec& axis, double d, double tick, int
 }
 
 /// A rope of particles, whose links are put right after each step.
-template <class Vec, class Forces, class Links>
-void move_linked(Vec& x, Vec& v, double t, double tick, int steps, const Forces& forces,
+template <class Vec, class Acceleration, class Links>
+void move_linked(Vec& x, Vec& v, double t, double tick, int steps, const Acceleration& acceleration,
                  const Links& pull_links) {
   // [links]
   const double h = tick / steps;
-  Vec before = integrate::stormer_verlet_start(x, v, t, h, forces);  // once
+  Vec last = integrate::stormer_verlet_start(x, v, t, h, acceleration);
   for (int n = 0; n < steps; ++n) {
-    integrate::stormer_verlet(x, before, t + n * h, h, forces);
+    integrate::stormer_verlet(x, last, t + n * h, h, acceleration);
     pull_links(x);  // changes the velocity, too
   }
   // [links]
-  v = integrate::stormer_verlet_velocity(x, before, h);
+  v = integrate::stormer_verlet_velocity(x, last, h);
 }
 
 /// An orbit whose place counts.
-template <class Vec, class Forces>
-void move_for_ever(Vec& x, Vec& v, double t, double tick, int steps, const Forces& forces) {
+template <class Vec, class Acceleration>
+void move_for_ever(Vec& x, Vec& v, double t, double tick, int steps,
+                   const Acceleration& acceleration) {
   // [place]
   const double h = tick / steps;
-  Vec a = integrate::yoshida4_start(x, v, t, forces);  // once
+  Vec a = integrate::yoshida4_start(x, v, t, acceleration);  // once
   for (int n = 0; n < steps; ++n) {
-    integrate::yoshida4(x, v, a, t + n * h, h, forces);
+    integrate::yoshida4(x, v, a, t + n * h, h, acceleration);
   }
   // [place]
 }
 
 /// An orbit of which only the shape counts.
-template <class Vec, class Forces>
-void move_in_shape(Vec& x, Vec& v, double t, double tick, int steps, const Forces& forces) {
+template <class Vec, class Acceleration>
+void move_in_shape(Vec& x, Vec& v, double t, double tick, int steps,
+                   const Acceleration& acceleration) {
   // [shape]
   const double h = tick / steps;
-  Vec a = integrate::velocity_verlet_start(x, v, t, forces);  // once
+  Vec a = integrate::velocity_verlet_start(x, v, t, acceleration);  // once
   for (int n = 0; n < steps; ++n) {
-    integrate::velocity_verlet(x, v, a, t + n * h, h, forces);
+    integrate::velocity_verlet(x, v, a, t + n * h, h, acceleration);
   }
   // [shape]
 }
@@ -132,51 +136,54 @@ void move_in_shape(Vec& x, Vec& v, double t, double tick, int steps, const Force
 /// The same in frames of any length, cut into steps of one length.
 /// @param lengths  of the frames [s]
 /// @returns  the time that the steps have reached [s]
-template <class Vec, class Lengths, class Forces>
+template <class Vec, class Lengths, class Acceleration>
 double move_in_frames(Vec& x, Vec& v, double tick, int steps, const Lengths& lengths,
-                      const Forces& forces) {
+                      const Acceleration& acceleration) {
   // [frames]
   frames::FixedStep<> clock{tick / steps};
-  Vec a = integrate::velocity_verlet_start(x, v, 0.0, forces);
-  for (const double length : lengths) {  // of the frames, in seconds
-    clock.frame(length, [&](double t) {
-      integrate::velocity_verlet(x, v, a, t, clock.h, forces);
-    });
-  }
+  Vec a = integrate::velocity_verlet_start(x, v, 0.0, acceleration);
+  const auto step = [&](double now) {
+    integrate::velocity_verlet(x, v, a, now, clock.h, acceleration);
+  };
+  for (const double length : lengths) clock.frame(length, step);
   // [frames]
   return double(clock.steps) * clock.h;
 }
 
 /// What is watched closely.
-template <class Vec, class Forces>
-void move_closely(Vec& x, Vec& v, double t, double tick, int steps, const Forces& forces) {
+template <class Vec, class Acceleration>
+void move_closely(Vec& x, Vec& v, double t, double tick, int steps,
+                  const Acceleration& acceleration) {
   // [closely]
   const double h = tick / steps;
   for (int n = 0; n < steps; ++n) {
-    integrate::rk4(x, v, t + n * h, h, forces);
+    integrate::rk4(x, v, t + n * h, h, acceleration);
   }
   // [closely]
 }
 
-/// To a tolerance; `next` is kept from call to call.
-template <class Vec, class Forces>
-bool move_within(Vec& x, Vec& v, double t, double duration, double& next, const Forces& forces,
-                 double tolerance) {
+/// To a tolerance.
+/// @param now  when it is to be seen [s]
+template <class Vec, class Acceleration>
+void move_within(Vec& x, Vec& v, double t, double tick, double now,
+                 const Acceleration& acceleration, double tolerance) {
   // [tolerance]
   const auto size = [](const Vec& error) { return length(error); };
-  const bool arrived = integrate::dopri5_adaptive(x, v, t, duration, next, forces, size, tolerance);
+  auto path = integrate::dopri5_path(x, v, t, tick, acceleration);  // once
+  if (integrate::dopri5_adaptive(path, now, acceleration, size, tolerance)) {
+    x = path.position(now), v = path.velocity(now);
+  }
   // [tolerance]
-  return arrived;
 }
 
 /// A stiff spring to a fixed place, among other forces.
-template <class Vec, class Forces>
+template <class Vec, class Acceleration>
 void move_stiff(Vec& x, Vec& v, double t, double tick, int steps, const Vec& anchor, double omega,
-                double zeta, const Forces& forces) {
+                double zeta, const Acceleration& acceleration) {
   // [stiff]
   const double h = tick / steps;
   for (int n = 0; n < steps; ++n) {
-    v = v + h * forces(x, v, t + n * h);  // all but the spring
+    v = v + h * acceleration(x, v, t + n * h);  // without the spring
     Vec way = x - anchor;
     integrate::backward_euler_spring(way, v, h, omega, zeta);
     x = anchor + way;
@@ -185,11 +192,27 @@ void move_stiff(Vec& x, Vec& v, double t, double tick, int steps, const Vec& anc
 }
 
 /// Many stiff springs.
-template <class Vec, class Forces, class Jacobian>
-bool move_net(Vec& x, Vec& v, double t, double tick, const Forces& forces, Jacobian jacobian) {
+template <class Vec, class Acceleration, class Jacobian>
+bool move_net(Vec& x, Vec& v, double t, double tick, const Acceleration& acceleration,
+              Jacobian jacobian) {
   // [net]
   integrate::SparseSystem<decltype(jacobian)> system(jacobian);  // once
-  const bool solved = integrate::backward_euler(x, v, t, tick, forces, system);
+  bool solved = integrate::backward_euler(x, v, t, tick, acceleration, system);
   // [net]
+  return solved;
+}
+
+/// Many stiff springs, and slow swings among them.
+template <class Vec, class Acceleration, class Jacobian>
+bool move_slow(Vec& x, Vec& v, double t, double tick, int ticks, const Acceleration& acceleration,
+               Jacobian jacobian) {
+  // [slow]
+  integrate::SparseSystem<decltype(jacobian)> system(jacobian);
+  auto last = integrate::bdf2_start(x, v, t, tick, acceleration);
+  bool solved = true;
+  for (int n = 0; n < ticks && solved; ++n) {  // till something hits it
+    solved = integrate::bdf2(x, v, last, t + n * tick, tick, tick, acceleration, system);
+  }
+  // [slow]
   return solved;
 }

@@ -4,8 +4,10 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
+#include <cstddef>
+#include <iterator>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "measure/compiled.h"
@@ -20,11 +22,15 @@ struct Answer {
 };
 
 /// All of them but the exact and the adaptive steps, whose length is no question.
-inline constexpr Answer answers[] = {
-    {method::symplectic_euler, false},     {method::linear_damping_implicit_last, true},
-    {method::stormer_verlet, false},       {method::yoshida4, false},
-    {method::velocity_verlet, false},      {method::rk4, true},
-    {method::backward_euler_spring, true}, {method::backward_euler, true}};
+inline constexpr Answer answers[] = {{method::symplectic_euler, false},
+                                     {method::linear_damping_implicit_last, true},
+                                     {method::stormer_verlet, false},
+                                     {method::yoshida4, false},
+                                     {method::velocity_verlet, false},
+                                     {method::rk4, true},
+                                     {method::backward_euler_spring, true},
+                                     {method::backward_euler, true},
+                                     {method::bdf2, true}};
 
 inline constexpr double watched = 10;                        ///< how long, in swings
 inline constexpr double tolerances[] = {0.1, 0.01, 0.001};   ///< shares of the swing
