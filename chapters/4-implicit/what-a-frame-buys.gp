@@ -2,10 +2,10 @@ eval NARROW ? canvas(400, 960) : canvas(720, 980)
 set xlabel NARROW ? "multiplications per unknown and frame" : "multiplications for each unknown and frame" offset 0,0.3
 # Three panels, each one unit high, one above the other: in each the error runs from `finest` to `coarsest`.
 array nets = ["chain", "rope", "cloth"]
-finest = 2e-6
+finest = 6e-7
 coarsest = 3
 cheapest = 15
-dearest = 8000
+dearest = 9000
 low(j) = (3 - j)*1.1
 py(j, off) = low(j) + (log(off) - log(finest))/(log(coarsest) - log(finest))
 set logscale x
@@ -20,7 +20,6 @@ set grid noxtics noytics
 set lmargin 2
 set tmargin NARROW ? 5.4 : 3.6
 array errors = [1, 0.1, 0.01, 0.001, 1e-4, 1e-5]
-array error_names = ["100 %", "10 %", "1 %", "0.1 %", "0.01 %", "0.001 %"]
 n = 100
 do for [j=1:3] {
   n = n + 1
@@ -28,7 +27,7 @@ do for [j=1:3] {
   do for [i=1:6] {
     n = n + 1
     set arrow n from cheapest,py(j, errors[i]) to dearest,py(j, errors[i]) nohead ls GRID
-    set label n error_names[i] at graph 0.004,first py(j, errors[i]) left offset 0,0.4 font ",12" tc ls EXACT
+    set label n sprintf("%g %%", 100*errors[i]) at graph 0.004,first py(j, errors[i]) left offset 0,0.4 font ",12" tc ls EXACT
   }
 }
 # What the symbols are, above the first panel.
@@ -52,15 +51,16 @@ best = "'symplectic Euler' 'backward Euler' BDF2 trapezoid 'BDF2 twice'"
 panel(m) = txt("net") eq nets[1] ? 1 : txt("net") eq nets[2] ? 2 : 3
 answer(m) = txt("method") eq m ? val("work") : NaN
 level(m) = height(panel(m))
-# Names stand at the first answer of a method in a panel, above it or below.
+# A method's name stands at its first answer in a panel, and the steps in a frame above, if more than one.
 fewest(m) = txt("net") eq nets[3] ? exact("cloth-substeps") : exact("chain-fewest")
-begun(m) = val("steps") == (m eq "symplectic Euler" ? fewest(m) : m eq "trapezoid" ? 2 : 1) ? answer(m) : NaN
-of_many(m) = m eq "symplectic Euler" && (val("steps") == 100 || val("steps") == 200 || val("steps") == 400) ? answer(m) : NaN
-name(m) = val("steps") == 1 ? (m eq "BDF2 twice" ? "BDF2 solved twice" : m) : sprintf(NARROW ? "%s × %d" : "%s, %d steps a frame", m, val("steps"))
+first(m) = m eq "symplectic Euler" ? fewest(m) : m eq "trapezoid" ? 2 : 1
+begun(m) = val("steps") == first(m) ? answer(m) : NaN
+counted(m) = val("steps") == 150 || val("steps") == 300 || (NARROW && val("steps") == 400) ? NaN : answer(m)
 plot for [m in best] file("seen-answers") using (answer(m)):(level(m)):(length(m)):(0) with vectors nohead ls like(m) lw 7 dt solid, \
      for [j=1:3] for [m in once] file("seen") using (at(j, m)):(height(j)) with linespoints ls style(m) lw 1.2 dt solid, \
      for [j=1:3] for [i=1:6] file("seen") using (at(j, more[i])):(height(j)) with points ls look[i] pt shape[i] ps 0.9, \
      for [j=1:3] file("seen") using (txt("net") eq nets[j] ? val("work") : NaN):(height(j)):(tip(j)) with labels hypertext point ls CONTEXT ps 0.2, \
-     for [m in "'symplectic Euler' 'backward Euler' trapezoid"] file("seen-answers") using (begun(m)):(level(m)):(name(m)) with labels left offset 0.2,0.8 tc ls style(m), \
-     for [m in "BDF2 'BDF2 twice'"] file("seen-answers") using (begun(m)):(level(m)):(name(m)) with labels left offset 0.2,-0.9 tc ls BDF2, \
-     for [m in "'symplectic Euler'"] file("seen-answers") using (of_many(m)):(level(m)):(sprintf("%d", val("steps"))) with labels left offset 0.2,0.8 tc ls SYMPLECTIC_EULER
+     for [m in "BDF2 'BDF2 twice' 'symplectic Euler' ".(NARROW ? "" : "trapezoid")] file("seen-answers") using (begun(m)):(level(m)):(m) with labels right offset -1,-0.1 tc ls like(m), \
+     for [m in "'backward Euler'"] file("seen-answers") using (panel(m) == 1 ? begun(m) : NaN):(level(m)):(m) with labels left offset (NARROW ? 5 : 2.5),0.9 tc ls like(m), \
+     for [m in "'backward Euler'"] file("seen-answers") using (panel(m) == 1 ? NaN : begun(m)):(level(m)):(m) with labels right offset -1,0.8 tc ls like(m), \
+     for [m in "'symplectic Euler' trapezoid"] file("seen-answers") using (counted(m)):(level(m)):(sprintf("%d", val("steps"))) with labels left offset 0.2,0.75 tc ls style(m)
