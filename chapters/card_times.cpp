@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 // What is timed for the cards: every method of the list, on the scene that its card names.
 #include "measure/card_lines.h"
-#include "measure/cost.h"
 #include "measure/methods.h"
+#include "measure/time_of.h"
 #include "times.h"
 
 namespace {
@@ -10,8 +10,9 @@ namespace {
 template <class List, class Scene>
 void add_each(std::vector<measure::Timed>& all, List methods, const Scene& scene) {
   list::for_each(methods, [&](auto method) {
-    all.push_back({"card/" + std::string(method.function),
-                   [method, scene] { return measure::seconds_per_step(method, scene, 1e-5); }});
+    all.push_back({"card/" + std::string(method.function), [method, scene] {
+                     return measure::time_of(method, scene, scene.start(), 1e-5);
+                   }});
   });
 }
 

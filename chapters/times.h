@@ -12,9 +12,9 @@ void add_card_times(std::vector<measure::Timed>& all);
 /// Chapter 3: steps of one spring, called `spring/...`.
 void add_spring_times(std::vector<measure::Timed>& all);
 
-/// Chapter 7: a step of the shuttle with each method, called `shuttle/...`, and of many particles,
-/// called `particles/...`.
-void add_shuttle_times(std::vector<measure::Timed>& all);
+/// Chapter 7: a step of each method, called as `step_name` says, and of many particles, called
+/// `particles/...`.
+void add_step_times(std::vector<measure::Timed>& all);
 void add_particle_times(std::vector<measure::Timed>& all);
 
 /// Forgets times that can't be right.

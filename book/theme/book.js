@@ -85,8 +85,14 @@
     { capture: true, passive: true },
   );
 
+  // On paper everything is open; on the screen it is again as it was.
+  let opened = [];
   addEventListener('beforeprint', () => {
-    for (const details of all('details')) details.open = true;
+    opened = all('details:not([open])');
+    for (const details of opened) details.open = true;
+  });
+  addEventListener('afterprint', () => {
+    for (const details of opened) details.open = false;
   });
 
   // A page opens where its address says, and goes there again once its live figures run, in case they took more room than was kept for

@@ -64,6 +64,9 @@ set bmargin 3.4
 
 # The name of the vertical axis, written level above it; the horizontal one below.
 axis_names(x, y) = sprintf("set xlabel '%s' offset 0,0.3; set label 99 '%s' at graph 0,1.0 left offset -4,0.9", x, y)
+# A figure of several panels says where each lies on its own axes, for the same test: `PANELS = PANELS.panel(...)`.
+PANELS = ""
+panel(left, right, bottom, top, x_min, x_max, y_min, y_max) = sprintf('%s{"left": %.17g, "right": %.17g, "bottom": %.17g, "top": %.17g, "x": [%.17g, %.17g], "y": [%.17g, %.17g]}', strlen(PANELS) ? ", " : "", left, right, bottom, top, x_min, x_max, y_min, y_max)
 # A script reaches its tables by name. file("orbit") is the table orbit.csv; behind it, while gnuplot reads that table,
 # col("t") is the column of that name, as a place of `using` wants it, val("t") is what a row has there, and
 # txt("method") the same as text, up to a comma: gnuplot goes no further. A name that the table doesn't have stops
@@ -78,6 +81,10 @@ txt(name) = strcol(col(name))
 # A number of a table by its row, counted from 1 below the header, for an arrow or the like.
 cell(table, row, name) = (file(table), number_in(system(sprintf("awk -F, 'NR == %d { print $%d }' '%s%s.csv'", row + 1, col(name), DATA, table)), row))
 number_in(text, row) = strlen(text) ? real(text) : refuse(sprintf("%s.csv has no row %d", TABLE, row))
+
+# What stands in a column of text, each once, in the rows that have a word in another: for a loop such as
+# `plot for [m in names("work", "method", "thing", "leaf")] ...`
+names(table, name, key, word) = (file(table), system(sprintf("awk -F, -v key='%s' 'NR > 1 && $%d == key && !seen[$%d]++ { printf \"\\047%%s\\047 \", $%d }' '%s%s.csv'", word, col(key), col(name), col(name), DATA, table)))
 
 # What the chapter's program recorded: number("apex") is the text that \number{apex} is on the page, "1.27 m", and
 # exact("apex") is the value. The build writes NUMBERS: name, value, text.

@@ -1,10 +1,11 @@
 // Style sheet, scripts, fonts and data files that lie beside the pages.
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { dirname, join } from 'node:path';
+import { basename, dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { LIVE_SCRIPTS, colourRules } from './live.mjs';
 import { isMark } from './snippets.mjs';
+import { CLOCK } from './wall.mjs';
 
 const require = createRequire(import.meta.url);
 const theme = fileURLToPath(new URL('../theme/', import.meta.url));
@@ -22,7 +23,7 @@ const FONTS = [
 ];
 
 export function copyAssets(book, out) {
-  for (const file of ['book.css', 'book.js', 'search.js']) copyFileSync(join(theme, file), join(out, file));
+  for (const file of ['book.css', 'book.js', 'search.js', 'wall.js']) copyFileSync(join(theme, file), join(out, file));
   copyFileSync(join(dirname(require.resolve('minisearch')), '../umd/index.js'), join(out, 'minisearch.js'));
   if (book.config.live) copyLive(book, join(out, 'live'));
   copyFonts(join(out, 'fonts'));
@@ -83,7 +84,9 @@ function copyData(data, folder) {
 // The headers that readers take home, without the marks between which the book cuts its listings.
 function copyHeaders({ api, config }, folder) {
   mkdirSync(folder, { recursive: true });
-  for (const { file, name } of api.headers.values()) {
+  const clock = { file: CLOCK, name: basename(CLOCK) };
+  for (const { file, name } of [...api.headers.values(), clock]) {
+    if (!existsSync(join(config.source, file))) continue; // the sample of the tests has no clock
     const lines = readFileSync(join(config.source, file), 'utf8').split('\n');
     writeFileSync(join(folder, name), lines.filter(line => !isMark(line)).join('\n'));
   }

@@ -5,9 +5,10 @@ import { linker } from './api.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { tableHtml } from './tables.mjs';
 import { escapeHtml, smarten } from './text.mjs';
+import { rateHtml, takeHtml } from './wall.mjs';
 
 export function blockHtml(context, piece) {
-  return { listing, fence, display, rows, card, contents }[piece.name](context, piece);
+  return { listing, fence, display, rows, card, contents, take: takeHtml, rate: rateHtml }[piece.name](context, piece);
 }
 
 export function codeLines(lines, numbers, { id = () => '', gaps = true } = {}) {

@@ -8,6 +8,7 @@ import { adoptSvg } from './svg.mjs';
 import { taskFoot, taskHead } from './task-box.mjs';
 import { escapeHtml, smarten, textOfHtml } from './text.mjs';
 import { TOKEN } from './prose.mjs';
+import { choiceHtml } from './wall.mjs';
 
 export function boxHtml(context, piece, html) {
   return BOXES[piece.name](html, piece, context);
@@ -25,6 +26,7 @@ const BOXES = {
   aside: note('aside'),
   remark: note('remark'),
   hint: html => `<details class="hint"><summary>Hint</summary><div>${html}</div></details>`,
+  choice: choiceHtml,
   paper: html => `<div class="on-paper">${html}</div>`,
   screen: html => `<div class="on-screen">${html}</div>`,
   answer: html => `<details class="answer"><summary>Answer</summary><div>${html}</div></details>`,

@@ -9,6 +9,7 @@ import { renderTex, substituteNumbers } from './math.mjs';
 import { didYouMean, nameOneOf } from './problems.mjs';
 import { numberColumns, tableFault } from './tables.mjs';
 import { introduction, italics } from './terms.mjs';
+import { checkTake } from './wall.mjs';
 
 export function checkBook(book) {
   collectLabels(book);
@@ -151,6 +152,8 @@ const CHECKS = {
     piece.card = book.cards.get(name);
     if (!piece.card) report(`there is no card of a function "${name}".${nameOneOf(name, book.cards.keys())}`);
   },
+  take: checkTake,
+  choice: ({ piece, report }) => plainTitle(piece.args[1], report),
   rows({ book, page, piece, report }) {
     const [name] = piece.args;
     const tables = book.programs.get(page.owner)?.tables ?? new Map();

@@ -33,7 +33,7 @@ export function readAllTimes(pairs = [], problems) {
 }
 
 // A twentieth of a processor is what a quiet system itself takes.
-const quiet = times => Number(times.others) < 0.05;
+export const quiet = times => Number(times.others) < 0.05;
 
 export const isTime = field => MARK.test(field);
 const pairOf = (pairs, field) => pairs.find(({ recorded }) => recorded.of.has(field.match(MARK)[1]));

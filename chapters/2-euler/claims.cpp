@@ -6,8 +6,9 @@
 #include <cmath>
 
 #include "../cast.h"
-#include "measure/cost.h"
 #include "measure/energy.h"
+#include "measure/error.h"
+#include "measure/evaluations.h"
 #include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/stability.h"

@@ -12,8 +12,9 @@
 #include "burnout.h"
 #include "comet.h"
 #include "equal_cost.h"
-#include "measure/cost.h"
 #include "measure/energy.h"
+#include "measure/error.h"
+#include "measure/evaluations.h"
 #include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/stability.h"
@@ -582,6 +583,21 @@ TEST_CASE("With an adaptive step, players with other frames get another comet") 
   auto nudged = comet.exact(-comet_year / 2);
   nudged.x[0] = std::nextafter(nudged.x[0], 0);
   CHECK(apart > 100 * (sixty.end.x - pass(1200, nudged).end.x).norm());
+}
+
+TEST_CASE("Read out of its path in frames, the comet is the same for all and costs nothing more") {
+  const Passage alone = pass(1), sixty = read(1200), fast = read(2880);
+  CHECK((sixty.end.x == fast.end.x && sixty.end.v == fast.end.v));
+  CHECK(sixty.total() == fast.total());
+  CHECK(sixty.total() == alone.total());
+  // A step is taken in few of the frames, and most are read out of one that is there.
+  CHECK(sixty.cheapest() == 0);
+}
+
+TEST_CASE("In no frame is the comet that runs ahead further off than at the end of its year") {
+  const Passage read_out = read(1200);
+  CHECK(read_out.farthest == read_out.error);
+  CHECK(read_out.farthest < 1.01 * pass(1).error);
 }
 
 TEST_CASE("In steps of one length, players with other frames get the same comet to the last bit") {

@@ -4,8 +4,8 @@
 
 #include "integrate/rk4_linear.h"
 #include "integrate/spring_exact.h"
-#include "measure/cost.h"
 #include "measure/methods.h"
+#include "measure/time_of.h"
 #include "rest.h"
 
 namespace {
@@ -21,7 +21,8 @@ integrate::Rk4Linear<double> exact_folded() {
 
 void add_spring_times(std::vector<measure::Timed>& all) {
   const auto add = [&](const char* name, auto step, const scenes::Spring<>& scene) {
-    all.push_back({name, [step, scene] { return measure::seconds_per_step(step, scene, frame); }});
+    all.push_back(
+        {name, [step, scene] { return measure::time_of(step, scene, scene.start(), frame); }});
   };
   const auto by = [](const integrate::Rk4Linear<double>& folded) {
     return [folded](auto& x, auto& v, auto, auto, auto&&) { integrate::rk4_linear(x, v, folded); };

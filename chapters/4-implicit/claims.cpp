@@ -13,8 +13,9 @@
 
 #include "../cast.h"
 #include "blows.h"
-#include "measure/cost.h"
 #include "measure/energy.h"
+#include "measure/error.h"
+#include "measure/evaluations.h"
 #include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/stability.h"

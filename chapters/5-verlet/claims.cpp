@@ -11,8 +11,9 @@
 
 #include "float_digits.h"
 #include "jitter_runs.h"
-#include "measure/cost.h"
 #include "measure/energy.h"
+#include "measure/error.h"
+#include "measure/evaluations.h"
 #include "measure/methods.h"
 #include "measure/stability.h"
 #include "rope_runs.h"

@@ -670,43 +670,152 @@ TEST_CASE("To a millimetre only the lamp pays more, and the level less than a fi
   CHECK(total_to_within(centimetre / 10) < 1.2 * total_to_within(centimetre));
 }
 
+namespace {
+
+/// The recorded times of a step of the shuttle [ns].
+double of_one(const Method& method) {
+  return step_time("shuttle", one_body, method);
+}
+double of_512(const Method& method) {
+  return step_time("shuttle", in_a_loop, method);
+}
+
+}  // namespace
+
 TEST_CASE("Alone, a shuttle takes symplectic Euler as long as midpoint, twice as long as Euler") {
-  const auto alone = [](const std::string& method) {
-    return measure::recorded_times().at("shuttle/" + method).median;
-  };
-  CHECK_THAT(alone("symplectic Euler") / alone("midpoint"), WithinAbs(1, 0.1));
-  CHECK_THAT(alone("symplectic Euler") / alone("Euler"), WithinAbs(2, 0.2));
+  CHECK_THAT(of_one(symplectic_euler) / of_one(method::midpoint), WithinAbs(1, 0.1));
+  CHECK_THAT(of_one(symplectic_euler) / of_one(euler), WithinAbs(2, 0.2));
 }
 
 TEST_CASE(
     "Of 512 shuttles the swapped lines and Verlet take Euler's time, midpoint twice as much") {
-  const double one = time_of_many(euler);
+  const double one = of_512(euler);
   for (const Method* asks_once :
        {&symplectic_euler, &velocity_verlet, &method::leapfrog, &method::stormer_verlet})
-    CHECK_THAT(time_of_many(*asks_once) / one, WithinAbs(1, 0.1));
+    CHECK_THAT(of_512(*asks_once) / one, WithinAbs(1, 0.1));
   for (const Method* asks_twice : {&method::midpoint, &method::heun, &method::predicted_euler})
-    CHECK_THAT(time_of_many(*asks_twice) / one, WithinAbs(2, 0.2));
+    CHECK_THAT(of_512(*asks_twice) / one, WithinAbs(2, 0.2));
 }
 
-TEST_CASE("Of 512 shuttles RK4 takes five times Euler's time, Dormand-Prince thirteen times") {
-  CHECK_THAT(time_of_many(rk4) / time_of_many(euler), WithinAbs(5, 0.5));
-  CHECK_THAT(time_of_many(method::dopri5) / time_of_many(euler), WithinAbs(13, 1));
+TEST_CASE("Of 512 shuttles RK4 takes five times Euler's time, Dormand-Prince ten times") {
+  CHECK_THAT(of_512(rk4) / of_512(euler), WithinAbs(5, 0.5));
+  CHECK_THAT(of_512(method::dopri5) / of_512(euler), WithinAbs(10, 0.8));
 }
 
 TEST_CASE("Of 512 shuttles Yoshida's step takes about as long as RK4's, not three of Verlet's") {
-  CHECK_THAT(time_of_many(method::yoshida4) / time_of_many(rk4), WithinAbs(1, 0.15));
-  CHECK(time_of_many(method::yoshida4) > 4 * time_of_many(velocity_verlet));
+  CHECK_THAT(of_512(method::yoshida4) / of_512(rk4), WithinAbs(1, 0.15));
+  CHECK(of_512(method::yoshida4) > 4 * of_512(velocity_verlet));
   // Alone, it is three of Verlet's: there, both wait.
-  CHECK_THAT(measure::recorded_times().at("shuttle/Yoshida 4").median,
-             WithinRel(3 * measure::recorded_times().at("shuttle/velocity Verlet").median, 0.1));
+  CHECK_THAT(of_one(method::yoshida4), WithinRel(3 * of_one(velocity_verlet), 0.1));
 }
 
 TEST_CASE(
     "Of 512 shuttles an implicit step takes nearly twice the time of its evaluations, or more") {
-  const double one = time_of_many(euler);
-  CHECK(time_of_many(backward_euler) > 1.8 * one * double(price(backward_euler, shuttle, frame)));
-  CHECK(time_of_many(method::trapezoid) >
-        1.8 * one * double(price(method::trapezoid, shuttle, frame)));
+  const double one = of_512(euler);
+  CHECK(of_512(backward_euler) > 1.8 * one * double(price(backward_euler, shuttle, frame)));
+  CHECK(of_512(method::trapezoid) > 1.8 * one * double(price(method::trapezoid, shuttle, frame)));
+}
+
+TEST_CASE(
+    "On the machine of the times a step of one of 100 000 shuttles takes what one of 512 takes") {
+  for (const Method* entrant : entrants) {
+    INFO(entrant->name);
+    CHECK_THAT(step_time("shuttle", beyond_the_cache, *entrant) / of_512(*entrant),
+               WithinAbs(1, 0.15));
+  }
+}
+
+TEST_CASE("In packs of floats a step takes a fifth of its time in structs of doubles, or less") {
+  for (const Method* swings : {&symplectic_euler, &velocity_verlet}) {
+    CHECK(step_time("packs of float", in_a_loop, *swings) <
+          0.2 * step_time("structs of double", in_a_loop, *swings));
+  }
+}
+
+namespace {
+
+/// Prices that are not those of the figure, from one that `rates[0]` steps of velocity Verlet cost.
+std::vector<double> other_prices(double from, double to) {
+  std::vector<double> all;
+  for (double price = 1.01 * from; price < to; price *= 1.37) all.push_back(price);
+  return all;
+}
+
+/// What is nearest in a thing of the level, by price, at many prices.
+/// @param cost  `&Offer::evaluations` or `&Offer::nanoseconds`
+/// @param without  a method that is not taken; null if all are
+std::map<double, Bought> nearest(const std::string& wanted, double Offer::* cost,
+                                 const Method* without = nullptr) {
+  std::map<double, Bought> found;
+  for_each_thing([&](const std::string& thing, const auto& scene, double seconds) {
+    if (thing != wanted) return;
+    std::vector<Offer> offers = offers_on(thing, scene);
+    const auto verlet = std::find_if(offers.begin(), offers.end(), [](const Offer& offer) {
+      return offer.method == &velocity_verlet;
+    });
+    const double least = rates[0] * (*verlet).*cost;
+    std::erase_if(offers, [&](const Offer& offer) { return offer.method == without; });
+    for (const double price : other_prices(least, 300 * least))
+      found[price] = best_for(price, cost, offers, scene, seconds, nullptr);
+  });
+  return found;
+}
+
+bool is_ever_nearest(const Method& method, const std::string& thing, double Offer::* cost) {
+  const auto all = nearest(thing, cost);
+  return std::any_of(all.begin(), all.end(),
+                     [&](const auto& one) { return one.second.method == &method; });
+}
+
+constexpr const char* things[] = {"jump", "leaf", "suspension", "hatch", "lamp", "shuttle"};
+
+}  // namespace
+
+TEST_CASE("For the fewest evaluations velocity Verlet is nearest on five of the six") {
+  for (const std::string thing : things) {
+    INFO(thing);
+    CHECK((nearest(thing, &Offer::evaluations).begin()->second.method == &velocity_verlet) ==
+          (thing != "hatch"));
+  }
+}
+
+TEST_CASE(
+    "For 300 evaluations or more Dormand-Prince is nearest on all that is not exact or stiff") {
+  for (const std::string thing : {"suspension", "lamp", "shuttle"}) {
+    for (const auto& [price, best] : nearest(thing, &Offer::evaluations)) {
+      CAPTURE(thing, price);
+      if (price >= 300 && best.error > 1e-9) CHECK(best.method == &method::dopri5);
+    }
+  }
+}
+
+TEST_CASE("By evaluations Yoshida's method is worth its price on the lamp and the shuttle alone") {
+  for (const std::string thing : things) {
+    INFO(thing);
+    CHECK(is_ever_nearest(method::yoshida4, thing, &Offer::evaluations) ==
+          (thing == "lamp" || thing == "shuttle"));
+  }
+}
+
+TEST_CASE("By time Yoshida's method is nowhere twice as near as the best of the others") {
+  for (const std::string thing : things) {
+    const auto others = nearest(thing, &Offer::nanoseconds, &method::yoshida4);
+    for (const auto& [price, best] : nearest(thing, &Offer::nanoseconds)) {
+      CAPTURE(thing, price);
+      if (best.method == &method::yoshida4) CHECK(others.at(price).error < 2 * best.error);
+    }
+  }
+}
+
+TEST_CASE("By time the hatch belongs to the implicit methods down to a millimetre") {
+  int seen = 0;
+  for (const auto& [price, best] : nearest("hatch", &Offer::nanoseconds)) {
+    CAPTURE(price);
+    if (best.error < 0.001 || best.error > 1) continue;
+    CHECK((best.method == &backward_euler || best.method == &method::trapezoid));
+    ++seen;
+  }
+  CHECK(seen > 5);
 }
 
 namespace {
@@ -767,5 +876,5 @@ TEST_CASE("Times of particles that undercut their limit are forgotten, and other
   times.of[particles_name("packs", 65'536)].median = 0.9 * particle_time("memory", 65'536);
   forget_if_disturbed(times);
   CHECK_FALSE(times.of.contains(particles_name("structs", 4'096)));
-  CHECK(times.of.contains("shuttle/RK4"));
+  CHECK(times.of.contains("shuttle/1/rk4"));
 }

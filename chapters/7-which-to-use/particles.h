@@ -17,15 +17,16 @@
 #include "measure/times.h"
 
 // [lanes]
-/// Sixteen numbers side by side: a `Vec` like any other.
+/// Sixteen floats side by side, or eight doubles: a `Vec` like any other.
+template <class Real>
 struct Lanes {
-  using Four = float __attribute__((vector_size(16)));
-  Four a, b, c, d;
+  using Part [[gnu::vector_size(16)]] = Real;
+  Part a, b, c, d;
 
   friend Lanes operator+(const Lanes& p, const Lanes& q) {
     return {p.a + q.a, p.b + q.b, p.c + q.c, p.d + q.d};
   }
-  friend Lanes operator*(float scale, const Lanes& p) {
+  friend Lanes operator*(Real scale, const Lanes& p) {
     return {scale * p.a, scale * p.b, scale * p.c, scale * p.d};
   }
 };
@@ -40,7 +41,7 @@ struct Particle {
 
 /// One coordinate of sixteen particles.
 struct Pack {
-  Lanes x, v;
+  Lanes<float> x, v;
 };
 
 /// A spark on a spring, in draught: the same for each coordinate.
@@ -92,7 +93,7 @@ inline std::vector<Pack> packed(const std::vector<Particle>& particles) {
         x[i] = particles[first + i].x[axis];
         v[i] = particles[first + i].v[axis];
       }
-      packs.push_back({std::bit_cast<Lanes>(x), std::bit_cast<Lanes>(v)});
+      packs.push_back({std::bit_cast<Lanes<float>>(x), std::bit_cast<Lanes<float>>(v)});
     }
   }
   return packs;

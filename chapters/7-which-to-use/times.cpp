@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// What is timed for chapter 7: the shuttle with every method, and particles in several layouts.
+// What is timed for chapter 7 besides steps: particles in several layouts.
 #include "../times.h"
 
 #include <algorithm>
@@ -7,15 +7,9 @@
 #include <memory>
 #include <string>
 
-#include "entrants.h"
-#include "level.h"
-#include "measure/cost.h"
-#include "measure/methods.h"
 #include "particles.h"
 
 namespace {
-
-constexpr double brief = 1e-6;  ///< a step so short that nothing explodes while it is timed [s]
 
 /// Particles in one layout; each step moves all of them.
 template <class Particles, class Step>
@@ -44,18 +38,6 @@ measure::Timed best_of_five(const measure::Timed& timed) {
 }
 
 }  // namespace
-
-void add_shuttle_times(std::vector<measure::Timed>& all) {
-  // The headers' own functions, which the compiler sees through.
-  list::for_each(list::Contenders(), [&all](auto method) {
-    const std::string name(method.name);
-    all.push_back({"shuttle/" + name,
-                   [method] { return measure::seconds_per_step(method, shuttle, brief); }});
-    all.push_back({"512 shuttles/" + name, [method] {
-                     return measure::seconds_per_step_of_many(method, shuttle, brief, 512);
-                   }});
-  });
-}
 
 void add_particle_times(std::vector<measure::Timed>& all) {
   for (const long count : particle_counts) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Speed against accuracy: what each method gets out of 30, 60, 120 and 240 steps a second.
+/// Speed against accuracy: what each method gets out of 30 steps a second, or 960.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,10 @@
 #include "measure/energy.h"
 #include "measure/record.h"
 #include "measure/times.h"
+#include "prices.h"
 
-inline constexpr int rates[] = {30, 60, 120, 240};  ///< steps a second
-inline constexpr double watched = 60;               ///< how long energy is watched [s]
+inline constexpr int rates[] = {30, 60, 120, 240, 480, 960};  ///< steps a second
+inline constexpr double watched = 60;                         ///< how long energy is watched [s]
 
 /// The largest relative change of the energy in a minute.
 template <class Scene>
@@ -21,20 +22,122 @@ double energy_error(const measure::Method& method, const Scene& scene, double h)
   return measure::drift(method, scene, h, std::lround(watched / h), energy).largest;
 }
 
-/// One row for each method and rate: what it costs in a second of play, and what it is worth.
+/// A method in one thing of the level, and what a step of it costs.
+struct Offer {
+  const measure::Method* method;
+  double evaluations;  ///< of a step
+  double nanoseconds;  ///< of a step, of one of many bodies in a loop; NaN until it is recorded
+};
+
+/// What a scene can be stepped with.
 template <class Scene>
-void work(measure::Record& record, const std::string& name, const Scene& scene, double seconds) {
-  auto& table = record.table("work-" + name, {{"method"},
-                                              {"steps per second", "", measure::whole},
-                                              {"evaluations per second", "", measure::whole},
-                                              {"largest error", "m"}});
-  for (const measure::Method* method : entrants) {
-    for (const int rate : rates) {
-      const double h = 1.0 / rate;
-      table.add({method->name, double(rate), double(rate * price(*method, scene, h)),
-                 off(*method, scene, h, seconds)});
-    }
+std::vector<Offer> offers_on(const std::string& thing, const Scene& scene) {
+  std::vector<Offer> all;
+  for (const measure::Method* method : entrants_on(scene)) {
+    all.push_back(
+        {method, double(price(*method, scene, frame)), step_time(thing, in_a_loop, *method)});
   }
+  return all;
+}
+
+/// How far off a thing gets at a rate that need not divide a second [m]; a nanometre at least.
+template <class Scene>
+double off_at(double rate, const measure::Method& method, const Scene& scene, double seconds) {
+  const double steps = std::floor(rate * seconds);
+  return std::max(off(method, scene, seconds / steps, seconds), 1e-9);
+}
+
+/// Whether velocity Verlet stands for a method on the charts.
+inline bool is_verlet_in_other_words(const measure::Method& one) {
+  return &one == &method::stormer_verlet || &one == &method::leapfrog;
+}
+
+/// The best that a price buys.
+struct Bought {
+  const measure::Method* method = nullptr;  ///< null if it buys nothing
+  double error = INFINITY;                  ///< [m]
+};
+
+/// A method that is in use is left only for one that is more than twice as near.
+template <class Scene>
+Bought best_for(double price, double Offer::* cost, const std::vector<Offer>& offers,
+                const Scene& scene, double seconds, const measure::Method* in_use) {
+  Bought best, used;
+  for (const Offer& offer : offers) {
+    if (is_verlet_in_other_words(*offer.method)) continue;
+    const double rate = std::min(price / (offer.*cost), double(rates[std::size(rates) - 1]));
+    if (!(rate >= 0.999 * rates[0])) continue;
+    const Bought bought{offer.method, off_at(rate, *offer.method, scene, seconds)};
+    if (bought.error < best.error) best = bought;
+    if (offer.method == in_use) used = bought;
+  }
+  return used.method && used.error <= 2 * best.error ? used : best;
+}
+
+/// What a method is called on a chart.
+inline std::string chart_name(const measure::Method& method) {
+  const std::string name(method.name), swapped = "symplectic Euler, ";
+  return name.starts_with(swapped) ? name.substr(swapped.size()) : name;
+}
+
+/// Prices from one to another, twelve in each power of ten.
+inline std::vector<double> prices(double from, double to) {
+  std::vector<double> all;
+  for (int n = 0; all.empty() || all.back() < to; ++n) all.push_back(from * std::pow(10, n / 12.0));
+  return all;
+}
+
+/// One row for each price: what to take for it.
+/// @param by  as the price is called in the table `work`
+template <class Scene>
+void answer(measure::Table& table, const std::string& thing, const std::string& by,
+            const std::vector<double>& prices, double Offer::* cost, double unit,
+            const std::vector<Offer>& offers, const Scene& scene, double seconds) {
+  std::vector<std::pair<double, Bought>> all;
+  const measure::Method* last = nullptr;
+  double changes = 0;
+  for (const double price : prices) {
+    const Bought best = best_for(price / unit, cost, offers, scene, seconds, last);
+    if (!(best.error < 10)) continue;
+    all.push_back({price, best});
+    changes += best.method != last;
+    last = best.method;
+    if (best.error <= 1e-9) break;
+  }
+  last = nullptr;
+  for (const auto& [price, best] : all) {
+    const bool change = best.method != last;
+    table.add({thing + " by " + by, chart_name(*best.method), price, best.error,
+               change ? changes-- : 0.0});
+    last = best.method;
+  }
+}
+
+/// Error against price for each thing of the level, and the answer: at this price, this method.
+inline void work_precision(measure::Record& record) {
+  record.number("at-once", double(in_a_loop), measure::whole);
+  auto& work = record.table("work", {{"thing"},
+                                     {"method"},
+                                     {"steps per second", "", measure::whole},
+                                     {"evaluations", "", measure::whole},
+                                     {"microseconds", "µs"},
+                                     {"error", "m"}});
+  auto& answers = record.table(
+      "work-answers", {{"panel"}, {"method"}, {"price"}, {"error", "m"}, {"changes left"}});
+  for_each_thing([&](const std::string& thing, const auto& scene, double seconds) {
+    const std::vector<Offer> offers = offers_on(thing, scene);
+    for (const Offer& offer : offers) {
+      for (const int rate : rates) {
+        work.add({thing, chart_name(*offer.method), double(rate), rate * offer.evaluations,
+                  1e-3 * rate * offer.nanoseconds, off_at(rate, *offer.method, scene, seconds)});
+      }
+    }
+    const double verlet = step_time(thing, in_a_loop, method::velocity_verlet);
+    answer(answers, thing, "evaluations", prices(rates[0], 6000), &Offer::evaluations, 1, offers,
+           scene, seconds);
+    answer(answers, thing, "microseconds", prices(1e-3 * rates[0] * verlet, 100),
+           &Offer::nanoseconds, 1e-3, offers, scene, seconds);
+  });
 }
 
 /// The same for the energy of the shuttle.
@@ -44,7 +147,7 @@ inline void work_energy(measure::Record& record) {
                                              {"evaluations per second", "", measure::whole},
                                              {"energy error"}});
   for (const measure::Method* method : entrants) {
-    for (const int rate : rates) {
+    for (const int rate : {30, 60, 120, 240}) {
       const double h = 1.0 / rate;
       table.add({method->name, double(rate), double(rate * price(*method, shuttle, h)),
                  energy_error(*method, shuttle, h)});
@@ -52,44 +155,52 @@ inline void work_energy(measure::Record& record) {
   }
 }
 
-inline constexpr int shuttles_at_once = 512;  ///< for which a step of one was timed
-
-/// What the time of a step of one of them is called.
-inline std::string timed_of_many(const measure::Method& method) {
-  return std::to_string(shuttles_at_once) + " shuttles/" + std::string(method.name);
-}
-
-/// The recorded time of a step of one of them [ns].
-inline double time_of_many(const measure::Method& method) {
-  return measure::recorded_times().at(timed_of_many(method)).median;
-}
-
-/// What a step is charged, and the time that it takes: of one shuttle alone, and of one of many.
+/// What a step is charged, and the time that it takes: of one shuttle alone, of one of many, and of
+/// one of more than the caches hold.
 inline void step_times(measure::Record& record) {
-  auto& table = record.table(
-      "step-times",
-      {{"method"}, {"evaluations", "", measure::whole}, {"alone", "ns"}, {"one of 512", "ns"}});
+  auto& table = record.table("step-times", {{"method"},
+                                            {"evaluations", "", measure::whole},
+                                            {"alone", "ns"},
+                                            {"one of 512", "ns"},
+                                            {"one of 100 000", "ns"}});
+  const auto time = [](std::size_t bodies, const measure::Method& method) {
+    return "time:" + step_name("shuttle", bodies, method.function);
+  };
   for (const measure::Method* method : entrants) {
-    const std::string name(method->name);
-    table.add({name, double(price(*method, shuttle, frame)), "time:shuttle/" + name,
-               "time:" + timed_of_many(*method)});
+    table.add({method->name, double(price(*method, shuttle, frame)), time(one_body, *method),
+               time(in_a_loop, *method), time(beyond_the_cache, *method)});
   }
 }
 
-/// The errors of the shuttle beside the recorded times of a step of one of 512. A new method has no
-/// time until somebody records all of them anew.
-inline void work_time(measure::Record& record) {
-  record.number("shuttles-at-once", shuttles_at_once, measure::whole);
-  auto& table = record.table("work-time", {{"method"},
-                                           {"steps per second", "", measure::whole},
-                                           {"time per second of play", "µs"},
-                                           {"largest error", "m"}});
+/// The time of a step of the suspension in several layouts, for the methods that solve for nothing,
+/// the quickest of them first.
+inline void layouts(measure::Record& record) {
+  auto& table = record.table("layouts", {{"method"},
+                                         {"row", "", measure::whole},
+                                         {"layout"},
+                                         {"bodies", "", measure::whole},
+                                         {"time"},
+                                         {"ns"}});
+  std::vector<const measure::Method*> methods;
   for (const measure::Method* method : entrants) {
-    if (!measure::recorded_times().of.contains(timed_of_many(*method))) continue;
-    for (const int rate : rates) {
-      table.add({method->name, double(rate), 1e-3 * rate * time_of_many(*method),
-                 off(*method, shuttle, 1.0 / rate, 8)});
-    }
+    if (has_step_time("packs of float", in_a_loop, *method)) methods.push_back(method);
+  }
+  std::sort(methods.begin(), methods.end(), [](const auto* one, const auto* other) {
+    return step_time("packs of float", in_a_loop, *one) <
+           step_time("packs of float", in_a_loop, *other);
+  });
+  record.number("rows", double(methods.size()), measure::whole);
+  for (std::size_t row = 0; row < methods.size(); ++row) {
+    const auto add = [&](const char* layout, std::size_t bodies) {
+      table.add({methods[row]->name, double(row + 1), layout, double(bodies),
+                 step_name(layout, bodies, methods[row]->function),
+                 step_time(layout, bodies, *methods[row])});
+    };
+    add("structs of double", one_body);
+    add("structs of double", in_a_loop);
+    add("structs of double", beyond_the_cache);
+    add("packs of float", in_a_loop);
+    add("packs of float", beyond_the_cache);
   }
 }
 
@@ -126,10 +237,7 @@ inline double ahead_after_a_day(const measure::Method& method, double h, double 
 }
 
 inline void all_work(measure::Record& record) {
-  work(record, "suspension", suspension, 1);
-  work(record, "leaf", leaf, 2);
-  work(record, "lamp", lamp, 10);
-  work(record, "shuttle", shuttle, 8);
+  work_precision(record);
   work_energy(record);
   record.number("energy-nearer",
                 energy_error(method::velocity_verlet, shuttle, frame / 4) /
@@ -149,5 +257,5 @@ inline void all_work(measure::Record& record) {
       off(method::symplectic_euler, shuttle, frame / 4, 8) / off(method::rk4, shuttle, frame, 8),
       2);
   step_times(record);
-  work_time(record);
+  layouts(record);
 }

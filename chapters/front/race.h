@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "../cast.h"
-#include "measure/cost.h"
+#include "measure/evaluations.h"
 #include "measure/methods.h"
 
 inline constexpr double price = 15;    ///< evaluations of the acceleration per second

@@ -17,6 +17,15 @@
 /// const auto size = [](double error) { return std::abs(error); };
 /// const bool arrived = integrate::dopri5_adaptive(x, v, 0.0, 1.0, next, spring, size, 1e-9);
 /// @endcode
+///
+/// In frames, none of which cuts a step short:
+/// @code
+/// auto path = integrate::dopri5_path(1.0, 0.0, 0.0, 0.1, spring);
+/// for (int frame = 1; frame <= 60; ++frame) {
+///   if (!integrate::dopri5_adaptive(path, frame / 60.0, spring, size, 1e-9)) break;
+///   x = path.position(frame / 60.0), v = path.velocity(frame / 60.0);
+/// }
+/// @endcode
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -25,25 +34,93 @@
 
 namespace integrate {
 
-/// The weights of dopri5: each row makes a stage of the slopes before it. The last stage but one is
-/// the new state; the last row is what it differs by from a solution of order 4.
-inline constexpr double dopri5_weights[7][7] = {
-    {1.0 / 5},
-    {3.0 / 40, 9.0 / 40},
-    {44.0 / 45, -56.0 / 15, 32.0 / 9},
-    {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-    {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-    {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
-    {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40}};
-
-/// When the stages of dopri5 are evaluated, in parts of the step.
-inline constexpr double dopri5_times[6] = {1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
+/// The weights of dopri5, in parts of a step: stage i is at c_i and goes along slope j by a_ij.
+/// Stage 7 is the end. It is e_j of each slope away from the end of order 4, and d_j of each bends
+/// the way there.
+struct Dopri5Weights {
+  static constexpr double c2 = 1.0 / 5, a21 = 1.0 / 5;
+  static constexpr double c3 = 3.0 / 10, a31 = 3.0 / 40, a32 = 9.0 / 40;
+  static constexpr double c4 = 4.0 / 5, a41 = 44.0 / 45, a42 = -56.0 / 15, a43 = 32.0 / 9;
+  static constexpr double c5 = 8.0 / 9, a51 = 19372.0 / 6561, a52 = -25360.0 / 2187,
+                          a53 = 64448.0 / 6561, a54 = -212.0 / 729;
+  static constexpr double c6 = 1, a61 = 9017.0 / 3168, a62 = -355.0 / 33, a63 = 46732.0 / 5247,
+                          a64 = 49.0 / 176, a65 = -5103.0 / 18656;
+  static constexpr double c7 = 1, a71 = 35.0 / 384, a73 = 500.0 / 1113, a74 = 125.0 / 192,
+                          a75 = -2187.0 / 6784, a76 = 11.0 / 84;
+  static constexpr double e1 = 71.0 / 57600, e3 = -71.0 / 16695, e4 = 71.0 / 1920,
+                          e5 = -17253.0 / 339200, e6 = 22.0 / 525, e7 = -1.0 / 40;
+  static constexpr double d1 = -12715105075.0 / 11282082432, d3 = 87487479700.0 / 32700410799,
+                          d4 = -10690763975.0 / 1880347072, d5 = 701980252875.0 / 199316789632,
+                          d6 = -1453857185.0 / 822651844, d7 = 69997945.0 / 29380423;
+};
 
 /// How far two solutions of dopri5, of order 5 and 4, are apart.
 template <class Vec>
 struct Dopri5Error {
   Vec x;  ///< in position
   Vec v;  ///< in velocity
+};
+
+/// Where dopri5 has got to, and its last step, to be read at any time within. See dopri5_path.
+template <class Vec, class Time, class Real>
+struct Dopri5Path {
+  Vec x;          ///< position
+  Vec v;          ///< velocity
+  Vec a;          ///< acceleration
+  Time t;         ///< time of these [s]
+  Real h;         ///< size of the step to try next, above zero [s]
+  Vec x_before;   ///< position at the start of the last step
+  Vec v_before;   ///< velocity there
+  Vec a_before;   ///< acceleration there
+  Time t_before;  ///< time of these [s]
+  Real length;    ///< of the last step, negative if it went back in time [s]
+  Vec x_bend;     ///< how the positions of the last step bend away from a cubic
+  Vec v_bend;     ///< the same of the velocities
+
+  /// Whether a time lies in the last step. Of no other can the path be asked.
+  constexpr bool holds(Time at) const {
+    return (t_before <= at && at <= t) || (t <= at && at <= t_before);
+  }
+
+  /// Position at a time in the last step, wrong by a term in h^5 where the step's end is by h^6.
+  constexpr Vec position(Time at) const { return between(at, x_before, v_before, x, v, x_bend); }
+
+  /// Velocity at a time in the last step, as good as the position.
+  constexpr Vec velocity(Time at) const { return between(at, v_before, a_before, v, a, v_bend); }
+
+ private:
+  // The cubic through both ends along their slopes, and a bend that is nothing at either end.
+  constexpr Vec between(Time at, const Vec& start, const Vec& slope_there, const Vec& end,
+                        const Vec& slope_here, const Vec& bend) const {
+    const Real past = Real(at - t_before) / length, left = Real(1) - past;
+    return start + ((past * past * (Real(3) - Real(2) * past)) * (end + Real(-1) * start) +
+                    (length * past * left * left) * slope_there +
+                    (Real(-1) * length * past * past * left) * slope_here +
+                    (past * past * left * left) * bend);
+  }
+};
+
+/// What an estimate says of its step, and of the size of the next.
+template <class Real>
+struct Dopri5Verdict {
+  bool good = false;        ///< whether the step is within the tolerance
+  Real change = Real(0.2);  ///< what to multiply its size by
+
+  /// @param in_x  size of the estimate in position, over the tolerance
+  /// @param in_v  the same in velocity
+  Dopri5Verdict(Real in_x, Real in_v) {
+    if (!finite(in_x) || !finite(in_v)) return;
+    const Real size = (std::max)(in_v, in_x);
+    const Real wish = size > Real(0) ? Real(0.9) * std::pow(size, Real(-0.2)) : Real(5);
+    good = size <= Real(1);
+    change = std::clamp(wish, Real(0.2), Real(5));
+  }
+
+  /// By an integer, since -ffast-math takes every comparison for one of finite numbers.
+  static bool finite(Real size) {
+    const int exponent = std::ilogb(Real(1) + size);
+    return exponent >= 0 && exponent < (std::numeric_limits<int>::max)();
+  }
 };
 
 /// The acceleration at the start, for dopri5 to begin with.
@@ -83,25 +160,104 @@ constexpr Dopri5Error<Vec> dopri5(Vec& x, Vec& v, Vec& a, Time t, Real h,
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales) {
     // [move]
-    Vec velocities[7] = {v, v, v, v, v, v, v};
-    Vec accelerations[7] = {a, a, a, a, a, a, a};
-    const auto sum = [h](const Vec* slopes, int row) {
-      Vec total = (h * Real(dopri5_weights[row][0])) * slopes[0];
-      for (int n = 1; n <= row; ++n) total = total + (h * Real(dopri5_weights[row][n])) * slopes[n];
-      return total;
-    };
-    Vec x_end = x;
-    for (int stage = 1; stage < 7; ++stage) {
-      x_end = x + sum(velocities, stage - 1);
-      velocities[stage] = v + sum(accelerations, stage - 1);
-      accelerations[stage] =
-          acceleration(x_end, velocities[stage], t + h * Real(dopri5_times[stage - 1]));
-    }
-    x = x_end;
-    v = velocities[6];
-    a = accelerations[6];
-    return {sum(velocities, 6), sum(accelerations, 6)};
+    using W = Dopri5Weights;
+    const auto part = [h](double weight) { return h * Real(weight); };
+    const Vec x2 = x + part(W::a21) * v;
+    const Vec v2 = v + part(W::a21) * a;
+    const Vec a2 = acceleration(x2, v2, t + part(W::c2));
+    const Vec x3 = x + (part(W::a31) * v + part(W::a32) * v2);
+    const Vec v3 = v + (part(W::a31) * a + part(W::a32) * a2);
+    const Vec a3 = acceleration(x3, v3, t + part(W::c3));
+    const Vec x4 = x + (part(W::a41) * v + part(W::a42) * v2 + part(W::a43) * v3);
+    const Vec v4 = v + (part(W::a41) * a + part(W::a42) * a2 + part(W::a43) * a3);
+    const Vec a4 = acceleration(x4, v4, t + part(W::c4));
+    const Vec x5 =
+        x + (part(W::a51) * v + part(W::a52) * v2 + part(W::a53) * v3 + part(W::a54) * v4);
+    const Vec v5 =
+        v + (part(W::a51) * a + part(W::a52) * a2 + part(W::a53) * a3 + part(W::a54) * a4);
+    const Vec a5 = acceleration(x5, v5, t + part(W::c5));
+    const Vec x6 = x + (part(W::a61) * v + part(W::a62) * v2 + part(W::a63) * v3 +
+                        part(W::a64) * v4 + part(W::a65) * v5);
+    const Vec v6 = v + (part(W::a61) * a + part(W::a62) * a2 + part(W::a63) * a3 +
+                        part(W::a64) * a4 + part(W::a65) * a5);
+    const Vec a6 = acceleration(x6, v6, t + part(W::c6));
+    const Vec x7 = x + (part(W::a71) * v + part(W::a73) * v3 + part(W::a74) * v4 +
+                        part(W::a75) * v5 + part(W::a76) * v6);
+    const Vec v7 = v + (part(W::a71) * a + part(W::a73) * a3 + part(W::a74) * a4 +
+                        part(W::a75) * a5 + part(W::a76) * a6);
+    const Vec a7 = acceleration(x7, v7, t + part(W::c7));
+    // Two sums of their own, since clang++ -O3 would pack one of both into every stage.
+    const Vec x_error = part(W::e1) * v + part(W::e3) * v3 + part(W::e4) * v4 + part(W::e5) * v5 +
+                        part(W::e6) * v6 + part(W::e7) * v7;
+    const Vec v_error = part(W::e1) * a + part(W::e3) * a3 + part(W::e4) * a4 + part(W::e5) * a5 +
+                        part(W::e6) * a6 + part(W::e7) * a7;
+    x = x7;
+    v = v7;
+    a = a7;
+    return {x_error, v_error};
     // [move]
+  }
+}
+
+/// A path of dopri5 at its start, to be read there and to go on from.
+///
+/// @param x  position
+/// @param v  velocity
+/// @param t  time of `x` and `v` [s]
+/// @param h  size of the first step to try, above zero [s]
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr Dopri5Path<Vec, Time, Real> dopri5_path(const Vec& x, const Vec& v, Time t, Real h,
+                                                  Acceleration&& acceleration) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales) {
+    const Vec a = acceleration(x, v, t);
+    return {x, v, a, t, h, x, v, a, t, h, Real(0) * x, Real(0) * v};
+  }
+}
+
+/// One step of dopri5 along a path, which then holds the times of this step.
+///
+/// @param path  advanced in place, but for the size of the step to try next
+/// @param h  step size [s]; a negative step goes back in time
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @returns  the estimate of the other dopri5, whose step this is
+/// @see Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I (1993), section II.6
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr Dopri5Error<Vec> dopri5(Dopri5Path<Vec, Time, Real>& path, Real h,
+                                  Acceleration&& acceleration) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (calls && scales && !std::is_integral_v<Real>) {
+    Vec v[7] = {path.v, path.v, path.v, path.v, path.v, path.v, path.v};
+    Vec a[7] = {path.a, path.a, path.a, path.a, path.a, path.a, path.a};
+    int stage = 0;
+    const auto noting = [&](const Vec& x_stage, const Vec& v_stage, Time t_stage) {
+      ++stage;
+      v[stage] = v_stage;
+      return Vec(a[stage] = acceleration(x_stage, v_stage, t_stage));
+    };
+    const auto bend = [h](const Vec* slopes) {
+      using W = Dopri5Weights;
+      return Vec((h * Real(W::d1)) * slopes[0] + (h * Real(W::d3)) * slopes[2] +
+                 (h * Real(W::d4)) * slopes[3] + (h * Real(W::d5)) * slopes[4] +
+                 (h * Real(W::d6)) * slopes[5] + (h * Real(W::d7)) * slopes[6]);
+    };
+    path.x_before = path.x, path.v_before = path.v, path.a_before = path.a;
+    path.t_before = path.t, path.length = h;
+    const Dopri5Error<Vec> error = dopri5(path.x, path.v, path.a, path.t, h, noting);
+    path.t = Time(path.t + h);
+    path.x_bend = bend(v), path.v_bend = bend(a);
+    return error;
   }
 }
 
@@ -132,13 +288,9 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
   if constexpr (calls && scales && measures) {
-    // By an integer, since -ffast-math takes every comparison for one of finite numbers.
-    const auto finite = [](Real size) {
-      const int exponent = std::ilogb(Real(1) + size);
-      return exponent >= 0 && exponent < (std::numeric_limits<int>::max)();
-    };
+    using Verdict = Dopri5Verdict<Real>;
     const Real length = std::abs(duration);
-    if (!finite(length)) return false;
+    if (!Verdict::finite(length)) return false;
     const Real forward = duration < Real(0) ? Real(-1) : Real(1);
     Vec x_now = x, v_now = v, a_now = dopri5_start(x, v, t, acceleration);
     for (Real done = 0; done < length;) {
@@ -148,18 +300,54 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
       Vec x_next = x_now, v_next = v_now, a_next = a_now;
       const auto error =
           dopri5(x_next, v_next, a_next, t + forward * done, forward * step, acceleration);
-      const Real in_v = Real(norm(error.v)) / tolerance, in_x = Real(norm(error.x)) / tolerance;
-      const bool known = finite(in_v) && finite(in_x);
-      const Real size = (std::max)(in_v, in_x);
-      const bool good = known && size <= Real(1);
-      const Real wish = size > Real(0) ? Real(0.9) * std::pow(size, Real(-0.2)) : Real(5);
-      const Real change = known ? std::clamp(wish, Real(0.2), Real(5)) : Real(0.2);
-      if (!(good && last)) h = step * change;
-      if (!good) continue;
+      const Verdict verdict(Real(norm(error.x)) / tolerance, Real(norm(error.v)) / tolerance);
+      if (!(verdict.good && last)) h = step * verdict.change;
+      if (!verdict.good) continue;
       x_now = x_next, v_now = v_next, a_now = a_next;
       done = last ? length : done + step;
     }
     x = x_now, v = v_now;
+    return true;
+  }
+}
+
+/// Takes steps along a path until it holds a time, as many as a tolerance asks for.
+///
+/// No step is cut short, and none depends on which times are asked for: read in frames of any
+/// length, the path and what it costs are the same. What else is to change the motion, such as an
+/// impulse, begins a new path.
+///
+/// @param path  advanced in place; its h is replaced by the size to try next
+/// @param t  time to get to [s]; one that lies before the last step is gone back to
+/// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
+/// @param norm  callable `(Vec) -> Real`, the size of an error in `x` or in `v`
+/// @param tolerance  largest size of the estimate in one step
+/// @returns  whether the path holds t; if not, it ends where the step had to shrink to nothing, or
+/// the acceleration or t was not finite
+template <class Vec, class Time, class Real, class Acceleration, class Norm>
+[[nodiscard]] bool dopri5_adaptive(Dopri5Path<Vec, Time, Real>& path, Time t,
+                                   Acceleration&& acceleration, Norm&& norm, Real tolerance) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
+  static_assert(measures, "norm must be callable as Real(Vec)");
+  if constexpr (calls && scales && measures && !std::is_integral_v<Real>) {
+    using Verdict = Dopri5Verdict<Real>;
+    if (!Verdict::finite(std::abs(Real(t - path.t)))) return false;
+    while (!path.holds(t)) {
+      // As a share of the time, since -ffast-math takes (t + h) - t for h.
+      const Real least = Real(std::numeric_limits<Time>::epsilon()) * std::abs(Real(path.t));
+      if (!Verdict::finite(path.h) || !(path.h > least)) return false;
+      auto next = path;
+      const auto error = dopri5(next, t < path.t ? -path.h : path.h, acceleration);
+      const Verdict verdict(Real(norm(error.x)) / tolerance, Real(norm(error.v)) / tolerance);
+      if (verdict.good) path = next;
+      path.h = path.h * verdict.change;
+    }
     return true;
   }
 }

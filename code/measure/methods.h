@@ -50,7 +50,7 @@ constexpr bool is_in(std::tuple<Methods...>) {
 
 /// Calls something with an object of each type of a list.
 template <class... Methods, class Go>
-void for_each(std::tuple<Methods...>, Go go) {
+void for_each(std::tuple<Methods...>, [[maybe_unused]] Go go) {
   (go(Methods()), ...);
 }
 

@@ -98,6 +98,8 @@ void write_times(const Times& times, const std::filesystem::path& file) {
       << "\n"
       << columns << "\n";
   for (const auto& [name, time] : times.of) {
+    if (name.find(',') != name.npos)
+      throw std::runtime_error("a time has a comma in its name: " + name);
     char numbers[96];
     std::snprintf(numbers, sizeof numbers, "%.4g,%.4g,%.4g", time.lower, time.median, time.upper);
     out << name << "," << numbers << "\n";

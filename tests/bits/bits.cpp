@@ -50,6 +50,19 @@ std::string name() {
   return name.substr(name.find_last_of(':') + 1);
 }
 
+// What is read out of each step of Dormand and Prince, three tenths of the way.
+template <class Scene, class Vec>
+void print_path(const char* where, const Scene& scene, scenes::State<Vec> s, double h, long steps) {
+  Hash hash;
+  auto path = integrate::dopri5_path(s.x, s.v, 0.0, h, scene);
+  for (long n = 0; n < steps; ++n) {
+    integrate::dopri5(path, h, scene);
+    hash.add(path.position(path.t_before + 0.3 * h));
+    hash.add(path.velocity(path.t_before + 0.3 * h));
+  }
+  std::printf("Dopri5Path %s %016llx\n", where, static_cast<unsigned long long>(hash.value));
+}
+
 template <class Method, class Scene, class Vec>
 void print(const char* where, const Scene& scene, scenes::State<Vec> s, double h, long steps) {
   if constexpr (!calls_the_c_library<Method>) {
@@ -76,6 +89,8 @@ int main() {
     print<Method>("pendulum", pendulum, pendulum.start(), 1e-3, 10'000);
     print<Method>("orbit", orbit, pericentre, 1e-3, 5000);
   });
+  print_path("pendulum", pendulum, pendulum.start(), 1e-3, 10'000);
+  print_path("orbit", orbit, pericentre, 1e-3, 5000);
   list::for_each(list::Explicit(), [&](auto method) {
     print<decltype(method)>("planets", planets, planets.start(), 10.0, 500);
   });

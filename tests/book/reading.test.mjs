@@ -105,6 +105,7 @@ test('next leads from the first page to the last, previous back', async () => {
     'index.html',
     'preface.html',
     ...chapters,
+    'wall.html',
     'cast.html',
     'talks.html',
     'teaching.html',

@@ -4,16 +4,33 @@ import { quantities } from './quantities.mjs';
 
 const NEAR = 0.6;
 
-// axes: { x, y }, each with min and max in the data and pixel_min and pixel_max in the drawing.
+// axes: { x, y, panels }, each axis with min and max in the data and pixel_min and pixel_max in the drawing. A panel has left,
+// right, bottom and top on these axes, and x and y, each a pair: what its own axes begin and end with.
 // Returns { labels, faults }: how many labels with a number were read, and what is wrong with them.
 export function checkTicks(svg, axes) {
   const $ = cheerio.load(svg, { xml: true });
-  const results = ['x', 'y'].map(name => checkAxis(name, axes[name], labelsOf($, name, axes), marksOf($, name, axes)));
+  const inside = (axes.panels ?? []).map(panel => axesOf(panel, axes));
+  const results = (inside.length ? inside : [axes]).flatMap(found =>
+    ['x', 'y'].map(name => checkAxis(name, found[name], labelsOf($, name, found), marksOf($, name, found))),
+  );
   return { labels: results.reduce((sum, r) => sum + r.labels, 0), faults: results.flatMap(r => r.faults) };
 }
 
+function axesOf({ left, right, bottom, top, x, y }, axes) {
+  const axis = (whole, [min, max], from, to) => {
+    const pixel = value =>
+      whole.pixel_min + ((value - whole.min) / (whole.max - whole.min)) * (whole.pixel_max - whole.pixel_min);
+    return { min, max, pixel_min: pixel(from), pixel_max: pixel(to) };
+  };
+  return { x: axis(axes.x, x, left, right), y: axis(axes.y, y, bottom, top), isPanel: true };
+}
+
 // Numbers below the horizontal axis, centred, and left of the vertical one, flush right.
-function labelsOf($, name, { x, y }) {
+function labelsOf($, name, { x, y, isPanel }) {
+  const reach = name === 'x' ? 9 : 70; // names of a panel's vertical axis stand left of it
+  const near = (left, height) =>
+    !isPanel ||
+    (left > x.pixel_min - reach && left < x.pixel_max + 9 && height > y.pixel_max - 9 && height < y.pixel_min + 25);
   const labels = [];
   $('text').each((_, text) => {
     const group = $(text).closest('g[transform]');
@@ -24,6 +41,7 @@ function labelsOf($, name, { x, y }) {
     const height = baseline - 0.325 * Number(group.attr('font-size'));
     const written = textOf($, text);
     const anchor = group.attr('text-anchor');
+    if (!near(left, height)) return;
     if (name === 'x' && anchor === 'middle' && baseline > y.pixel_min && baseline < y.pixel_min + 45)
       labels.push({ written, at: left });
     if (name === 'y' && anchor === 'end' && left < x.pixel_min) labels.push({ written, at: height });

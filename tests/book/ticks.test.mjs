@@ -99,3 +99,21 @@ test('a single label in a wrong place is caught', () => {
     ['x axis: "10^{4}" stands at 371.9, its value belongs to 369.9'],
   );
 });
+
+// Two panels side by side, on axes from 0 to 1: one counts from 0 to 10, the other from 0 to 100.
+function panels(second) {
+  const label = (at, written) =>
+    `<g transform="translate(${at},310)" font-size="15.00" text-anchor="middle"><text>${written}</text></g>`;
+  const x = { min: 0, max: 1, pixel_min: 100, pixel_max: 500 };
+  const y = { min: 0, max: 1, pixel_min: 300, pixel_max: 50 };
+  const panel = (left, right, to) => ({ left, right, bottom: 0, top: 1, x: [0, to], y: [0, 1] });
+  return checkTicks(
+    `<svg xmlns="http://www.w3.org/2000/svg">${label(190, '5')}${label(280, '10')}${label(410, second)}</svg>`,
+    { x, y, panels: [panel(0, 0.45, 10), panel(0.55, 1, 100)] },
+  );
+}
+
+test('each panel of a figure has its own axes', () => {
+  assert.deepEqual(panels('50'), { labels: 3, faults: [] });
+  assert.deepEqual(panels('5').faults, ['x axis: "5" stands at 410.0, its value belongs to 329.0']);
+});

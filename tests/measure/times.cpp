@@ -67,6 +67,10 @@ TEST_CASE("A file of times that can't be read, or written, or holds something el
   const std::string nowhere = (folder.path / "no" / "times.csv").string();
   CHECK_THROWS_MATCHES(measure::write_times({}, nowhere), std::runtime_error,
                        Message("can't write " + nowhere));
+  measure::Times of_a_comma;
+  of_a_comma.of["drag, divided"] = {};
+  CHECK_THROWS_MATCHES(measure::write_times(of_a_comma, folder.path / "b.csv"), std::runtime_error,
+                       Message("a time has a comma in its name: drag, divided"));
 }
 
 TEST_CASE("Times were taken alone if other programs took less than a twentieth of a processor") {

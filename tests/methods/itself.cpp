@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "measure/cost.h"
+#include "measure/evaluations.h"
 #include "measure/methods.h"
 #include "measure/run.h"
 #include "scenes/pendulum.h"

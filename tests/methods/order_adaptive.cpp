@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "integrate/dopri5.h"
-#include "measure/cost.h"
+#include "measure/evaluations.h"
 #include "measure/length.h"
 #include "scenes/orbit.h"
 #include "scenes/spring.h"

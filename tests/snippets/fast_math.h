@@ -59,6 +59,14 @@ bool moves_nothing(Force force, Real duration = 2) {
   return !arrives(force, duration, x, v) && x == 1 && v == Real(-0.5);
 }
 
+// A path, too, goes no farther than it can.
+template <class Real, class Force>
+bool path_ends(Force force, double t = 2) {
+  auto path = integrate::dopri5_path(Real(1), Real(-0.5), 0.0, Real(0.1), force);
+  return !integrate::dopri5_adaptive(path, t, force, size<Real>, Real(1e-5)) && path.t < 0.6 &&
+         path.x > 0 && path.x <= 1;
+}
+
 template <class Real>
 void adaptive() {
   Real x = 1, v = 0;
@@ -72,6 +80,9 @@ void adaptive() {
     CHECK(moves_nothing<Real>([b, &asked](Real at, Real, double) { return ++asked >= 7 ? b : -at; },
                               Real(0.01)));
     if (which < 3) CHECK(moves_nothing<Real>([](Real at, Real, double) { return -at; }, b));
+    CHECK(path_ends<Real>([b](Real, Real, double) { return b; }));
+    CHECK(path_ends<Real>([b](Real at, Real, double t) { return t > 0.5 ? b : -at; }));
+    CHECK(path_ends<Real>([](Real at, Real, double) { return -at; }, bad<double>(which)));
   }
   CHECK(moves_nothing<Real>([](Real at, Real, double) { return -1 / (at * at); }));
 }

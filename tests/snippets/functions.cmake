@@ -36,7 +36,7 @@ function(functions_of header functions classes)
   string(REGEX MATCHALL "\nstruct " structs "${text}")
   string(REGEX MATCHALL "\nclass [a-zA-Z0-9]+" found_classes "${text}")
   string(REPLACE "[[nodiscard]] " "" text "${text}")
-  string(REGEX MATCHALL "\n[a-zA-Z][a-zA-Z0-9<> ]* [a-z0-9_]+\\([^()]*\\) {" found "${text}")
+  string(REGEX MATCHALL "\n[a-zA-Z][a-zA-Z0-9<>, ]* [a-z0-9_]+\\([^()]*\\) {" found "${text}")
 
   set(known ${found} ${found_classes} ${structs})
   list(LENGTH known known_count)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // The wrong ways to call a method: each names the types of the arguments, most of them right ones.
 // Nothing of this runs, so that nothing needs a body. Every line has types of its own: a compiler
-// speaks but once about what two calls share.
+// speaks but once about what two calls share. The headers stand before this one.
 #pragma once
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -16,6 +16,7 @@ struct Call {
   using OtherVec = SomeOtherVec;
   using Real = SomeReal;
   using Time = double;
+  using Path = integrate::Dopri5Path<Vec, Time, Real>;
   struct Acceleration {
     Vec operator()(const Vec& x, const Vec& v, Time t) const;
   };

@@ -35,13 +35,15 @@ Table draw(Random& random, std::size_t stages) {
 }
 
 Table dormand_prince() {
-  Table table{"Dormand and Prince's method", {{}}, {}};
-  for (std::size_t row = 0; row < 5; ++row) {
-    const auto* first = integrate::dopri5_weights[row];
-    table.parts.emplace_back(first, first + row + 1);
-  }
-  table.weights.assign(integrate::dopri5_weights[5], integrate::dopri5_weights[5] + 6);
-  return table;
+  using W = integrate::Dopri5Weights;
+  return {"Dormand and Prince's method",
+          {{},
+           {W::a21},
+           {W::a31, W::a32},
+           {W::a41, W::a42, W::a43},
+           {W::a51, W::a52, W::a53, W::a54},
+           {W::a61, W::a62, W::a63, W::a64, W::a65}},
+          {W::a71, 0, W::a73, W::a74, W::a75, W::a76}};
 }
 
 Method method_of(const Table& table) {

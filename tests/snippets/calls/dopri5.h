@@ -18,4 +18,21 @@ void call_dopri5(Try& attempt) {
     const bool arrived = integrate::dopri5_adaptive(x, v, t, h, first, scene, norm, wide);
     assert(arrived);
   });
+  attempt("dopri5 along a path", [](auto& x, auto& v, auto t, auto h, auto& acceleration) {
+    auto path = integrate::dopri5_path(x, v, t, h, acceleration);
+    integrate::dopri5(path, h / 2, acceleration);
+    const auto error = integrate::dopri5(path, h / 2, acceleration);
+    const auto end = t + h / 2 + h / 4;  // within the second half
+    x = path.position(end) + error.x;
+    v = path.velocity(end) + error.v;
+  });
+  attempt("dopri5_adaptive along a path", [](auto& x, auto& v, auto t, auto h, auto& scene) {
+    const auto norm = [&](const auto& error) { return scene.norm(error); };
+    const decltype(h) wide = 1000;
+    auto path = integrate::dopri5_path(x, v, t, h / 4, scene);
+    const bool arrived = integrate::dopri5_adaptive(path, t + h, scene, norm, wide);
+    assert(arrived && path.holds(t + h));
+    x = path.position(t + h);
+    v = path.velocity(t + h);
+  });
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT-0
-#include "measure/cost.h"
+#include "measure/time_of.h"
 
+#include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <chrono>
 #include <cmath>
 
+#include "measure/evaluations.h"
 #include "measure/methods.h"
 #include "measure/run.h"
 #include "scenes/pendulum.h"
@@ -57,13 +59,14 @@ TEST_CASE("Counting does not change the answer") {
 
 TEST_CASE("By a clock that ticks at each evaluation, a step takes as many ticks as it evaluates") {
   const TickingPendulum pendulum;
-  const auto ticks = [&](auto step) {
-    return 1e9 * measure::seconds_per_step<Ticking>(step, pendulum, 0.01);
-  };
-  CHECK_THAT(ticks(asking<1>), WithinRel(1.0, 1e-12));
-  CHECK_THAT(ticks(asking<30>), WithinRel(30.0, 1e-12));
-  const double of_many = measure::seconds_per_step_of_many<Ticking>(asking<3>, pendulum, 0.01, 7);
-  CHECK_THAT(1e9 * of_many, WithinRel(3.0, 1e-12));
+  for (const std::size_t bodies : {1, 2, 7, 512, 100'000}) {
+    const auto ticks = [&](auto step) {
+      return 1e9 * measure::time_of<Ticking>(step, pendulum, pendulum.start(), 0.01, bodies);
+    };
+    CAPTURE(bodies);
+    CHECK_THAT(ticks(asking<1>), WithinRel(1.0, 1e-12));
+    CHECK_THAT(ticks(asking<3>), WithinRel(3.0, 1e-12));
+  }
 }
 
 namespace {
@@ -78,13 +81,31 @@ struct Watched : scenes::Spring<> {
   }
 };
 
+/// Counts how often its force is asked for where it starts, and anywhere else.
+struct Noted : scenes::Spring<> {
+  static inline std::array<long, 2> asked{};
+
+  double operator()(double x, double v, double t) const {
+    ++asked[x != x0];
+    return Spring::operator()(x, v, t);
+  }
+};
+
 }  // namespace
 
 TEST_CASE("No step whose time is taken meets a denormal number, on a spring that dies away") {
   const Watched suspension{{.omega = 20, .zeta = 0.1, .x0 = 0.1}};
-  measure::seconds_per_step(measure::rk4, suspension, 1 / 60.0);
+  for (const std::size_t bodies : {1, 5}) {
+    measure::time_of(measure::rk4, suspension, suspension.start(), 1 / 60.0, bodies);
+  }
   CHECK(Watched::denormal == 0);
   auto s = suspension.start();
   s = measure::after(measure::rk4, suspension, s, 1 / 60.0, 25'000);  // all in one go it would
   CHECK(Watched::denormal > 0);
+}
+
+TEST_CASE("Each body whose time is taken moves, and none moves on where another stopped") {
+  const Noted spring{{.omega = 20, .zeta = 0.1, .x0 = 0.1}};
+  measure::time_of(measure::symplectic_euler, spring, spring.start(), 1 / 60.0, 100'000);
+  CHECK(Noted::asked == std::array{100'000L, 100'000L});  // two steps of each
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What a step of each method costs in time, as it was recorded: names of times, and where they are
+/// looked up.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "measure/method.h"
+#include "measure/times.h"
+
+inline constexpr std::size_t one_body = 1;                ///< each step waits for the last
+inline constexpr std::size_t in_a_loop = 512;             ///< throughput
+inline constexpr std::size_t beyond_the_cache = 100'000;  ///< memory
+
+/// What the time of a step of one of so many bodies is called.
+/// @param thing  of the level, such as "shuttle", or a layout, such as "packs of float"
+/// @param function  of the method
+inline std::string step_name(std::string_view thing, std::size_t bodies,
+                             std::string_view function) {
+  return std::string(thing) + "/" + std::to_string(bodies) + "/" + std::string(function);
+}
+
+/// The recorded time of a step of one of so many bodies [ns].
+inline double step_time(std::string_view thing, std::size_t bodies, const measure::Method& method) {
+  return measure::recorded_times().at(step_name(thing, bodies, method.function)).median;
+}
+
+/// Whether somebody took that time. Those who solve for their step are not timed in all layouts.
+inline bool has_step_time(std::string_view thing, std::size_t bodies,
+                          const measure::Method& method) {
+  return measure::recorded_times().of.contains(step_name(thing, bodies, method.function));
+}

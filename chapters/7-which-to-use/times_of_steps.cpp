@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT-0
+// What is timed for chapter 7: a step of each method in each thing of the level, and of the
+// suspension in several layouts.
+#include <array>
+#include <string>
+#include <type_traits>
+
+#include "../times.h"
+#include "level.h"
+#include "measure/methods.h"
+#include "measure/time_of.h"
+#include "particles.h"
+#include "prices.h"
+
+namespace {
+
+constexpr double brief = 1e-6;  ///< a step so short that nothing explodes while it is timed [s]
+
+/// What the headers' own functions take, which the compiler sees through.
+template <class Step, class Scene, class Vec, class Real>
+void add(std::vector<measure::Timed>& all, const std::string& thing, Step step, const Scene& scene,
+         const scenes::State<Vec>& start, Real h, std::size_t bodies, std::size_t in_a_vec = 1) {
+  all.push_back({step_name(thing, bodies, Step::function), [=] {
+                   return measure::time_of(step, scene, start, h, bodies / in_a_vec) /
+                          double(in_a_vec);
+                 }});
+}
+
+/// What else a scene can be stepped with: its exact step, and what takes its damping apart.
+template <class Scene>
+auto special_methods(const Scene&) {
+  using namespace measure;
+  using Dampers = std::tuple<LinearDampingImplicitLast, LinearDampingExact>;
+  if constexpr (std::is_same_v<Scene, Ball>) {
+    return std::tuple<ConstantAcceleration>();
+  } else if constexpr (std::is_same_v<Scene, scenes::Spring<>>) {
+    return list::Joined<std::tuple<SpringExact>, Dampers>();
+  } else if constexpr (requires(const Scene scene) { scene.damping(); }) {
+    return Dampers();
+  } else {
+    return std::tuple<>();
+  }
+}
+
+/// As many bodies as a pack holds, all in one place, at rest.
+template <class Real>
+scenes::State<Lanes<Real>> pack_at(Real x) {
+  const typename Lanes<Real>::Part zero{}, place = zero + x;
+  return {{place, place, place, place}, {zero, zero, zero, zero}};
+}
+
+/// The suspension with numbers of one type, in structs and, for methods that solve for nothing, in
+/// packs.
+template <class Real>
+void add_layouts(std::vector<measure::Timed>& all, const std::string& type) {
+  constexpr scenes::Spring<Real> spring{.omega = Real(suspension.omega),
+                                        .zeta = Real(suspension.zeta)};
+  const Real x0 = Real(suspension.x0);
+  list::for_each(list::Among<list::EveryExplicit, list::is_contender>(), [&](auto method) {
+    for (const std::size_t bodies : {one_body, in_a_loop, beyond_the_cache}) {
+      add(all, "structs of " + type, method, spring, scenes::State<Real>{x0, 0}, Real(brief),
+          bodies);
+    }
+    for (const std::size_t bodies : {in_a_loop, beyond_the_cache}) {
+      add(all, "packs of " + type, method, spring, pack_at(x0), Real(brief), bodies,
+          sizeof(Lanes<Real>) / sizeof(Real));
+    }
+  });
+}
+
+}  // namespace
+
+void add_step_times(std::vector<measure::Timed>& all) {
+  for_each_thing([&](const std::string& thing, const auto& scene, double) {
+    const auto add_to_all = [&](auto method) {
+      for (const std::size_t bodies : {one_body, in_a_loop, beyond_the_cache}) {
+        add(all, thing, method, scene, scene.start(), brief, bodies);
+      }
+    };
+    list::for_each(list::Contenders(), add_to_all);
+    list::for_each(special_methods(scene), add_to_all);
+  });
+  add_layouts<double>(all, "double");
+  add_layouts<float>(all, "float");
+}

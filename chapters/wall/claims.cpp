@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT-0
+// The claims of the page for the wall. Each name is a sentence that the page says.
+#include <Eigen/Core>
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "../cast.h"
+#include "calls.h"
+#include "measure/methods.h"
+#include "measure/run.h"
+#include "rates.h"
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+using measure::always;
+using scenes::Spring;
+
+namespace {
+
+/// A vector as a game has it.
+struct Vec {
+  double x = 0, y = 0;
+
+  friend Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
+  friend Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
+  friend Vec operator*(double s, Vec a) { return {s * a.x, s * a.y}; }
+  friend double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
+  friend double length(Vec a) { return std::hypot(a.x, a.y); }
+};
+
+constexpr double tick = 1.0 / 60;
+
+/// A spring that swings so often in a second, let go at some place of its swing.
+Spring<> spring_of(double swings, double zeta, double phase) {
+  const double omega = 2 * std::numbers::pi * swings;
+  return {.omega = omega, .zeta = zeta, .x0 = std::cos(phase), .v0 = -omega * std::sin(phase)};
+}
+
+/// How far ten swings are off at most, as a share of the swing, from a handful of starts.
+double farthest_off(const measure::Method& method, double swings, double zeta, double h) {
+  const long steps = std::lround(std::floor(10 / swings / h));
+  double most = 0;
+  for (const double phase : {0.0, 0.7, 1.6, 2.4}) {
+    const Spring<> spring = spring_of(swings, zeta, phase);
+    auto s = spring.start();
+    measure::run(method, spring, s, h, steps, [&](double t, const auto& now) {
+      const double error = std::abs(now.x - spring.exact(t).x);
+      if (!(error <= most)) most = error;
+    });
+  }
+  return most;
+}
+
+/// What the page says of every answer.
+const std::vector<Rates>& all_rates() {
+  static const std::vector<Rates> all = [] {
+    std::vector<Rates> found;
+    for (const Answer& answer : answers) found.push_back(rates_of(answer));
+    return found;
+  }();
+  return all;
+}
+
+/// A spring on every axis.
+auto pull(double omega) {
+  return [omega](Vec x, Vec, double) { return (-omega * omega) * x; };
+}
+
+/// How far something is from where a spring without a damper would be, let go at (1, 0).
+double off_after(double seconds, double omega, Vec x) {
+  return length(x - Vec{std::cos(omega * seconds), 0});
+}
+
+}  // namespace
+
+TEST_CASE("With the steps that the page asks for a spring of any game is as near as it says") {
+  for (std::size_t which = 0; which < std::size(answers); ++which) {
+    const Answer& answer = answers[which];
+    const Rates& rates = all_rates()[which];
+    for (std::size_t i = 0; i < rates.within.size(); ++i) {
+      for (const double swings : {0.3, 1.0, 2.7, 9.0, 25.0}) {
+        for (const double ticks : {30.0, 60.0, 144.0}) {
+          const double steps = steps_a_tick(rates.within[i], swings, ticks);
+          const double h = 1 / (ticks * steps);
+          // Where that takes long, one spring in one game is enough.
+          if (rates.within[i] > 5000 && (ticks != 60 || swings != 2.7)) continue;
+          for (const double zeta : dampings_of(answer)) {
+            CAPTURE(answer.method.name, tolerances[i], swings, ticks, zeta, steps);
+            CHECK(farthest_off(answer.method, swings, zeta, h) <= tolerances[i]);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("With a fifth fewer steps than the page asks for a spring is farther off than it says") {
+  for (std::size_t which = 0; which < std::size(answers); ++which) {
+    const Answer& answer = answers[which];
+    const Rates& rates = all_rates()[which];
+    for (std::size_t i = 0; i < rates.within.size(); ++i) {
+      if (rates.within[i] == rates.stands) continue;  // asked for only so as not to explode
+      double most = 0;
+      for (const double zeta : dampings_of(answer)) {
+        const double h = 1 / (0.8 * rates.within[i]);
+        most = std::max(most, farthest_off(answer.method, 1, zeta, h));
+      }
+      CAPTURE(answer.method.name, tolerances[i], rates.within[i]);
+      CHECK(most > tolerances[i]);
+    }
+  }
+}
+
+TEST_CASE(
+    "With the steps to stand every spring stands, and with under half of them not every one") {
+  const auto farthest = [](const measure::Method& method, double steps_a_swing, double zeta) {
+    const Spring<> spring = spring_of(1, zeta, 0.3);
+    auto s = spring.start();
+    double most = 0;
+    measure::run(method, spring, s, 1 / steps_a_swing, 20'000, [&](double, const auto& now) {
+      most = std::isfinite(now.x) ? std::max(most, std::abs(now.x)) : INFINITY;
+    });
+    return most;
+  };
+  for (std::size_t which = 0; which < std::size(answers); ++which) {
+    const Answer& answer = answers[which];
+    const double stands = all_rates()[which].stands;
+    CAPTURE(answer.method.name, stands);
+    double most = 0;
+    for (int percent = 0; percent <= (answer.damped ? 100 : 0); percent += 5) {
+      const double zeta = percent / 100.0;
+      CAPTURE(zeta);
+      CHECK(farthest(answer.method, stands > 0 ? stands : 0.01, zeta) < 2);
+      if (stands > 0) most = std::max(most, farthest(answer.method, 0.48 * stands, zeta));
+    }
+    if (stands > 0) CHECK(most > 1e6);
+  }
+}
+
+TEST_CASE("What the page lets run for ever keeps areas and can be run back") {
+  CHECK(measure::VelocityVerlet::symplectic);
+  CHECK(measure::VelocityVerlet::reversible);
+  CHECK(measure::Yoshida4::symplectic);
+  CHECK(measure::Yoshida4::reversible);
+  CHECK(measure::Yoshida4::order > measure::VelocityVerlet::order);
+  CHECK(measure::VelocityVerlet::evaluations == 1);
+}
+
+TEST_CASE("What the page takes where forces switch asks once in a step and is of low order") {
+  CHECK(measure::SymplecticEuler::evaluations == 1);
+  CHECK(measure::SymplecticEuler::order == 1);
+  CHECK(measure::SymplecticEuler::symplectic);
+  CHECK(measure::StormerVerlet::evaluations == 1);
+}
+
+TEST_CASE("What the page takes for stiff springs has no limit on springs or on drag") {
+  CHECK(measure::BackwardEuler::spring_limit == always);
+  CHECK(measure::BackwardEuler::drag_limit == always);
+  for (const measure::Method* method : {&method::backward_euler, &method::backward_euler_spring}) {
+    for (const double h : {0.01, 1.0, 100.0, 1e4}) {
+      for (const double zeta : {0.0, 0.1, 1.0, 10.0}) {
+        CAPTURE(method->name, h, zeta);
+        CHECK(measure::spectral_radius(*method, Spring<>{.zeta = zeta}, h) < 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("What the page takes to watch closely has order four under drag, and Yoshida has not") {
+  CHECK(measure::Rk4::order == 4);
+  CHECK(measure::Rk4::drag_order == 4);
+  CHECK(measure::Yoshida4::drag_order == 2);
+}
+
+TEST_CASE("With its exact drag a leaf has the right speed, and half a tick of it too far a way") {
+  for (const double h : {0.001, tick, 0.25}) {
+    const long steps = std::lround(2 / h);
+    const double seconds = double(steps) * h;
+    const auto end = measure::after(method::linear_damping_exact, leaf, leaf.start(), h, steps);
+    const auto truth = leaf.exact(seconds);
+    CHECK_THAT(end.v, WithinRel(truth.v, 1e-12));
+    CHECK_THAT(end.x - truth.x, WithinRel(h / 2 * truth.v, 0.1));
+  }
+}
+
+TEST_CASE("Uneven steps put RK4 off by hardly more than even ones do") {
+  const double omega = 2 * std::numbers::pi, even_h = 1.0 / 20;
+  const auto off_with = [&](double share) {
+    std::mt19937 random(1);
+    Vec x{1, 0}, v{};
+    double t = 0, most = 0;
+    while (t < 10) {
+      const double h = even_h * (1 + share * (double(random()) / 2147483648.0 - 1));
+      integrate::rk4(x, v, t, h, pull(omega));
+      t += h;
+      most = std::max(most, off_after(t, omega, x));
+    }
+    return most;
+  };
+  CHECK(off_with(0.5) < 2 * off_with(0));
+  CHECK(off_with(0.5) > off_with(0));
+}
+
+TEST_CASE("A push and a step of backward Euler on the spring are backward Euler under both") {
+  const Vec wind{3, -2}, anchor{1, 4};
+  const double omega = 80, zeta = 0.3, h = tick;
+  Vec x{2, 2}, v{-1, 5};
+  // Backward Euler, by the equation that its end has to meet
+  Vec x_end = x, v_end = v;
+  move_stiff(x_end, v_end, 0, h, 1, anchor, omega, zeta, [&](Vec, Vec, double) { return wind; });
+  const Vec a = wind + (-omega * omega) * (x_end - anchor) + (-2 * zeta * omega) * v_end;
+  CHECK(length(x_end - (x + h * v_end)) < 1e-12);
+  CHECK(length(v_end - (v + h * a)) < 1e-10);
+}
+
+TEST_CASE("Between two bodies the lines of the page brake how fast they part, and nothing else") {
+  struct Body {
+    double m;
+    Vec x, v;
+  };
+  const double k = 50, d = 5;
+  const Vec axis{0.6, 0.8};
+  Body one{1, {0, 0}, {10, -3}}, two{3, {0.6, 0.8}, {10.6, -2.2}};
+  const double light = 1 / one.m + 1 / two.m, omega = std::sqrt(k * light);
+  const Spring<> relative{.omega = omega, .zeta = d * light / (2 * omega)};
+  double apart = 0, parting = 1;  // how much longer the spring is than at rest
+  const Vec momentum = one.m * one.v + two.m * two.v;
+  for (int n = 0; n < 60; ++n) {
+    const double force = k * (dot(two.x - one.x, axis) - 1);
+    move_pair(one, two, axis, d, tick, 1, (force / one.m) * axis, (-force / two.m) * axis);
+    measure::linear_damping_implicit_last(apart, parting, 0.0, tick, relative);
+    CHECK_THAT(dot(two.x - one.x, axis) - 1, WithinAbs(apart, 1e-12));
+    CHECK_THAT(dot(two.v - one.v, axis), WithinAbs(parting, 1e-11));
+  }
+  CHECK(length(one.m * one.v + two.m * two.v - momentum) < 1e-11);
+}
+
+TEST_CASE("The lines of the page take what they are for to where it should be") {
+  const double omega = 2 * std::numbers::pi;
+  const auto forces = pull(omega);
+  Vec x{1, 0}, v{};
+
+  SECTION("a constant force") {
+    x = {}, v = {3, 5};
+    for (int n = 0; n < 60; ++n) move_by_constant(x, v, n * tick, tick, Vec{0, -9.81});
+    CHECK(length(x - Vec{3, 5 - 9.81 / 2}) < 1e-12);
+  }
+  SECTION("the air") {
+    x = {}, v = {};
+    for (int n = 0; n < 120; ++n) move_in_air(x, v, n * tick, tick, Vec{0, -leaf.g}, leaf.c);
+    CHECK_THAT(v.y, WithinRel(leaf.exact(2).v, 1e-12));
+    CHECK_THAT(x.y, WithinAbs(leaf.exact(2).x, 0.05));
+  }
+  SECTION("a spring") {
+    const Vec target{7, 1};
+    x = x + target;
+    for (int n = 0; n < 75; ++n) move_on_spring(x, v, tick, target, omega, 0.0);
+    CHECK(off_after(1.25, omega, x - target) < 1e-12);
+  }
+  SECTION("contacts") {
+    for (int n = 0; n < 75; ++n) move_undamped(x, v, n * tick, tick, 6, forces);
+    CHECK(off_after(1.25, omega, x) < 0.1);
+  }
+  SECTION("drag") {
+    const Spring<> damped{.omega = omega, .zeta = 0.2};
+    for (int n = 0; n < 75; ++n) {
+      move_with_drag(x, v, n * tick, tick, 6, damped.damping(), forces);
+    }
+    CHECK_THAT(x.x, WithinAbs(damped.exact(1.25).x, 0.1));
+  }
+  SECTION("links") {
+    const auto back_to_the_circle = [](Vec& place) { place = (1 / length(place)) * place; };
+    x = {0, -1}, v = {0.1, 0};
+    for (int n = 0; n < 60; ++n) {
+      const auto gravity = [](Vec, Vec, double) { return Vec{0, -9.81}; };
+      move_linked(x, v, n * tick, tick, 8, gravity, back_to_the_circle);
+      CHECK_THAT(length(x), WithinAbs(1, 1e-12));
+    }
+    CHECK(std::abs(x.x) < 0.1 / std::sqrt(9.81));
+  }
+  SECTION("for ever, its place") {
+    for (int n = 0; n < 75; ++n) move_for_ever(x, v, n * tick, tick, 1, forces);
+    CHECK(off_after(1.25, omega, x) < 1e-3);
+  }
+  SECTION("for ever, its shape") {
+    for (int n = 0; n < 75; ++n) move_in_shape(x, v, n * tick, tick, 1, forces);
+    CHECK(off_after(1.25, omega, x) < 0.1);
+  }
+  SECTION("frames of any length") {
+    std::vector<double> lengths;
+    for (int n = 0; n < 50; ++n) lengths.push_back(n % 2 ? 0.04 : 0.01);
+    const double reached = move_in_frames(x, v, tick, 4, lengths, forces);
+    CHECK(off_after(reached, omega, x) < 0.01);
+    CHECK_THAT(reached, WithinAbs(1.25, tick / 4));
+  }
+  SECTION("closely") {
+    for (int n = 0; n < 75; ++n) move_closely(x, v, n * tick, tick, 1, forces);
+    CHECK(off_after(1.25, omega, x) < 1e-4);
+  }
+  SECTION("to a tolerance") {
+    double next = 0.1;
+    CHECK(move_within(x, v, 0, 1.25, next, forces, 1e-9));
+    CHECK(off_after(1.25, omega, x) < 1e-7);
+  }
+  SECTION("a stiff spring") {
+    const auto nothing = [](Vec, Vec, double) { return Vec{}; };
+    for (int n = 0; n < 60; ++n) move_stiff(x, v, n * tick, tick, 1, Vec{}, 600, 0.0, nothing);
+    CHECK(length(x) < 1e-12);
+  }
+  SECTION("a net") {
+    // Two masses between two walls.
+    Eigen::VectorXd places = Eigen::Vector2d(1, -1), speeds = Eigen::Vector2d(0, 0);
+    const double k = 1e6;
+    const auto net = [k](const Eigen::VectorXd& at, const Eigen::VectorXd&, double) {
+      return Eigen::VectorXd(-2 * k * at + k * at.reverse());
+    };
+    const auto jacobian = [k](const auto&, const auto&, double, auto&& add) {
+      add(0, 0, -2 * k, 0.0), add(1, 1, -2 * k, 0.0);
+      add(0, 1, k, 0.0), add(1, 0, k, 0.0);
+    };
+    for (int n = 0; n < 60; ++n) CHECK(move_net(places, speeds, n * tick, tick, net, jacobian));
+    CHECK(places.norm() < 1e-12);
+  }
+}

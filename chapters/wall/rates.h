@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// How many steps a swing a method needs: so as not to explode, and to stay near the truth.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <numbers>
+#include <vector>
+
+#include "measure/compiled.h"
+#include "measure/record.h"
+#include "measure/stability.h"
+#include "scenes/spring.h"
+
+/// A method that the page ends in, and whether dampers are among its forces.
+struct Answer {
+  const measure::Method& method;
+  bool damped;
+};
+
+/// All of them but the exact and the adaptive steps, whose length is no question.
+inline constexpr Answer answers[] = {
+    {method::symplectic_euler, false},     {method::linear_damping_implicit_last, true},
+    {method::stormer_verlet, false},       {method::yoshida4, false},
+    {method::velocity_verlet, false},      {method::rk4, true},
+    {method::backward_euler_spring, true}, {method::backward_euler, true}};
+
+inline constexpr double watched = 10;                        ///< how long, in swings
+inline constexpr double tolerances[] = {0.1, 0.01, 0.001};   ///< shares of the swing
+inline constexpr double dampings[] = {0, 0.1, 0.3, 0.6, 1};  ///< of the springs, up to critical
+
+/// The damping ratios that an answer has to cope with.
+inline std::vector<double> dampings_of(const Answer& answer) {
+  if (!answer.damped) return {0};
+  return {std::begin(dampings), std::end(dampings)};
+}
+
+/// The longest step that is stable on every spring of an answer, times omega; infinite from 1000
+/// on.
+inline double limit_of(const Answer& answer) {
+  double least = INFINITY;
+  for (const double zeta : dampings_of(answer)) {
+    const scenes::Spring<> spring{.zeta = zeta};
+    const auto stable = [&](double h) {
+      return measure::spectral_radius(answer.method, spring, h) <= 1 + 1e-12;
+    };
+    if (!stable(1000)) {
+      least = std::min(least, measure::stability_limit(answer.method, spring, 0.05, 1000));
+    }
+  }
+  return least;
+}
+
+/// How far a method gets from a spring within the time that is watched, as a share of the swing,
+/// from whatever place of the swing it starts.
+///
+/// On a spring an error is a sum of two, those of a start at rest and of a start in the middle, and
+/// the worst start between them is as far off as a triangle of the two is long.
+inline double off(const measure::Method& method, double zeta, double steps_a_swing) {
+  const double h = 2 * std::numbers::pi / steps_a_swing;
+  const long steps = std::lround(std::floor(watched * steps_a_swing));
+  const auto errors = [&](const scenes::Spring<>& spring) {
+    std::vector<double> found;
+    auto s = spring.start();
+    measure::run(method, spring, s, h, steps,
+                 [&](double t, const auto& now) { found.push_back(now.x - spring.exact(t).x); });
+    return found;
+  };
+  const auto at_rest = errors({.zeta = zeta, .x0 = 1, .v0 = 0});
+  const auto in_the_middle = errors({.zeta = zeta, .x0 = 0, .v0 = 1});
+  double most = 0;
+  for (std::size_t n = 0; n < at_rest.size(); ++n) {
+    const double worst = std::hypot(at_rest[n], in_the_middle[n]);
+    if (!(worst <= most)) most = worst;
+  }
+  return most;
+}
+
+/// A number of steps in two digits, and no fewer steps.
+inline double rounded_up(double steps) {
+  const double last = std::pow(10, std::floor(std::log10(steps)) - 1);
+  return std::ceil(steps / last) * last;
+}
+
+/// Steps a swing so as not to explode: twice as many as at the limit; 0 if there is none.
+inline double steps_to_stand(const Answer& answer) {
+  const double limit = limit_of(answer);
+  return limit < INFINITY ? rounded_up(2 * 2 * std::numbers::pi / limit) : 0;
+}
+
+/// Steps a swing to stay within a tolerance on one spring, to a hundredth of them.
+inline double steps_within(const Answer& answer, double zeta, double tolerance) {
+  const auto within = [&](double steps) { return off(answer.method, zeta, steps) <= tolerance; };
+  double few = 2, enough = few;
+  while (!within(enough)) few = enough, enough = 2 * enough;
+  while (enough - few > std::max(1.0, enough / 100)) {
+    const double middle = std::floor((few + enough) / 2);
+    (within(middle) ? enough : few) = middle;
+  }
+  return enough;
+}
+
+/// Steps a swing to stay within a tolerance on every spring of an answer, and not to explode.
+inline double steps_within(const Answer& answer, double tolerance) {
+  double most = 0;
+  for (const double zeta : dampings_of(answer)) {
+    most = std::max(most, steps_within(answer, zeta, tolerance));
+  }
+  return std::max(rounded_up(most), steps_to_stand(answer));
+}
+
+/// The whole steps in a tick that are at least so many in a swing.
+/// @param swings  of the spring, in a second
+/// @param ticks  of the game, in a second
+inline double steps_a_tick(double steps_a_swing, double swings, double ticks) {
+  return std::max(1.0, std::ceil(steps_a_swing * swings / ticks));
+}
+
+/// What the page says of an answer, worked out once.
+struct Rates {
+  double stands;
+  std::vector<double> within;  ///< for each tolerance
+};
+
+inline Rates rates_of(const Answer& answer) {
+  Rates rates{steps_to_stand(answer), {}};
+  for (const double tolerance : tolerances) {
+    rates.within.push_back(steps_within(answer, tolerance));
+  }
+  return rates;
+}
+
+/// The table that the page is made of, and what it should show for springs and games of all kinds.
+inline void rates(measure::Record& record) {
+  auto& table = record.table("rates", {{"function"},
+                                       {"name"},
+                                       {"stands", "", 2},
+                                       {"to 10 %", "", 2},
+                                       {"to 1 %", "", 2},
+                                       {"to 0.1 %", "", 2}});
+  auto& shown = record.table("shown", {{"function"},
+                                       {"swings", "1/s"},
+                                       {"ticks", "1/s"},
+                                       {"stands", "", measure::whole},
+                                       {"to 10 %", "", measure::whole},
+                                       {"to 1 %", "", measure::whole},
+                                       {"to 0.1 %", "", measure::whole}});
+  for (const Answer& answer : answers) {
+    const Rates found = rates_of(answer);
+    const auto& within = found.within;
+    table.add({answer.method.function, answer.method.name, found.stands, within[0], within[1],
+               within[2]});
+    for (const auto& [swings, ticks] : {std::pair{0.25, 30.0}, {3.0, 60.0}, {7.5, 144.0}}) {
+      const auto steps = [&, swings = swings, ticks = ticks](double rate) {
+        return steps_a_tick(rate, swings, ticks);
+      };
+      shown.add({answer.method.function, swings, ticks, steps(found.stands), steps(within[0]),
+                 steps(within[1]), steps(within[2])});
+    }
+  }
+}

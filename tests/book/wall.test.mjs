@@ -1,0 +1,296 @@
+// The page for the wall: each way through its answers ends in a method that is what the answers ask for, and in the steps
+// that it needs; with a mouse, a finger, a keyboard, without scripts and on paper.   node tests/book/wall.test.mjs build SOURCE
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { readRecords } from '../../book/weave/csv.mjs';
+import { build, folder, parse } from './book.mjs';
+import { addressOf, openTab, pageOf, visit } from './browser.mjs';
+import { inspect } from './inspect.mjs';
+
+const phone = await openTab('dark');
+const desk = await openTab();
+const source = process.argv[3] ?? '.';
+const page = 'wall.html';
+const $ = parse(page);
+const text = e => $(e).text().replace(/\s+/g, ' ').trim();
+
+// What the methods say of themselves: { function, spring_limit, symplectic, ... }, all as the C++ has it.
+const methods = readdirSync(join(source, 'code/measure/methods'))
+  .flatMap(file =>
+    readFileSync(join(source, 'code/measure/methods', file), 'utf8')
+      .split(/^struct /m)
+      .slice(1),
+  )
+  .filter(code => /function\s*=/.test(code))
+  .map(code => {
+    const said = [...code.split('\n};')[0].matchAll(/(\w+)\s*=\s*("[^"]*"|-?[\w.]+)/g)];
+    const [, orders = ''] = code.match(/^\w+(?:\s*:\s*|\s*: .*?)Orders<([\d, ]+)>/) ?? [];
+    const [order, velocity = order, drag = velocity] = orders.split(',').map(Number);
+    return {
+      ...Object.fromEntries(said.map(([, name, value]) => [name, value.replace(/"/g, '')])),
+      order,
+      drag_order: drag,
+    };
+  });
+
+// What was measured of it: { drag-limit: 'any step', ... }
+const cardOf = name =>
+  Object.fromEntries(readRecords(join(folder, 'data/cards', `${name}.csv`)).map(row => [row.name, row.measured]));
+
+// Each end of a way: the answers that lead there, the method, all that stands there.
+const ends = $('.choice:has(> div > .take)')
+  .get()
+  .map(choice => {
+    const answers = [choice, ...$(choice).parents('.choice').get()].reverse().map(e => text($(e).children('summary')));
+    const href = $(choice).find('.method > a').attr('href');
+    const name =
+      parse(href.split('#')[0])(`#${href.split('#')[1]} code`)
+        .first()
+        .text() || href.split('#')[1];
+    return {
+      id: $(choice).attr('id'),
+      way: answers.join(' > '),
+      name,
+      method: methods.find(m => m.function === name),
+      card: cardOf(name),
+      says: text(choice),
+      headers: $(choice)
+        .find('.method a[download]')
+        .map((_, a) => $(a).attr('href'))
+        .get(),
+      code: $(choice).find('pre').text(),
+      steps: $(choice)
+        .find('[data-steps]')
+        .map((_, cell) => Number($(cell).attr('data-steps')))
+        .get(),
+    };
+  });
+
+// What an answer, or a word at its end, asks of the method there.
+const RULES = [
+  [/nothing else.*constant/i, ({ method }) => method.free_fall === '50'],
+  [
+    /nothing else.*drag/i,
+    ({ card }) => card['drag-limit'] === 'any step' && Number(card['terminal-speed']).toFixed(6) === '1.000000',
+  ],
+  [
+    /nothing else.*spring/i,
+    ({ card }) => card.order === 'exact' && card['drag-order'] === 'exact' && card['spring-limit'] === 'any step',
+  ],
+  [/touches.*switch/i, ({ card, method }) => card.evaluations === '1' && (method.order || 1) <= 2],
+  [
+    /touches.*damper/i,
+    ({ card }) => card['drag-limit'] === 'any step' && Number(card['terminal-speed']).toFixed(6) === '1.000000',
+  ],
+  [/touches.*nothing does/i, ({ method }) => method.symplectic === 'true' && method.spring_limit === '2'],
+  [
+    /for ever/i,
+    ({ card, method }) => method.symplectic === 'true' && method.reversible === 'true' && card.energy === 'kept',
+  ],
+  [/where it is counts/i, ({ method }) => method.order >= 4],
+  [/watches/i, ({ method, name }) => name === 'dopri5_adaptive' || (method.order >= 4 && method.drag_order >= 4)],
+  [
+    /more steps than I can pay/i,
+    ({ card }) => card['spring-limit'] === 'any step' && card['drag-limit'] === 'any step',
+  ],
+  [
+    /bears any step|Any step holds/,
+    ({ card }) => card['spring-limit'] === 'any step' && card['drag-limit'] === 'any step',
+  ],
+];
+
+test('the answers have ends, and each end a rule of its own', () => {
+  assert.ok(ends.length >= 13, `${ends.length} ends`);
+  for (const [words] of RULES)
+    assert.ok(
+      ends.some(({ way, says }) => words.test(way + says)),
+      `nothing says ${words}`,
+    );
+  for (const { way } of ends)
+    assert.ok(
+      RULES.some(([words]) => words.test(way)),
+      `no rule for ${way}`,
+    );
+  assert.equal($('.take').length, ends.length);
+});
+
+for (const end of ends) {
+  test(`${end.way}: ${end.name}`, () => {
+    for (const [words, holds] of RULES)
+      if (words.test(`${end.way} ${end.says}`)) assert.ok(holds(end), `${words} leads to ${end.name}`);
+    assert.ok(end.headers.length > 0);
+    for (const header of end.headers) assert.ok(existsSync(join(folder, header)), `${header} is not there`);
+    assert.ok(end.method || end.name === 'dopri5_adaptive', `${end.name} is in no list of methods`);
+    const [file] = end.headers[0].split('/').slice(-1);
+    if (end.method) assert.equal(file, end.method.header);
+    const calls = [...end.code.matchAll(/integrate::(\w+)\(/g)].map(([, called]) => called);
+    if (calls.length) assert.ok(calls.includes(end.name), `the lines call ${calls}`);
+    else assert.match(end.way, /another body/); // no header does that
+    for (const header of end.headers)
+      if (calls.length)
+        assert.ok(end.code.includes(`#include "${header.split('/').at(-1)}"`), `${header} in the lines`);
+    const exact = /nothing else|tolerance/i.test(end.way);
+    assert.equal(end.steps.length, exact ? 0 : 4);
+    for (const [i, steps] of end.steps.entries()) assert.ok(steps >= (end.steps[i - 1] ?? 0));
+  });
+}
+
+test('the limits are those of the traits, twice over', () => {
+  for (const { name, method, steps } of ends.filter(end => end.steps.length)) {
+    if (method?.spring_limit === 'always') assert.equal(steps[0], 0, name);
+    else if (/^[\d.]+$/.test(method?.spring_limit ?? '')) {
+      const least = (4 * Math.PI) / Number(method.spring_limit);
+      assert.ok(
+        steps[0] >= least && steps[0] < 1.25 * least,
+        `${name}: ${steps[0]} steps to stand, and ${least} by its limit`,
+      );
+    }
+  }
+});
+
+test('method, rate and lines in three taps from the start page, on a phone', async () => {
+  for (const { id } of ends) {
+    await visit(phone, 'index.html');
+    const door = phone.locator('main a[href="wall.html"]').first();
+    assert.ok((await door.boundingBox()).y + 20 < 664, 'the door is on the first screen, below the browser’s own bars');
+    await door.tap();
+    await phone.waitForURL(url => url.pathname.endsWith(page), { waitUntil: 'load' });
+    const end = phone.locator(`#${id}`);
+    await phone.locator(`.choice:has(> div > #${id}) > summary`).tap();
+    await end.locator('> summary').tap();
+    for (const part of ['.method strong', '.method a[download]', 'pre'])
+      assert.ok(await end.locator(part).first().isVisible(), part);
+    if (await end.locator('.rates').count()) assert.match(await end.locator('.yours').innerText(), /\d/);
+    assert.deepEqual(phone.faults, []);
+  }
+});
+
+test('the menu leads there from every page', async () => {
+  await visit(desk, 'glossary.html');
+  await desk.locator('nav.side a[href="wall.html"]').click();
+  await desk.waitForLoadState('load');
+  assert.equal(pageOf(desk), page);
+});
+
+test('with all open nothing is cut off or out of reach of a screen reader', async () => {
+  const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+  for (const tab of [desk, phone]) {
+    await visit(tab, page);
+    await tab.evaluate(() => document.querySelectorAll('details').forEach(e => (e.open = true)));
+    assert.deepEqual([...tab.faults, ...(await tab.evaluate(inspect))], []);
+    await tab.evaluate(axe);
+    const { violations } = await tab.evaluate(() => axe.run(document, { resultTypes: ['violations'], preload: false }));
+    assert.deepEqual(
+      violations.map(({ id, nodes }) => `${id} ${nodes[0].target}`),
+      [],
+    );
+  }
+});
+
+test('by keyboard alone: swings, ticks, two answers, and the lines on the clipboard', async () => {
+  await visit(desk, page);
+  await desk.locator('#content').evaluate(e => {
+    e.tabIndex = -1;
+    e.focus();
+  });
+  const focused = () =>
+    desk.evaluate(() => document.activeElement.getAttribute('name') ?? document.activeElement.textContent.trim());
+  const tabTo = async wanted => {
+    for (let i = 0; i < 60; ++i) {
+      await desk.keyboard.press('Tab');
+      if ((await focused()) === wanted) return;
+    }
+    assert.fail(`no way to ${wanted}`);
+  };
+  await tabTo('swings');
+  await desk.keyboard.press('Control+A');
+  await desk.keyboard.type('10');
+  await tabTo('ticks');
+  await desk.keyboard.press('Control+A');
+  await desk.keyboard.type('30');
+  await tabTo(text('#watched > summary'));
+  await desk.keyboard.press('Enter');
+  await tabTo(text('#closely > summary'));
+  await desk.keyboard.press('Space');
+  const end = ends.find(({ id }) => id === 'closely');
+  const cells = await desk.locator('#closely .yours td').allInnerTexts();
+  assert.deepEqual(
+    cells.map(Number),
+    end.steps.map(steps => Math.max(1, Math.ceil(steps / 3))),
+  );
+  await tabTo('Copy');
+  await desk.keyboard.press('Enter');
+  await desk.locator('#closely button', { hasText: 'Copied' }).waitFor();
+  assert.equal((await desk.evaluate(() => navigator.clipboard.readText())).trim(), end.code.trim());
+});
+
+test('the steps a tick are those that the program works out', async () => {
+  await visit(desk, page);
+  const rows = readRecords(join(build, 'chapters/wall/data/shown.csv'));
+  assert.ok(rows.length >= 20);
+  await desk.evaluate(() => document.querySelectorAll('details').forEach(e => (e.open = true)));
+  for (const row of rows) {
+    await desk.locator('[name=swings]').fill(row.swings);
+    await desk.locator('[name=ticks]').fill(row.ticks);
+    for (const { id } of ends.filter(end => end.name === row.function && end.steps.length)) {
+      const cells = await desk.locator(`#${id} .yours td`).allInnerTexts();
+      const wanted = ['stands', 'to 10 %', 'to 1 %', 'to 0.1 %'].map(column => Number(row[column]));
+      assert.deepEqual(
+        cells.map(cell => Number(cell.replace(/\u202f/g, ''))),
+        wanted,
+        `${row.function} at ${row.swings} and ${row.ticks}`,
+      );
+    }
+  }
+});
+
+test('omega and swings follow each other, and nonsense gets no number', async () => {
+  await visit(desk, page);
+  const [swings, omega] = ['swings', 'omega'].map(name => desk.locator(`[name=${name}]`));
+  await omega.fill('62.83');
+  assert.equal(Number(await swings.inputValue()).toFixed(2), '10.00');
+  await swings.fill('1');
+  assert.equal(await omega.inputValue(), '6.283');
+  for (const bad of ['', '0', '-3']) {
+    await swings.fill(bad);
+    assert.equal(await swings.getAttribute('aria-invalid'), 'true');
+    assert.match(await desk.locator('.yours td').first().textContent(), /^–$/);
+  }
+});
+
+test('a link to an end opens it', async () => {
+  for (const { id } of ends) {
+    await visit(desk, `${page}#${id}`);
+    assert.ok(await desk.locator(`#${id} pre`).isVisible(), id);
+  }
+});
+
+test('without scripts the answers fold out all the same, and the steps a swing are there', async () => {
+  const plain = await openTab('light', { javaScriptEnabled: false });
+  await plain.goto(addressOf(page));
+  assert.ok(await plain.locator('.your-spring').isHidden());
+  for (const { id, steps } of ends) {
+    const outer = plain.locator(`.choice:has(> div > #${id})`);
+    if ((await outer.getAttribute('open')) === null) await outer.locator('> summary').click();
+    await plain.locator(`#${id} > summary`).click();
+    assert.ok(await plain.locator(`#${id} pre`).isVisible(), id);
+    assert.equal(await plain.locator(`#${id} [data-steps]:visible`).count(), steps.length);
+  }
+});
+
+test('it prints on one sheet, all open, and is then as it was', async () => {
+  for (const more of [{}, { javaScriptEnabled: false }]) {
+    const printer = await openTab('light', more);
+    await printer.goto(addressOf(page), { waitUntil: 'load' });
+    const pdf = await printer.pdf({ preferCSSPageSize: true });
+    assert.equal(pdf.toString('latin1').match(/\/Type\s*\/Page\b/g).length, 1, JSON.stringify(more));
+    if (more.javaScriptEnabled === false) {
+      await printer.emulateMedia({ media: 'print' });
+      for (const { id } of ends)
+        assert.ok((await printer.locator(`#${id} pre`).boundingBox())?.height > 10, `${id} is not printed`);
+    } else assert.equal(await printer.locator('details[open]').count(), 0);
+  }
+});
