@@ -39,6 +39,17 @@ double left_by_bdf2(const scenes::Spring<>& spring, First first) {
   return spring.energy(x, v) / given;
 }
 
+/// A norm that lets Newton's method end with its second iteration, if its tolerance is below one.
+inline auto content_after_two() {
+  return [done = 0](const Eigen::VectorXd&) mutable { return ++done < 2 ? 1.0 : 0.0; };
+}
+
+/// Two solves of backward Euler.
+inline constexpr auto solved_twice = [](Struck& s, const auto& scene, auto& system) {
+  return integrate::backward_euler_newton(s.x, s.v, 0.0, frame, scene, system, content_after_two(),
+                                          0.5) > 0;
+};
+
 /// One solve of the trapezoid rule.
 inline constexpr auto trapezoid_once = [](Struck& s, const auto& scene, auto& system) {
   return integrate::trapezoid(s.x, s.v, 0.0, frame, scene, system);
@@ -71,6 +82,17 @@ inline auto bdf2_once() {
       [previous = std::optional<Previous>()](Struck& s, const auto& scene, auto& system) mutable {
         if (!previous) previous = integrate::bdf2_start(s.x, s.v, 0.0, frame, scene);
         return integrate::bdf2(s.x, s.v, *previous, 0.0, frame, frame, scene, system);
+      };
+}
+
+/// Two solves of BDF2; for one blow.
+inline auto bdf2_twice() {
+  using Previous = integrate::Bdf2Previous<Eigen::VectorXd>;
+  return
+      [previous = std::optional<Previous>()](Struck& s, const auto& scene, auto& system) mutable {
+        if (!previous) previous = integrate::bdf2_start(s.x, s.v, 0.0, frame, scene);
+        return integrate::bdf2_newton(s.x, s.v, *previous, 0.0, frame, frame, scene, system,
+                                      content_after_two(), 0.5) > 0;
       };
 }
 

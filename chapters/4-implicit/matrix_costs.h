@@ -41,17 +41,30 @@ inline double work_of_solving(const Sparse& factor) {
   return work;
 }
 
-/// The same for cloth, whose factor is not made of counted numbers but of counted entries.
-inline double work_of_step(const scenes::Cloth<Tallied>& scene) {
+/// Multiplications of an iteration of conjugate gradients: the matrix once; two products of
+/// vectors, three sums of them and the diagonal.
+inline long work_of_iteration(const Sparse& matrix) {
+  return long(matrix.nonZeros() + 6 * matrix.cols());
+}
+
+/// Multiplications that make the matrix of a step.
+template <class Scene>
+double work_of_filling(const Scene& scene) {
   const auto s = scene.start();
-  const Sparse factor = factor_of(step_matrix_of(cloth_of(scene.side)));
-  const double filling = tally([&] {
+  return tally([&] {
     const Tallied p = -frame * frame, q = -frame;
     Tallied sum = 0;
     scene.jacobian(s.x, s.v, 0.0,
                    [&](int, int, Tallied dadx, Tallied dadv) { sum += p * dadx + q * dadv; });
   });
-  return filling + work_of_substep(scene) + double(s.x.size()) + work_of_solving(factor);
+}
+
+/// The same for cloth, whose factor is not made of counted numbers but of counted entries.
+inline double work_of_step(const scenes::Cloth<Tallied>& scene) {
+  const auto s = scene.start();
+  const Sparse factor = factor_of(step_matrix_of(cloth_of(scene.side)));
+  return work_of_filling(scene) + work_of_substep(scene) + double(s.x.size()) +
+         work_of_solving(factor);
 }
 
 /// Where the matrices of chain, rope and cloth are not zero.

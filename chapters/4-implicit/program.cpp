@@ -13,6 +13,7 @@
 #include "measure/stability.h"
 #include "parachute.h"
 #include "scenes/linear_drag.h"
+#include "seen.h"
 #include "slide.h"
 #include "soft.h"
 #include "thrown.h"
@@ -117,6 +118,7 @@ int main(int argc, char** argv) {
     matrices(record);
     costs(record);
     fairer(record);
+    seen(record);
     costs_on_a_nail(record);
     predictors(record);
     a_second(record);
