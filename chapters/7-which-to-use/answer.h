@@ -4,12 +4,21 @@
 #pragma once
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 
 #include "contest.h"
 
 /// How an answer is written.
 enum class Format { text, csv, json };
+
+/// @throws std::invalid_argument  there is none of that name
+inline Format format_of(const std::string& name) {
+  if (name == "text") return Format::text;
+  if (name == "csv") return Format::csv;
+  if (name == "json") return Format::json;
+  throw std::invalid_argument("there is no format '" + name + "'; there are text, csv, json");
+}
 
 /// "1 step", "2 steps".
 inline std::string steps(long count) {
@@ -100,10 +109,13 @@ inline void print_text(const Contest& found, const Bounds& bounds) {
   for (const Entry& entry : found.methods) print_row(entry, bounds, found.keeps_energy);
   for (const Entry& entry : found.undisturbed) print_row(entry, bounds, found.keeps_energy);
   const measure::Times& times = measure::recorded_times();
+  const bool timed = cheapest_by_time(found.methods) != nullptr;
+  if (timed) {
+    std::printf("\nus/frame: a thousand such bodies in a loop on %s, %s, %s.",
+                times.processor.c_str(), times.compiler.c_str(), times.date.c_str());
+  }
   std::printf(
-      "\nus/frame: a thousand such bodies in a loop on %s, %s, %s.\n"
-      "uneven: the error in frames as uneven as those of a busy machine, with the same mean.\n",
-      times.processor.c_str(), times.compiler.c_str(), times.date.c_str());
+      "\nuneven: the error in frames as uneven as those of a busy machine, with the same mean.\n");
 }
 
 /// All entries: the exact step, the methods, the best first, and adaptive steps.

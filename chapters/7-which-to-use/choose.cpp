@@ -10,6 +10,7 @@
 #include "answer.h"
 #include "chart.h"
 #include "contest.h"
+#include "own.h"
 
 namespace {
 
@@ -22,7 +23,10 @@ constexpr const char* about =
 
 constexpr const char* scenes_about =
     "Scenes: spring (--omega, --zeta), orbit (--omega, --eccentricity), pendulum (--omega, "
-    "--angle),\n  drag (--drag), ball (a constant force).\n"
+    "--angle),\n  drag (--drag), ball (a constant force). Or your own: a header, named with its "
+    ".h, "
+    "that defines Vec\n  (double or an Eigen vector), Vec acceleration(const Vec& x, const Vec& v, "
+    "double t), start_x and start_v.\n  It is compiled and run, so it must be one that you trust.\n"
     "Prices: evaluations of the acceleration in a second of play. The derivatives that an implicit "
     "method\n  asks for cost as much again; solving its equations is not counted. And time, as it "
     "was recorded,\n  solver and all: microseconds in a frame for a thousand bodies in a loop.\n"
@@ -114,6 +118,14 @@ void require_in_range(const Number& number) {
                               brief(number.least, 6) + " and " + brief(number.most, 6));
 }
 
+void require_frames(const Bounds& bounds) {
+  if (bounds.frames() < 1) throw std::invalid_argument("--seconds is less than one frame");
+  if (bounds.frames() > most_steps / 8) {
+    throw std::invalid_argument("--seconds times --hz must stay below " +
+                                std::to_string(most_steps / 8));
+  }
+}
+
 void require_fits(const CLI::App& app, const Choice& choice, const Parameters& parameters,
                   const Bounds& bounds) {
   for (const char* option : {"--omega", "--zeta", "--eccentricity", "--angle", "--drag"}) {
@@ -126,18 +138,7 @@ void require_fits(const CLI::App& app, const Choice& choice, const Parameters& p
   if (app.count("--energy") > 0 && !choice.keeps(parameters)) {
     throw std::invalid_argument("drag takes energy from this scene, so --energy means nothing");
   }
-  if (bounds.frames() < 1) throw std::invalid_argument("--seconds is less than one frame");
-  if (bounds.frames() > most_steps / 8) {
-    throw std::invalid_argument("--seconds times --hz must stay below " +
-                                std::to_string(most_steps / 8));
-  }
-}
-
-Format format_of(const std::string& name) {
-  if (name == "text") return Format::text;
-  if (name == "csv") return Format::csv;
-  if (name == "json") return Format::json;
-  throw std::invalid_argument("there is no format '" + name + "'; there are text, csv, json");
+  require_frames(bounds);
 }
 
 /// What stands for another number: a frequency for a stiffness and a mass, a share for a distance.
@@ -169,6 +170,28 @@ void use(const Stands& stands, const CLI::App& app, const Choice& choice, Parame
     parameters.omega = std::sqrt(stands.k / stands.m);
   }
   if (app.count("--error-metres") > 0) bounds.error = stands.error_metres / stands.reach;
+}
+
+/// What is asked of a scene of the reader's own.
+Question question(const CLI::App& app, const std::string& scene, const Bounds& bounds,
+                  const Stands& stands, const std::string& format, const std::string& chart) {
+  for (const char* option : {"--omega", "--zeta", "--eccentricity", "--angle", "--drag", "--k",
+                             "--m", "--energy", "--reach"}) {
+    if (app.count(option) > 0)
+      throw std::invalid_argument("a scene of your own takes no " + std::string(option));
+  }
+  if (app.count("--error") > 0 && app.count("--error-metres") > 0)
+    throw std::invalid_argument("--error and --error-metres say the same; leave one");
+  require_frames(bounds);
+  format_of(format);
+  const auto number = [](double value) { return brief(value, 17); };
+  return {scene,
+          number(bounds.hz),
+          number(bounds.seconds),
+          number(bounds.error),
+          number(app.count("--error-metres") > 0 ? stands.error_metres : 0),
+          format,
+          chart};
 }
 
 int choose(int argc, char** argv) {
@@ -210,6 +233,8 @@ int choose(int argc, char** argv) {
   for (const Number& number : numbers) {
     if (app.count(number.option) > 0) require_in_range(number);
   }
+  if (scene.ends_with(".h"))
+    return choose_for_own(question(app, scene, bounds, stands, format, chart));
   const Choice& chosen = choice_of(scene);
   use(stands, app, chosen, parameters, bounds);
   require_fits(app, chosen, parameters, bounds);

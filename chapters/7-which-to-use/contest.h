@@ -232,12 +232,17 @@ inline const char* timed_as(const Ball&) {
   return "jump";
 }
 
+template <class Scene>
+const char* timed_as(const Scene&) {
+  return nullptr;  // nobody took the time of such a scene
+}
+
 /// Adds what is not searched for: the price in time, and the error in uneven frames.
 template <class Scene>
 void complete(Entry& entry, const Scene& scene, const Bounds& bounds, double size) {
   const char* thing = timed_as(scene);
   const long substeps = entry.last.substeps;
-  if (has_step_time(thing, in_a_loop, *entry.method))
+  if (thing && has_step_time(thing, in_a_loop, *entry.method))
     entry.microseconds = double(substeps) * step_time(thing, in_a_loop, *entry.method);
   entry.uneven = uneven_error(*entry.method, scene, bounds, size, substeps);
 }
@@ -307,8 +312,9 @@ Entry enter_adaptive(const Scene& scene, const Bounds& bounds, double size) {
   }
   entry.uneven =
       adaptive_run(scene, bounds, uneven_frames(bounds), size, entry.last.tolerance).worst.error;
-  const double step = step_time(timed_as(scene), in_a_loop, method::dopri5);
-  entry.microseconds = entry.evaluations / 6 / bounds.hz * step;
+  if (const char* thing = timed_as(scene))
+    entry.microseconds =
+        entry.evaluations / 6 / bounds.hz * step_time(thing, in_a_loop, method::dopri5);
   return entry;
 }
 

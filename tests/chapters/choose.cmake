@@ -63,6 +63,34 @@ answers(0 "By time, [^\n]*\n  rk4, 1 step a frame" --scene spring --omega 40 --z
 answers(0 "end with the frames:\n  dopri5_adaptive, a tolerance of 1e-05: 688 evaluations a second.*\ndopri5_adaptive +adaptive +688 "
   --scene orbit --eccentricity 0.9)
 
+# A scene of one's own is compiled, run, and timed. A spring that is written down by hand has the answer of the spring.
+set(own "${SCRATCH}/spring.h")
+file(REMOVE_RECURSE ${SCRATCH})
+file(MAKE_DIRECTORY ${SCRATCH})
+function(own_scene text)
+  file(WRITE ${own} "${text}")
+endfunction()
+own_scene("using Vec = double;
+inline Vec acceleration(const Vec& x, const Vec& v, double) { return -1600 * x - 8 * v; }
+inline const Vec start_x = 1, start_v = 0;\n")
+run(--scene ${own} --hz 60 --error 0.01)
+if(NOT code EQUAL 0 OR NOT out MATCHES "^The cheapest within the bounds:\n  velocity_verlet, 4 steps a frame: 240 evaluations a second, error 0.006\n.*\nsymplectic_euler +33 +1980 .* in 32 steps\n.*of velocity_verlet takes here, of one of 512 bodies [[]ns[]]: [0-9.]+\n$")
+  message(SEND_ERROR "a spring of one's own: ${code}: ${out}${err}")
+endif()
+run(--scene ${EXAMPLE} --seconds 5 --error-metres 0.01 --format csv)
+if(NOT code EQUAL 0 OR NOT out MATCHES "^function,header,good,[^\n]*\nvelocity_verlet,velocity_verlet.h,true,")
+  message(SEND_ERROR "the chapter's example: ${code}: ${out}${err}")
+endif()
+own_scene("using Vec = double;\ninline Vec acceleration(const Vec& x, const Vec&, double) { return -y; }\n")
+refuses("spring.h doesn't compile as a scene; it has to define Vec, acceleration.*error: .*y" --scene ${own})
+own_scene("#include <cmath>
+using Vec = double;
+inline Vec acceleration(const Vec& x, const Vec&, double) { return -std::sqrt(x); }
+inline const Vec start_x = 1, start_v = -1;\n")
+refuses("the acceleration is not finite, or changes too suddenly, after 0.[0-9]+ seconds" --scene ${own})
+refuses("there is no file ${SCRATCH}/nothing.h" --scene ${SCRATCH}/nothing.h)
+refuses("a scene of your own takes no --omega" --scene ${own} --omega 3)
+
 # For other programs: all entries, each with what is known of it.
 answers(0 "^function,header,good,[^\n]*\nspring_exact,spring_exact.h,true,1,,0,[^\n]*\n.*\ndopri5_adaptive,dopri5.h,true,,[0-9.e-]+,"
   --scene spring --format csv)
@@ -71,8 +99,6 @@ answers(0 "^\\[\n  {\n    \"function\": \"constant_acceleration\",.*\"steps_per_
 
 # The chart is there and whole, or there is none.
 set(chart ${SCRATCH}/chart.svg)
-file(REMOVE_RECURSE ${SCRATCH})
-file(MAKE_DIRECTORY ${SCRATCH})
 answers(0 "^The cheapest" --scene drag --chart ${chart})
 file(READ ${chart} drawn)
 if(NOT drawn MATCHES "velocity_verlet.*</svg>")

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT-0
+// What `choose --scene my_scene.h` compiles, with -DSCENE: the contest on that scene.
+//   own_contest HZ SECONDS ERROR METRES FORMAT CHART WINNER
+// METRES is not zero where the error is one in metres; CHART is empty if there shall be none; the
+// name of the chosen function goes into the file WINNER. Prints the answer. Exit code 0 or 1 as
+// choose, 2 after one line on stderr.
+#include SCENE
+
+#include "own_scene.h"
+// The scene comes first, since these know it.
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+
+#include "answer.h"
+#include "chart.h"
+
+int main(int argc, char** argv) {
+  if (argc != 8) return 2;
+  try {
+    const OwnScene scene;
+    Bounds bounds{
+        .hz = std::atof(argv[1]), .seconds = std::atof(argv[2]), .error = std::atof(argv[3])};
+    if (std::atof(argv[4]) != 0) bounds.error = std::atof(argv[4]) / size_of(scene, bounds);
+    const Contest found = full_contest(scene, bounds);
+    if (*argv[6]) draw_chart(found, bounds, argv[6]);
+    print(found, bounds, format_of(argv[5]));
+    std::fflush(stdout);
+    std::ofstream(argv[7]) << found.methods.front().method->function;
+    return is_met(found) ? 0 : 1;
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "choose: %s\n", problem.what());
+    return 2;
+  }
+}
