@@ -252,6 +252,26 @@ TEST_CASE(
   }
 }
 
+TEST_CASE(
+    "In a tenth more than the fewest substeps a net is shown at least four times as well as by "
+    "anything cheaper, after each of three blows") {
+  for (const std::string& net : nets) {
+    std::vector<Ask> asked{{"symplectic Euler", fewest_substeps(net) * 11 / 10}};
+    for (const char* method : {"backward Euler", "BDF2", "trapezoid"}) {
+      for (const int solves : {1, 2}) {
+        for (const int steps : {1, 2, 3, 6}) asked.push_back({method, steps, solves});
+      }
+    }
+    for (const unsigned blow : {1, 2, 3}) {
+      const std::vector<Way> all = moved(net, gentle, asked, blow);
+      for (const Way& way : all) {
+        CAPTURE(net, blow, way.method, way.steps, way.work, all[0].work);
+        if (way.work < all[0].work) CHECK(way.off > 4 * all[0].off);
+      }
+    }
+  }
+}
+
 TEST_CASE("Conjugate gradients cost twice to fifty times an elimination, and show no net better") {
   for (const std::string& net : nets) {
     for (const char* gradients : {"gradients to a hundredth", "gradients to a thousandth"}) {

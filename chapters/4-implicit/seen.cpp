@@ -50,8 +50,7 @@ class Eye {
 
 /// What there is to see, by steps so short that the fastest motion is followed.
 template <class Scene>
-Pictures truth(const Scene& scene, double speed, int steps) {
-  Struck s = struck(scene, speed);
+Pictures truth(const Scene& scene, Struck s, int steps) {
   Eye eye(s.x, steps);
   for (int n = 0; n < frames * steps; ++n) {
     integrate::rk4(s.x, s.v, 0.0, frame / steps, scene);
@@ -180,11 +179,8 @@ constexpr auto symplectic_euler = [](Counted& s, const auto& scene, auto&, Talli
 template <class Scene, class CountedScene>
 class Race {
  public:
-  Race(const Scene& scene, const CountedScene& counted, double speed)
-      : scene_(scene),
-        counted_(counted),
-        start_(struck(scene, speed)),
-        truth_(truth(scene, speed, true_steps)) {}
+  Race(const Scene& scene, const CountedScene& counted, const Struck& start)
+      : scene_(scene), counted_(counted), start_(start), truth_(truth(scene, start, true_steps)) {}
 
   /// By elimination, or if there is a residual, by conjugate gradients down to it.
   template <class Step>
@@ -258,7 +254,7 @@ auto on_net(const std::string& net, Go go) {
 
 std::vector<Way> ways(const std::string& net, double speed) {
   return on_net(net, [speed](const auto& scene, const auto& counted) {
-    return Race(scene, counted, speed).run_all();
+    return Race(scene, counted, struck(scene, speed)).run_all();
   });
 }
 
@@ -270,9 +266,10 @@ const Way& way_of(const std::vector<Way>& all, const std::string& method, int st
   return *found;
 }
 
-std::vector<Way> moved(const std::string& net, double speed, const std::vector<Ask>& all) {
+std::vector<Way> moved(const std::string& net, double speed, const std::vector<Ask>& all,
+                       unsigned draw) {
   return on_net(net, [&](const auto& scene, const auto& counted) {
-    const Race race(scene, counted, speed);
+    const Race race(scene, counted, struck(scene, speed, draw));
     std::vector<Way> found;
     for (const auto& [method, steps, solves] : all) {
       const char* const name = method.c_str();
@@ -292,8 +289,8 @@ std::vector<Way> moved(const std::string& net, double speed, const std::vector<A
 
 double off_of_truth(const std::string& net, double speed) {
   return on_net(net, [speed](const auto& scene, const auto&) {
-    return off(truth(scene, speed, true_steps / 2), truth(scene, speed, true_steps),
-               scene.start().x);
+    const Struck start = struck(scene, speed);
+    return off(truth(scene, start, true_steps / 2), truth(scene, start, true_steps), start.x);
   });
 }
 

@@ -31,7 +31,9 @@ struct Ask {
 };
 
 /// What they do to one net, in their order.
-std::vector<Way> moved(const std::string& net, double speed, const std::vector<Ask>& all);
+/// @param draw  of the blow; see struck()
+std::vector<Way> moved(const std::string& net, double speed, const std::vector<Ask>& all,
+                       unsigned draw = 1);
 
 /// The one of a method with so many steps in a frame.
 const Way& way_of(const std::vector<Way>& all, const std::string& method, int steps = 1);

@@ -21,10 +21,11 @@ using Struck = scenes::State<Eigen::VectorXd>;
 
 /// In its place, but struck: every mass that is not held has a velocity of its own.
 /// @param speed  the largest along each axis [m/s]
+/// @param draw  another one is another blow
 template <class Scene>
-Struck struck(const Scene& scene, double speed) {
+Struck struck(const Scene& scene, double speed, unsigned draw = 1) {
   Struck s = scene.start();
-  std::mt19937 dice(1);
+  std::mt19937 dice(draw);
   for (double& v : s.v) v = speed * (double(dice()) / 2147483648.0 - 1);
   if constexpr (requires { scene.held(0); }) {
     for (int i = 0; i < scene.nodes(); ++i) {
