@@ -193,7 +193,6 @@ constexpr Dopri5Error<Vec> dopri5(Vec& x, Vec& v, Vec& a, Time t, Real h,
     const Vec v7 = v + (part(W::a71) * a + part(W::a73) * a3 + part(W::a74) * a4 +
                         part(W::a75) * a5 + part(W::a76) * a6);
     const Vec a7 = acceleration(x7, v7, t + part(W::c7));
-    // Two sums of their own, since clang++ -O3 would pack one of both into every stage.
     const Vec x_error = part(W::e1) * v + part(W::e3) * v3 + part(W::e4) * v4 + part(W::e5) * v5 +
                         part(W::e6) * v6 + part(W::e7) * v7;
     const Vec v_error = part(W::e1) * a + part(W::e3) * a3 + part(W::e4) * a4 + part(W::e5) * a5 +
