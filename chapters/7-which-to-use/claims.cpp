@@ -743,10 +743,10 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("In packs of floats a step takes a fifth of its time in structs of doubles, or less") {
+TEST_CASE("In packs of floats a step takes a quarter of its time in structs of doubles, or less") {
   for (const Method* swings : {&symplectic_euler, &velocity_verlet}) {
     CHECK(step_time("packs of float", in_a_loop, *swings) <
-          0.2 * step_time("structs of double", in_a_loop, *swings));
+          0.25 * step_time("structs of double", in_a_loop, *swings));
   }
 }
 
@@ -825,11 +825,12 @@ TEST_CASE("By time Yoshida's method is nowhere twice as near as the best of the 
   }
 }
 
-TEST_CASE("By time the hatch belongs to the implicit methods down to a millimetre") {
+TEST_CASE(
+    "By time the hatch belongs to the implicit methods from five centimetres to a millimetre") {
   int seen = 0;
   for (const auto& [price, best] : nearest("hatch", &Offer::nanoseconds)) {
     CAPTURE(price);
-    if (best.error < 0.001 || best.error > 1) continue;
+    if (best.error < 0.001 || best.error > 0.05) continue;
     CHECK((best.method == &backward_euler || best.method == &method::trapezoid));
     ++seen;
   }

@@ -13,7 +13,9 @@ set tmargin NARROW ? 6 : 3.8
 array layouts = ["structs of double", "structs of double", "structs of double", "packs of float", "packs of float"]
 array bodies = [1, 512, 100000, 512, 100000]
 array shapes = [6, 7, 5, 7, 5]
-array said = ["one body", "one of 512", "one of 100 000", NARROW ? "packs, one of 512" : "in packs of floats, one of 512", NARROW ? "packs, 100 000" : "one of 100 000"]
+loop = "one of ".number("at-once")
+beyond = "one of ".number("beyond-the-cache")
+array said = ["one body", loop, beyond, (NARROW ? "packs, " : "in packs of floats, ").loop, NARROW ? "packs, ".number("beyond-the-cache") : beyond]
 array looks = [SYMPLECTIC_EULER, SYMPLECTIC_EULER, SYMPLECTIC_EULER, FIRST, FIRST]
 do for [i=1:5] {
   across = NARROW ? (i % 2 ? -0.45 : 0.2) : i < 4 ? 0.28*(i - 1) : 0.56*(i - 4)

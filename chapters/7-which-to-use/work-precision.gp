@@ -24,9 +24,9 @@ set tmargin 0.6
 set bmargin 0.2
 SMALL = NARROW ? "Book Sans,11" : "Book Sans,13"
 array errors = [1e-9, 1e-6, 1e-3, 1]
-array error_names = ["1 nm", "1 µm", "1 mm", "1 m"]
+metres(e) = e < 1e-7 ? sprintf("%g nm", 1e9*e) : e < 1e-4 ? sprintf("%g µm", 1e6*e) : e < 0.1 ? sprintf("%g mm", 1e3*e) : sprintf("%g m", e)
 array ticks = [30, 300, 3000, 0.1, 1, 10]
-array tick_names = ["30", "300", "3000", "0.1 µs", "1 µs", "10 µs"]
+tick(k, price) = sprintf(k == 1 ? "%g" : "%g µs", price)
 set label 1 NARROW ? "evaluations a second" : "evaluations per second of play" at left(1),low(1)+1.1 left font SMALL tc ls EXACT
 set label 2 sprintf(NARROW ? "time, one of %s" : "time per second of play, one of %s", number("at-once")) at left(2),low(1)+1.1 left font SMALL tc ls EXACT
 n = 2
@@ -40,12 +40,12 @@ do for [j=1:6] {
     set arrow n from left(k),py(j, 0.01) to left(k)+1,py(j, 0.01) nohead ls LIMIT
     do for [i=1:3] {
       n = n + 1
-      set label n tick_names[3*(k - 1) + i] at px(k, ticks[3*(k - 1) + i]),low(j)-0.11 center tc ls EXACT
+      set label n tick(k, ticks[3*(k - 1) + i]) at px(k, ticks[3*(k - 1) + i]),low(j)-0.11 center tc ls EXACT
     }
   }
   do for [i=1:4] {
     n = n + 1
-    set label n error_names[i] at -0.02,py(j, errors[i]) right tc ls EXACT
+    set label n metres(errors[i]) at -0.02,py(j, errors[i]) right tc ls EXACT
   }
 }
 look(m) = m eq "drag divided" || m eq "drag exact" ? style("symplectic Euler, drag divided") : style(m)

@@ -116,6 +116,7 @@ void answer(measure::Table& table, const std::string& thing, const std::string& 
 /// Error against price for each thing of the level, and the answer: at this price, this method.
 inline void work_precision(measure::Record& record) {
   record.number("at-once", double(in_a_loop), measure::whole);
+  record.number("beyond-the-cache", double(beyond_the_cache), measure::whole);
   auto& work = record.table("work", {{"thing"},
                                      {"method"},
                                      {"steps per second", "", measure::whole},
