@@ -26,7 +26,7 @@
 /// previous = integrate::bdf2_start(x, v, t, h_previous, spring);
 /// const auto size = [](double change) { return std::abs(change); };
 /// int iterations = 1;
-/// for (int n = 0; n < 40 && iterations > 0; ++n) {
+/// for (int n = 0; n < 67 && iterations > 0; ++n) {
 ///   const double frame = n % 2 == 0 ? 0.01 : 0.02;
 ///   iterations = integrate::bdf2_newton(x, v, previous, t, frame, h_previous, spring, solve, size,
 ///                                       1e-9);

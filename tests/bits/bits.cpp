@@ -52,7 +52,8 @@ std::string name() {
 
 // What is read out of each step of Dormand and Prince, three tenths of the way.
 template <class Scene, class Vec>
-void print_path(const char* where, const Scene& scene, scenes::State<Vec> s, double h, long steps) {
+void print_path(const char* where, const Scene& scene, const scenes::State<Vec>& s, double h,
+                long steps) {
   Hash hash;
   auto path = integrate::dopri5_path(s.x, s.v, 0.0, h, scene);
   for (long n = 0; n < steps; ++n) {
