@@ -552,6 +552,16 @@ TEST_CASE("No method keeps the level within a centimetre with fewer steps than i
   });
 }
 
+TEST_CASE("By time, too, symplectic Euler for everything is the dearest that gets there") {
+  auto found = times_alone();
+  const double talks = found["symplectic Euler"];
+  for (const auto& [method, time] : found) {
+    INFO(method);
+    CHECK((time <= talks || std::isinf(time)));
+  }
+  CHECK_THAT(talks / found["velocity Verlet"], WithinAbs(9, 1));
+}
+
 TEST_CASE("In uneven frames RK4 in one step and Störmer–Verlet miss the example's bound ninefold") {
   const Contest found = full_contest(example, example_bounds);
   const Entry& one_step = entry_of(found, rk4);

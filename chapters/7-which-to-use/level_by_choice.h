@@ -35,6 +35,22 @@ inline double total_to_within(double distance) {
   return total;
 }
 
+/// What a second of the level takes each method, every thing with as many steps as it needs [ns];
+/// infinite if one of them is never good enough. Of one of many bodies in a loop.
+inline std::map<std::string, double> times_alone() {
+  std::map<std::string, double> all;
+  for_each_thing([&](const std::string& thing, const auto& scene, double seconds) {
+    const Contest found = to_within(centimetre, scene, seconds);
+    for (const Entry& entry : found.methods) {
+      const bool timed = has_step_time(thing, in_a_loop, *entry.method);
+      const double steps = double(entry.last.substeps) / frame;
+      all[entry.name] +=
+          entry.good && timed ? steps * step_time(thing, in_a_loop, *entry.method) : INFINITY;
+    }
+  });
+  return all;
+}
+
 inline void level_again(measure::Record& record) {
   auto& table = record.table("solved", {{"thing"},
                                         {"take"},
@@ -67,6 +83,9 @@ inline void level_again(measure::Record& record) {
   }
   std::sort(sorted.begin(), sorted.end());
   for (const auto& [bill, name] : sorted) bills.add({name, bill});
+  auto times = times_alone();
+  record.number("verlet-time", 1e-3 * times["velocity Verlet"], 2, "µs");
+  record.number("symplectic-time", 1e-3 * times["symplectic Euler"], 2, "µs");
   record.number("millimetre-total", total_to_within(centimetre / 10), measure::whole);
   record.number("rk4-total", alone["RK4"], measure::whole);
   record.number("verlet-total", alone["velocity Verlet"], measure::whole);
