@@ -262,7 +262,7 @@ TEST_CASE(
         for (const int steps : {1, 2, 3, 6}) asked.push_back({method, steps, solves});
       }
     }
-    for (const unsigned blow : {1, 2, 3}) {
+    for (const unsigned blow : {1u, 2u, 3u}) {
       const std::vector<Way> all = moved(net, gentle, asked, blow);
       for (const Way& way : all) {
         CAPTURE(net, blow, way.method, way.steps, way.work, all[0].work);

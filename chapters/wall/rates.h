@@ -158,8 +158,8 @@ inline void rates(measure::Record& record) {
     table.add({answer.method.function, answer.method.name, found.stands, within[0], within[1],
                within[2]});
     for (const auto& [swings, ticks] : {std::pair{0.25, 30.0}, {3.0, 60.0}, {7.5, 144.0}}) {
-      const auto steps = [&, swings = swings, ticks = ticks](double rate) {
-        return steps_a_tick(rate, swings, ticks);
+      const auto steps = [often = swings, rate_of_game = ticks](double rate) {
+        return steps_a_tick(rate, often, rate_of_game);
       };
       shown.add({answer.method.function, swings, ticks, steps(found.stands), steps(within[0]),
                  steps(within[1]), steps(within[2])});

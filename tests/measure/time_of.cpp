@@ -59,7 +59,7 @@ TEST_CASE("Counting does not change the answer") {
 
 TEST_CASE("By a clock that ticks at each evaluation, a step takes as many ticks as it evaluates") {
   const TickingPendulum pendulum;
-  for (const std::size_t bodies : {1, 2, 7, 512, 100'000}) {
+  for (const std::size_t bodies : {1u, 2u, 7u, 512u, 100'000u}) {
     const auto ticks = [&](auto step) {
       return 1e9 * measure::time_of<Ticking>(step, pendulum, pendulum.start(), 0.01, bodies);
     };
@@ -95,7 +95,7 @@ struct Noted : scenes::Spring<> {
 
 TEST_CASE("No step whose time is taken meets a denormal number, on a spring that dies away") {
   const Watched suspension{{.omega = 20, .zeta = 0.1, .x0 = 0.1}};
-  for (const std::size_t bodies : {1, 5}) {
+  for (const std::size_t bodies : {1u, 5u}) {
     measure::time_of(measure::rk4, suspension, suspension.start(), 1 / 60.0, bodies);
   }
   CHECK(Watched::denormal == 0);
