@@ -9,7 +9,6 @@
 #include "own_scene.h"
 // The scene comes first, since these know it.
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <fstream>
 
@@ -21,8 +20,8 @@ int main(int argc, char** argv) {
   try {
     const OwnScene scene;
     Bounds bounds{
-        .hz = std::atof(argv[1]), .seconds = std::atof(argv[2]), .error = std::atof(argv[3])};
-    if (std::atof(argv[4]) != 0) bounds.error = std::atof(argv[4]) / size_of(scene, bounds);
+        .hz = std::stod(argv[1]), .seconds = std::stod(argv[2]), .error = std::stod(argv[3])};
+    if (std::stod(argv[4]) != 0) bounds.error = std::stod(argv[4]) / size_of(scene, bounds);
     const Contest found = full_contest(scene, bounds);
     if (*argv[6]) draw_chart(found, bounds, argv[6]);
     print(found, bounds, format_of(argv[5]));

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 
 #include "integrate/dopri5.h"
