@@ -53,7 +53,9 @@ class OwnScene {
   /// The truth at a time, by Dormand-Prince.
   /// @throws std::runtime_error  it gets no farther, since the acceleration is not finite, or jumps
   scenes::State<Moved> exact(double t) const {
-    if (!path_) path_ = integrate::dopri5_path(start().x, start().v, 0.0, 1e-3, *this);
+    // Never back in time: what a damper took away comes back with all errors magnified.
+    if (!path_ || t < path_->t_before)
+      path_ = integrate::dopri5_path(start().x, start().v, 0.0, 1e-3, *this);
     const auto norm = [](const Moved& error) { return measure::length(error); };
     const double size = 1 + measure::length(start().x) + measure::length(start().v);
     if (!integrate::dopri5_adaptive(*path_, t, *this, norm, 1e-12 * size)) {
