@@ -63,19 +63,40 @@ bool keeps_energy(const Scene& scene) {
   return false;
 }
 
-/// Where a scene should be in each frame, and how far from the origin that gets.
+/// When frames end, with the start before the first of them [s].
+inline std::vector<double> even_frames(const Bounds& bounds) {
+  std::vector<double> ends;
+  for (long n = 0; n <= bounds.frames(); ++n) ends.push_back(double(n) / bounds.hz);
+  return ends;
+}
+
+/// The same of as many frames that are as uneven as those of `frames::recorded`, with a mean of
+/// `hz`.
+inline std::vector<double> uneven_frames(const Bounds& bounds) {
+  const auto& frames = frames::recorded;
+  const double sum = std::accumulate(frames.begin(), frames.end(), 0.0);
+  std::vector<double> ends{0};
+  for (long n = 0; n < bounds.frames(); ++n) {
+    const double length = frames[std::size_t(n) % frames.size()];
+    ends.push_back(ends.back() + length * double(frames.size()) / (sum * bounds.hz));
+  }
+  return ends;
+}
+
+/// Where a scene should be at the ends of frames, and how far from the origin that gets.
 template <class Vec>
 struct Truth {
+  std::vector<double> ends;  ///< of the frames, and the start before them [s]
   std::vector<Vec> x;
   double size = 0;
 };
 
-/// The truth of a scene, in each frame that is watched.
+/// The truth of a scene at the ends of frames.
 template <class Scene>
-auto truth_of(const Scene& scene, const Bounds& bounds) {
-  Truth<std::decay_t<decltype(scene.start().x)>> truth;
-  for (long n = 0; n <= bounds.frames(); ++n) {
-    truth.x.push_back(scene.exact(double(n) / bounds.hz).x);
+auto truth_of(const Scene& scene, const std::vector<double>& ends) {
+  Truth<std::decay_t<decltype(scene.start().x)>> truth{ends, {}, 0};
+  for (const double end : ends) {
+    truth.x.push_back(scene.exact(end).x);
     truth.size = std::max(truth.size, measure::length(truth.x.back()));
   }
   return truth;
@@ -84,7 +105,7 @@ auto truth_of(const Scene& scene, const Bounds& bounds) {
 /// The farthest from the origin that the motion gets.
 template <class Scene>
 double size_of(const Scene& scene, const Bounds& bounds) {
-  return truth_of(scene, bounds).size;
+  return truth_of(scene, even_frames(bounds)).size;
 }
 
 /// How far from good enough: one or less is good.
@@ -98,16 +119,30 @@ inline bool nearer(const Attempt& one, const Attempt& other, const Bounds& bound
   return miss(one, bounds) < miss(other, bounds);
 }
 
+/// Compares what a player sees at the end of a frame with the truth, and keeps the worst.
+/// @param size  how far the motion gets
+template <class Scene, class Vec>
+void see(Attempt& worst, const Scene& scene, const scenes::State<Vec>& now, const Vec& truth,
+         double size) {
+  const double error = measure::length(now.x - truth) / size;
+  if (!(error <= worst.error)) worst.error = error;
+  if constexpr (requires { scene.energy(now.x, now.v); }) {
+    if (!keeps_energy(scene)) return;
+    const auto start = scene.start();
+    const double first = scene.energy(start.x, start.v);
+    const double change = std::abs(scene.energy(now.x, now.v) / first - 1);
+    if (!(change <= worst.energy)) worst.energy = change;
+  }
+}
+
 /// Runs the scene and compares it with the truth in every frame, which is when a player sees it.
 /// Gives up as soon as it misses the bounds by more than `patience`.
 template <class Scene, class Vec>
 Attempt attempt(const measure::Method& method, const Scene& scene, const Bounds& bounds,
                 const Truth<Vec>& truth, long substeps, double patience) {
   Attempt worst{.substeps = substeps};
-  const auto start = scene.start();
-  const bool keeps = keeps_energy(scene);
   const double h = 1 / (bounds.hz * double(substeps));
-  auto kept = measure::start(method, start, h, scene);
+  auto kept = measure::start(method, scene.start(), h, scene);
   long n = 0;  // steps taken
   for (std::size_t seen = 1; seen < truth.x.size(); ++seen) {
     try {
@@ -117,40 +152,21 @@ Attempt attempt(const measure::Method& method, const Scene& scene, const Bounds&
       worst.error = INFINITY;  // an implicit step that could not be solved
       break;
     }
-    const auto now = measure::state_of(method, kept, double(n) * h, h, scene);
-    const double error = measure::length(now.x - truth.x[seen]) / truth.size;
-    if (!(error <= worst.error)) worst.error = error;
-    if constexpr (requires { scene.energy(now.x, now.v); }) {
-      const double first = scene.energy(start.x, start.v);
-      const double change = keeps ? std::abs(scene.energy(now.x, now.v) / first - 1) : 0;
-      if (!(change <= worst.energy)) worst.energy = change;
-    }
+    see(worst, scene, measure::state_of(method, kept, double(n) * h, h, scene), truth.x[seen],
+        truth.size);
     if (miss(worst, bounds) > patience) break;
   }
   return worst;
 }
 
-/// When frames end that are as uneven as those of `frames::recorded`, with a mean of `hz` [s].
-inline std::vector<double> uneven_frames(const Bounds& bounds) {
-  const auto& frames = frames::recorded;
-  const double sum = std::accumulate(frames.begin(), frames.end(), 0.0);
-  std::vector<double> ends;
-  double end = 0;
-  for (long n = 0; n < bounds.frames(); ++n) {
-    end += frames[std::size_t(n) % frames.size()] * double(frames.size()) / (sum * bounds.hz);
-    ends.push_back(end);
-  }
-  return ends;
-}
-
-/// The largest error in uneven frames, each cut into as many equal steps, as a share of `size`.
-template <class Scene>
-double uneven_error(const measure::Method& method, const Scene& scene, const Bounds& bounds,
-                    double size, long substeps) {
-  double worst = 0, begin = 0;
-  std::vector<double> ends = uneven_frames(bounds);
-  auto kept = measure::start(method, scene.start(), ends.front() / double(substeps), scene);
-  for (const double end : ends) {
+/// The largest error in uneven frames, each cut into as many equal steps.
+template <class Scene, class Vec>
+double uneven_error(const measure::Method& method, const Scene& scene, const Truth<Vec>& uneven,
+                    long substeps) {
+  Attempt worst;
+  auto kept = measure::start(method, scene.start(), uneven.ends[1] / double(substeps), scene);
+  for (std::size_t seen = 1; seen < uneven.x.size(); ++seen) {
+    const double begin = uneven.ends[seen - 1], end = uneven.ends[seen];
     const double h = (end - begin) / double(substeps);
     try {
       for (long n = 0; n < substeps; ++n)
@@ -158,13 +174,10 @@ double uneven_error(const measure::Method& method, const Scene& scene, const Bou
     } catch (const std::runtime_error&) {
       return INFINITY;
     }
-    const auto now = measure::state_of(method, kept, end, h, scene);
-    const double error = measure::length(now.x - scene.exact(end).x) / size;
-    if (!(error <= worst)) worst = error;
-    if (!(worst < 1e3)) return INFINITY;
-    begin = end;
+    see(worst, scene, measure::state_of(method, kept, end, h, scene), uneven.x[seen], uneven.size);
+    if (!(worst.error < 1e3)) return INFINITY;
   }
-  return worst;
+  return worst.error;
 }
 
 /// Evaluations a second with so many steps in a frame.
@@ -238,13 +251,12 @@ const char* timed_as(const Scene&) {
 }
 
 /// Adds what is not searched for: the price in time, and the error in uneven frames.
-template <class Scene>
-void complete(Entry& entry, const Scene& scene, const Bounds& bounds, double size) {
-  const char* thing = timed_as(scene);
+template <class Scene, class Vec>
+void complete(Entry& entry, const Scene& scene, const Truth<Vec>& uneven) {
   const long substeps = entry.last.substeps;
-  if (thing && has_step_time(thing, in_a_loop, *entry.method))
+  if (const char* thing = timed_as(scene))
     entry.microseconds = double(substeps) * step_time(thing, in_a_loop, *entry.method);
-  entry.uneven = uneven_error(*entry.method, scene, bounds, size, substeps);
+  entry.uneven = uneven_error(*entry.method, scene, uneven, substeps);
 }
 
 /// The adaptive method, as it is called; its steps do not end with the frames.
@@ -265,42 +277,35 @@ struct AdaptiveRun {
 };
 
 /// Runs the scene with adaptive steps, and reads it at the ends of frames.
-/// @param ends  of the frames [s]
-template <class Scene>
-AdaptiveRun adaptive_run(const Scene& scene, const Bounds& bounds, const std::vector<double>& ends,
-                         double size, double tolerance) {
+template <class Scene, class Vec>
+AdaptiveRun adaptive_run(const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth,
+                         double tolerance) {
   const measure::Counted<Scene> counted{scene};
   const auto start = scene.start();
-  const auto norm = [](const auto& error) { return measure::length(error); };
+  const auto norm = [](const Vec& error) { return measure::length(error); };
   AdaptiveRun run{.worst = {.tolerance = tolerance}};
-  const bool keeps = keeps_energy(scene);
   auto path = integrate::dopri5_path(start.x, start.v, 0.0, 1 / bounds.hz, counted);
-  for (const double end : ends) {
-    if (!integrate::dopri5_adaptive(path, end, counted, norm, tolerance * size)) {
+  for (std::size_t seen = 1; seen < truth.x.size(); ++seen) {
+    const double end = truth.ends[seen];
+    if (!integrate::dopri5_adaptive(path, end, counted, norm, tolerance * truth.size)) {
       run.worst.error = INFINITY;
       break;
     }
-    const double error = measure::length(path.position(end) - scene.exact(end).x) / size;
-    if (!(error <= run.worst.error)) run.worst.error = error;
-    if constexpr (requires { scene.energy(start.x, start.v); }) {
-      const double first = scene.energy(start.x, start.v);
-      const double now = scene.energy(path.position(end), path.velocity(end));
-      run.worst.energy = std::max(run.worst.energy, keeps ? std::abs(now / first - 1) : 0);
-    }
+    const scenes::State<Vec> now{path.position(end), path.velocity(end)};
+    see(run.worst, scene, now, truth.x[seen], truth.size);
   }
-  run.evaluations = double(counted.evaluations) / ends.back();
+  run.evaluations = double(counted.evaluations) / truth.ends.back();
   return run;
 }
 
 /// Tries every rung of the ladder and keeps the cheapest that is good enough; if none is, the
 /// nearest miss.
-template <class Scene>
-Entry enter_adaptive(const Scene& scene, const Bounds& bounds, double size) {
+template <class Scene, class Vec>
+Entry enter_adaptive(const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth,
+                     const Truth<Vec>& uneven) {
   Entry entry{.name = std::string(adaptive.name), .method = &adaptive};
-  std::vector<double> ends;
-  for (long n = 1; n <= bounds.frames(); ++n) ends.push_back(double(n) / bounds.hz);
   for (const double tolerance : ladder()) {
-    const AdaptiveRun run = adaptive_run(scene, bounds, ends, size, tolerance);
+    const AdaptiveRun run = adaptive_run(scene, bounds, truth, tolerance);
     const bool good = run.worst.good(bounds), first = entry.evaluations == 0;
     const bool better = good != entry.good ? good
                         : good             ? run.evaluations < entry.evaluations
@@ -310,8 +315,7 @@ Entry enter_adaptive(const Scene& scene, const Bounds& bounds, double size) {
     entry.good = good;
     entry.evaluations = run.evaluations;
   }
-  entry.uneven =
-      adaptive_run(scene, bounds, uneven_frames(bounds), size, entry.last.tolerance).worst.error;
+  entry.uneven = adaptive_run(scene, bounds, uneven, entry.last.tolerance).worst.error;
   if (const char* thing = timed_as(scene))
     entry.microseconds =
         entry.evaluations / 6 / bounds.hz * step_time(thing, in_a_loop, method::dopri5);
@@ -370,11 +374,10 @@ inline double cheapest_of(const std::vector<Entry>& entries) {
   return least;
 }
 
-template <class Scene>
-Contest contest(const Scene& scene, const Bounds& bounds) {
+template <class Scene, class Vec>
+Contest contest(const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth) {
   Contest found;
   found.keeps_energy = keeps_energy(scene);
-  const auto truth = truth_of(scene, bounds);
   if (const measure::Method* exact = exact_step_of(scene)) {
     found.exact.push_back(enter(*exact, scene, bounds, truth));
     found.exact.back().name = "exact step";
@@ -394,15 +397,23 @@ Contest contest(const Scene& scene, const Bounds& bounds) {
   return found;
 }
 
+/// The contest against a truth that is worked out for it.
+template <class Scene>
+Contest contest(const Scene& scene, const Bounds& bounds) {
+  return contest(scene, bounds, truth_of(scene, even_frames(bounds)));
+}
+
 /// The contest with all that `choose` tells besides: prices in time, errors in uneven frames, and
 /// adaptive steps.
 template <class Scene>
 Contest full_contest(const Scene& scene, const Bounds& bounds) {
-  Contest found = contest(scene, bounds);
-  const double size = size_of(scene, bounds);
-  for (Entry& entry : found.exact) complete(entry, scene, bounds, size);
-  for (Entry& entry : found.methods) complete(entry, scene, bounds, size);
-  found.undisturbed.push_back(enter_adaptive(scene, bounds, size));
+  const auto truth = truth_of(scene, even_frames(bounds));
+  auto uneven = truth_of(scene, uneven_frames(bounds));
+  uneven.size = truth.size;  // errors are shares of one size
+  Contest found = contest(scene, bounds, truth);
+  for (Entry& entry : found.exact) complete(entry, scene, uneven);
+  for (Entry& entry : found.methods) complete(entry, scene, uneven);
+  found.undisturbed.push_back(enter_adaptive(scene, bounds, truth, uneven));
   return found;
 }
 
