@@ -36,16 +36,15 @@ inline double total_to_within(double distance) {
 }
 
 /// What a second of the level takes each method, every thing with as many steps as it needs [ns];
-/// infinite if one of them is never good enough. Of one of many bodies in a loop.
+/// infinite if one of them is never good enough, NaN if a time is not recorded. Of one of many
+/// bodies in a loop.
 inline std::map<std::string, double> times_alone() {
   std::map<std::string, double> all;
   for_each_thing([&](const std::string& thing, const auto& scene, double seconds) {
     const Contest found = to_within(centimetre, scene, seconds);
     for (const Entry& entry : found.methods) {
-      const bool timed = has_step_time(thing, in_a_loop, *entry.method);
       const double steps = double(entry.last.substeps) / frame;
-      all[entry.name] +=
-          entry.good && timed ? steps * step_time(thing, in_a_loop, *entry.method) : INFINITY;
+      all[entry.name] += entry.good ? steps * step_time(thing, in_a_loop, *entry.method) : INFINITY;
     }
   });
   return all;

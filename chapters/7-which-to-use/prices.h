@@ -3,6 +3,7 @@
 /// What a step of each method costs in time, as it was recorded: names of times, and where they are
 /// looked up.
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -22,13 +23,10 @@ inline std::string step_name(std::string_view thing, std::size_t bodies,
   return std::string(thing) + "/" + std::to_string(bodies) + "/" + std::string(function);
 }
 
-/// The recorded time of a step of one of so many bodies [ns].
+/// The recorded time of a step of one of so many bodies [ns]; NaN if nobody took it, as of a method
+/// that is new.
 inline double step_time(std::string_view thing, std::size_t bodies, const measure::Method& method) {
-  return measure::recorded_times().at(step_name(thing, bodies, method.function)).median;
-}
-
-/// Whether somebody took that time. Those who solve for their step are not timed in all layouts.
-inline bool has_step_time(std::string_view thing, std::size_t bodies,
-                          const measure::Method& method) {
-  return measure::recorded_times().of.contains(step_name(thing, bodies, method.function));
+  const auto& times = measure::recorded_times().of;
+  const auto time = times.find(step_name(thing, bodies, method.function));
+  return time == times.end() ? NAN : time->second.median;
 }
