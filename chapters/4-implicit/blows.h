@@ -75,25 +75,31 @@ double solves_of_trapezoid(const Scene& scene, double speed, int steps) {
   return double(sum) / steps;
 }
 
+/// Begins BDF2 in the first frame, and takes a step of it in each; for one blow.
+/// @param step  called as `step(s, previous, scene, system)`; returns whether it was solved
+template <class Step>
+auto begun_by_itself(Step step) {
+  using Previous = integrate::Bdf2Previous<Eigen::VectorXd>;
+  return [step, previous = std::optional<Previous>()](Struck& s, const auto& scene,
+                                                      auto& system) mutable {
+    if (!previous) previous = integrate::bdf2_start(s.x, s.v, 0.0, frame, scene);
+    return step(s, *previous, scene, system);
+  };
+}
+
 /// One solve of BDF2; for one blow.
 inline auto bdf2_once() {
-  using Previous = integrate::Bdf2Previous<Eigen::VectorXd>;
-  return
-      [previous = std::optional<Previous>()](Struck& s, const auto& scene, auto& system) mutable {
-        if (!previous) previous = integrate::bdf2_start(s.x, s.v, 0.0, frame, scene);
-        return integrate::bdf2(s.x, s.v, *previous, 0.0, frame, frame, scene, system);
-      };
+  return begun_by_itself([](Struck& s, auto& previous, const auto& scene, auto& system) {
+    return integrate::bdf2(s.x, s.v, previous, 0.0, frame, frame, scene, system);
+  });
 }
 
 /// Two solves of BDF2; for one blow.
 inline auto bdf2_twice() {
-  using Previous = integrate::Bdf2Previous<Eigen::VectorXd>;
-  return
-      [previous = std::optional<Previous>()](Struck& s, const auto& scene, auto& system) mutable {
-        if (!previous) previous = integrate::bdf2_start(s.x, s.v, 0.0, frame, scene);
-        return integrate::bdf2_newton(s.x, s.v, *previous, 0.0, frame, frame, scene, system,
-                                      content_after_two(), 0.5) > 0;
-      };
+  return begun_by_itself([](Struck& s, auto& previous, const auto& scene, auto& system) {
+    return integrate::bdf2_newton(s.x, s.v, previous, 0.0, frame, frame, scene, system,
+                                  content_after_two(), 0.5) > 0;
+  });
 }
 
 /// A gentle blow, and what a second leaves of it.

@@ -141,6 +141,12 @@ void require_fits(const CLI::App& app, const Choice& choice, const Parameters& p
   require_frames(bounds);
 }
 
+void refuse_both(const CLI::App& app, const char* one, const char* other) {
+  if (app.count(one) > 0 && app.count(other) > 0) {
+    throw std::invalid_argument(std::string(one) + " and " + other + " say the same; leave one");
+  }
+}
+
 /// What stands for another number: a frequency for a stiffness and a mass, a share for a distance.
 struct Stands {
   double k = 0, m = 1, error_metres = 0, reach = 1;
@@ -149,18 +155,13 @@ struct Stands {
 /// Puts them in.
 void use(const Stands& stands, const CLI::App& app, const Choice& choice, Parameters& parameters,
          Bounds& bounds) {
-  const auto refuse_both = [&](const char* one, const char* other) {
-    if (app.count(one) > 0 && app.count(other) > 0) {
-      throw std::invalid_argument(std::string(one) + " and " + other + " say the same; leave one");
-    }
-  };
   const auto require = [&](const char* one, const char* other) {
     if (app.count(one) > 0 && app.count(other) == 0) {
       throw std::invalid_argument(std::string(one) + " means nothing without " + other);
     }
   };
-  refuse_both("--k", "--omega");
-  refuse_both("--error-metres", "--error");
+  refuse_both(app, "--k", "--omega");
+  refuse_both(app, "--error-metres", "--error");
   require("--m", "--k");
   require("--reach", "--error-metres");
   if (app.count("--k") > 0) {
@@ -180,8 +181,7 @@ Question question(const CLI::App& app, const std::string& scene, const Bounds& b
     if (app.count(option) > 0)
       throw std::invalid_argument("a scene of your own takes no " + std::string(option));
   }
-  if (app.count("--error") > 0 && app.count("--error-metres") > 0)
-    throw std::invalid_argument("--error and --error-metres say the same; leave one");
+  refuse_both(app, "--error-metres", "--error");
   require_frames(bounds);
   format_of(format);
   const auto number = [](double value) { return brief(value, 17); };

@@ -9,17 +9,16 @@
 #include <limits>
 #include <map>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
+#include "asks.h"
 #include "float_floor.h"
 #include "level_by_choice.h"
 #include "map.h"
 #include "measure/method_of.h"
 #include "measure/methods.h"
 #include "particles.h"
-#include "peers.h"
 #include "poster.h"
 #include "verdicts.h"
 #include "work_precision.h"
@@ -82,18 +81,6 @@ double farthest(const Method& step, double homega, double zeta) {
   return most < 1e6 ? most : INFINITY;
 }
 
-/// What one step asks for, as the list of the methods has it, and the derivatives of an implicit
-/// one.
-double asks(std::string_view function) {
-  double often = 1;  // those for linear damping
-  list::for_each(list::Contenders(), [&](auto method) {
-    if (method.function != function) return;
-    const bool implicit = list::is_in<decltype(method)>(list::EveryImplicit());
-    often = double(method.evaluations + (implicit ? 1 : 0));
-  });
-  return often;
-}
-
 /// Whether a whole run with so many steps in each frame stays within the bounds.
 template <class Scene>
 bool meets(const Method& step, const Scene& scene, const Bounds& bounds, long substeps) {
@@ -125,7 +112,7 @@ template <class Scene>
 std::string cheaper(const Scene& scene, const Bounds& bounds, double evaluations) {
   std::string found;
   for (const Method* entrant : entrants_on(scene)) {
-    const double once = bounds.hz * asks(entrant->function);
+    const double once = bounds.hz * asks(*entrant);
     for (long substeps = std::lround(evaluations / once); substeps > 0; --substeps) {
       if (once * double(substeps) > evaluations - 1e-9) continue;
       if (meets(*entrant, scene, bounds, substeps)) found += title(*entrant, substeps);
@@ -515,7 +502,7 @@ TEST_CASE("No method and no number of steps meets the bounds for less than the c
     const Entry& best = found.methods[0];
     CHECK(best.good);
     CHECK(best.evaluations == evaluations);
-    CHECK(best.evaluations == bounds.hz * double(best.last.substeps) * asks(best.method->function));
+    CHECK(best.evaluations == bounds.hz * double(best.last.substeps) * asks(*best.method));
     CHECK(cheaper(scene, bounds, best.evaluations).empty());
     // The search sees what is there: with room for one frame of RK4 more it finds the chosen one.
     CHECK_THAT(cheaper(scene, bounds, best.evaluations + 4 * bounds.hz),
@@ -696,248 +683,4 @@ TEST_CASE("To a millimetre only the lamp pays more, and the level less than a fi
     CHECK(now.evaluations == (name == "lamp" ? 2 : 1) * before.evaluations);
   });
   CHECK(total_to_within(centimetre / 10) < 1.2 * total_to_within(centimetre));
-}
-
-namespace {
-
-/// The recorded times of a step of the shuttle [ns].
-double of_one(const Method& method) {
-  return step_time("shuttle", one_body, method);
-}
-double of_512(const Method& method) {
-  return step_time("shuttle", in_a_loop, method);
-}
-
-}  // namespace
-
-TEST_CASE("Alone, a shuttle takes symplectic Euler as long as midpoint, twice as long as Euler") {
-  CHECK_THAT(of_one(symplectic_euler) / of_one(method::midpoint), WithinAbs(1, 0.1));
-  CHECK_THAT(of_one(symplectic_euler) / of_one(euler), WithinAbs(2, 0.2));
-}
-
-TEST_CASE(
-    "Of 512 shuttles the swapped lines and Verlet take Euler's time, midpoint twice as much") {
-  const double one = of_512(euler);
-  for (const Method* asks_once :
-       {&symplectic_euler, &velocity_verlet, &method::leapfrog, &method::stormer_verlet})
-    CHECK_THAT(of_512(*asks_once) / one, WithinAbs(1, 0.1));
-  for (const Method* asks_twice : {&method::midpoint, &method::heun, &method::predicted_euler})
-    CHECK_THAT(of_512(*asks_twice) / one, WithinAbs(2, 0.2));
-}
-
-TEST_CASE("Of 512 shuttles RK4 takes five times Euler's time, Dormand-Prince ten times") {
-  CHECK_THAT(of_512(rk4) / of_512(euler), WithinAbs(5, 0.5));
-  CHECK_THAT(of_512(method::dopri5) / of_512(euler), WithinAbs(10, 0.8));
-}
-
-TEST_CASE("Of 512 shuttles Yoshida's step takes about as long as RK4's, not three of Verlet's") {
-  CHECK_THAT(of_512(method::yoshida4) / of_512(rk4), WithinAbs(1, 0.15));
-  CHECK(of_512(method::yoshida4) > 4 * of_512(velocity_verlet));
-  // Alone, it is three of Verlet's: there, both wait.
-  CHECK_THAT(of_one(method::yoshida4), WithinRel(3 * of_one(velocity_verlet), 0.1));
-}
-
-TEST_CASE(
-    "Of 512 shuttles an implicit step takes nearly twice the time of its evaluations, or more") {
-  const double one = of_512(euler);
-  CHECK(of_512(backward_euler) > 1.8 * one * double(price(backward_euler, shuttle, frame)));
-  CHECK(of_512(method::trapezoid) > 1.8 * one * double(price(method::trapezoid, shuttle, frame)));
-}
-
-TEST_CASE(
-    "On the machine of the times a step of one of 100 000 shuttles takes what one of 512 takes") {
-  for (const Method* entrant : entrants) {
-    INFO(entrant->name);
-    CHECK_THAT(step_time("shuttle", beyond_the_cache, *entrant) / of_512(*entrant),
-               WithinAbs(1, 0.15));
-  }
-}
-
-TEST_CASE("In packs of floats a step takes a quarter of its time in structs of doubles, or less") {
-  for (const Method* swings : {&symplectic_euler, &velocity_verlet}) {
-    CHECK(step_time("packs of float", in_a_loop, *swings) <
-          0.25 * step_time("structs of double", in_a_loop, *swings));
-  }
-}
-
-namespace {
-
-/// Prices that are not those of the figure, from one that `rates[0]` steps of velocity Verlet cost.
-std::vector<double> other_prices(double from, double to) {
-  std::vector<double> all;
-  for (double price = 1.01 * from; price < to; price *= 1.37) all.push_back(price);
-  return all;
-}
-
-/// What is nearest in a thing of the level, by price, at many prices.
-/// @param cost  `&Offer::evaluations` or `&Offer::nanoseconds`
-/// @param without  a method that is not taken; null if all are
-std::map<double, Bought> nearest(const std::string& wanted, double Offer::* cost,
-                                 const Method* without = nullptr) {
-  std::map<double, Bought> found;
-  for_each_thing([&](const std::string& thing, const auto& scene, double seconds) {
-    if (thing != wanted) return;
-    std::vector<Offer> offers = offers_on(thing, scene);
-    const auto verlet = std::find_if(offers.begin(), offers.end(), [](const Offer& offer) {
-      return offer.method == &velocity_verlet;
-    });
-    const double least = rates[0] * (*verlet).*cost;
-    std::erase_if(offers, [&](const Offer& offer) { return offer.method == without; });
-    for (const double price : other_prices(least, 300 * least))
-      found[price] = best_for(price, cost, offers, scene, seconds, nullptr);
-  });
-  return found;
-}
-
-bool is_ever_nearest(const Method& method, const std::string& thing, double Offer::* cost) {
-  const auto all = nearest(thing, cost);
-  return std::any_of(all.begin(), all.end(),
-                     [&](const auto& one) { return one.second.method == &method; });
-}
-
-constexpr const char* things[] = {"jump", "leaf", "suspension", "hatch", "lamp", "shuttle"};
-
-}  // namespace
-
-TEST_CASE("For the fewest evaluations velocity Verlet is nearest on five of the six") {
-  for (const std::string thing : things) {
-    INFO(thing);
-    CHECK((nearest(thing, &Offer::evaluations).begin()->second.method == &velocity_verlet) ==
-          (thing != "hatch"));
-  }
-}
-
-TEST_CASE(
-    "For 300 evaluations or more Dormand-Prince is nearest on all that is not exact or stiff") {
-  for (const std::string thing : {"suspension", "lamp", "shuttle"}) {
-    for (const auto& [price, best] : nearest(thing, &Offer::evaluations)) {
-      CAPTURE(thing, price);
-      if (price >= 300 && best.error > 1e-9) CHECK(best.method == &method::dopri5);
-    }
-  }
-}
-
-TEST_CASE("By evaluations Yoshida's method is worth its price on the lamp and the shuttle alone") {
-  for (const std::string thing : things) {
-    INFO(thing);
-    CHECK(is_ever_nearest(method::yoshida4, thing, &Offer::evaluations) ==
-          (thing == "lamp" || thing == "shuttle"));
-  }
-}
-
-TEST_CASE("By time Yoshida's method is nowhere twice as near as the best of the others") {
-  for (const std::string thing : things) {
-    const auto others = nearest(thing, &Offer::nanoseconds, &method::yoshida4);
-    for (const auto& [price, best] : nearest(thing, &Offer::nanoseconds)) {
-      CAPTURE(thing, price);
-      if (best.method == &method::yoshida4) CHECK(others.at(price).error < 2 * best.error);
-    }
-  }
-}
-
-TEST_CASE(
-    "By time the hatch belongs to the implicit methods from five centimetres to a millimetre") {
-  int seen = 0;
-  for (const auto& [price, best] : nearest("hatch", &Offer::nanoseconds)) {
-    CAPTURE(price);
-    if (best.error < 0.001 || best.error > 0.05) continue;
-    CHECK((best.method == &backward_euler || best.method == &method::trapezoid));
-    ++seen;
-  }
-  CHECK(seen > 5);
-}
-
-namespace {
-
-/// The recorded time of a step of one particle [ns].
-double particle_time(const std::string& layout, long count) {
-  return measure::recorded_times().at(particles_name(layout, count)).median;
-}
-
-}  // namespace
-
-TEST_CASE("To move particles never takes less time than to touch their memory") {
-  for (const long count : particle_counts) {
-    CHECK(particle_time("packs", count) >= particle_time("memory", count));
-    CHECK(particle_time("structs", count) >= particle_time("memory", count));
-  }
-}
-
-TEST_CASE(
-    "While the nearest caches hold the particles, packs take a fifth of the time of structs") {
-  for (const long count : {4'096, 16'384})
-    CHECK_THAT(particle_time("packs", count) / particle_time("structs", count),
-               WithinAbs(0.2, 0.04));
-}
-
-TEST_CASE("A step of four million packs takes over twice as long, most of it for the memory") {
-  const double packs = particle_time("packs", 4'194'304);
-  CHECK(packs > 2 * particle_time("packs", 4'096));
-  CHECK(particle_time("memory", 4'194'304) > 0.7 * packs);
-}
-
-TEST_CASE("With 16 steps a visit a step of any number of packs takes the same time to a fifth") {
-  const double fewest = particle_time("blocks", 4'096);
-  for (const long count : particle_counts)
-    CHECK_THAT(particle_time("blocks", count) / fewest, WithinAbs(1, 0.2));
-}
-
-TEST_CASE("On a planet the headers take the time of a loop by hand, and so does odeint on arrays") {
-  for (const char* method : {"symplectic_euler", "velocity_verlet", "rk4"}) {
-    const double by_hand = library_time(method, "by hand");
-    for (const char* called : {"header struct", "header Vector2d", "odeint array"}) {
-      CAPTURE(method, called);
-      CHECK_THAT(library_time(method, called) / by_hand, WithinAbs(1, 0.1));
-    }
-  }
-}
-
-TEST_CASE("For a step of RK4 GSL takes twice the time of the loop by hand, SUNDIALS twelve times") {
-  const double by_hand = library_time("rk4", "by hand");
-  CHECK_THAT(library_time("rk4", "GSL") / by_hand, WithinAbs(2.2, 0.3));
-  CHECK_THAT(library_time("rk4", "SUNDIALS ERKStep") / by_hand, WithinAbs(12, 1));
-}
-
-TEST_CASE("Of 512 planets the headers on a struct take the time of a loop by hand") {
-  for (const char* method : {"symplectic_euler", "velocity_verlet", "rk4", "dopri5"}) {
-    CAPTURE(method);
-    CHECK_THAT(library_time(method, "header struct", true) / library_time(method, "by hand", true),
-               WithinAbs(1, 0.1));
-  }
-}
-
-TEST_CASE("No library takes less time for one of 512 planets than a header on a struct") {
-  for (const char* method : {"symplectic_euler", "velocity_verlet", "rk4", "dopri5"}) {
-    const double header = library_time(method, "header struct", true);
-    for (const char* called : {"odeint array", "odeint Eigen", "GSL", "SUNDIALS ERKStep"}) {
-      const std::string name = library_name(method, called, true);
-      if (!measure::recorded_times("libraries.csv").of.contains(name)) continue;
-      CAPTURE(method, called);
-      CHECK(library_time(method, called, true) > 0.93 * header);
-    }
-  }
-}
-
-TEST_CASE("Of 512 planets RK4 takes GSL twice the time of the loop by hand, SUNDIALS six times") {
-  const double by_hand = library_time("rk4", "by hand", true);
-  CHECK_THAT(library_time("rk4", "GSL", true) / by_hand, WithinAbs(2, 0.3));
-  CHECK_THAT(library_time("rk4", "SUNDIALS ERKStep", true) / by_hand, WithinAbs(6.3, 0.7));
-}
-
-TEST_CASE("Of 512 planets symplectic Euler takes a quarter of the time of one, RK4 over half") {
-  const auto share = [](const char* method) {
-    return library_time(method, "header struct", true) / library_time(method, "header struct");
-  };
-  CHECK_THAT(share("symplectic_euler"), WithinAbs(0.25, 0.03));
-  CHECK_THAT(share("rk4"), WithinAbs(0.55, 0.05));
-}
-
-TEST_CASE("Times of particles that undercut their limit are forgotten, and others kept") {
-  measure::Times times = measure::recorded_times();
-  forget_if_disturbed(times);
-  CHECK(times.of == measure::recorded_times().of);
-  times.of[particles_name("packs", 65'536)].median = 0.9 * particle_time("memory", 65'536);
-  forget_if_disturbed(times);
-  CHECK_FALSE(times.of.contains(particles_name("structs", 4'096)));
-  CHECK(times.of.contains("shuttle/1/rk4"));
 }

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "asks.h"
 #include "contest.h"
-#include "measure/methods.h"
 
 using Catch::Matchers::WithinRel;
 using measure::Method;
@@ -65,22 +65,12 @@ auto places_of(const Method& method, const Scene& scene, const Bounds& bounds, l
   return places;
 }
 
-/// What a step of a method is charged: what its type says, and one for derivatives.
-double charge(const Method& method) {
-  double often = 1;  // those that take damping apart
-  list::for_each(list::EveryGeneral(), [&](auto listed) {
-    if (listed.function != method.function) return;
-    often = double(listed.evaluations + list::is_in<decltype(listed)>(list::EveryImplicit()));
-  });
-  return often;
-}
-
 /// Every way to be good enough for less, by name.
 template <class Scene, class Places>
 std::string cheaper(const Scene& scene, const Bounds& bounds, const Places& truth, double than) {
   std::string found;
   for (const Method* method : entrants_on(scene)) {
-    for (long substeps = 1; double(substeps) * charge(*method) * bounds.hz < than - 1e-9;
+    for (long substeps = 1; double(substeps) * asks(*method) * bounds.hz < than - 1e-9;
          ++substeps) {
       if (share(places_of(*method, scene, bounds, substeps), truth) <= bounds.error)
         found += std::string(method->function) + " " + std::to_string(substeps) + ", ";
@@ -125,7 +115,7 @@ void check(const Scene& scene, const Bounds& bounds) {
   CAPTURE(bounds.hz, bounds.seconds, bounds.error, best.method->function, best.last.substeps);
   const auto truth = true_places(scene, bounds);
   REQUIRE(best.good);
-  CHECK(best.evaluations == double(best.last.substeps) * charge(*best.method) * bounds.hz);
+  CHECK(best.evaluations == double(best.last.substeps) * asks(*best.method) * bounds.hz);
   CHECK(share(places_of(*best.method, scene, bounds, best.last.substeps), truth) <= bounds.error);
   CHECK(cheaper(scene, bounds, truth, best.evaluations).empty());
   const Entry& adaptive = found.undisturbed.front();

@@ -17,6 +17,8 @@
 #include <system_error>
 #include <vector>
 
+#include "prices.h"
+
 extern char** environ;
 
 /// What a scene of one's own is asked.
@@ -129,8 +131,8 @@ inline int choose_for_own(const Question& asked) {
   const std::string time = folder.path / "time";
   compile("own_time.cpp", asked.scene, folder, {"-O2", "-DONLY=" + type_of(function)}, time);
   std::printf(
-      "\nCompiled for this scene alone, a step of %s takes here, of one of 512 bodies [ns]: ",
-      function.c_str());
+      "\nCompiled for this scene alone, a step of %s takes here, of one of %zu bodies [ns]: ",
+      function.c_str(), in_a_loop);
   std::fflush(stdout);
   run({time});
   return code;
