@@ -1,5 +1,5 @@
 // The runs whose bits are compared: every combination of a figure's choices, with its sliders where they stand at first, all
-// at their low ends, and all at their high ends.
+// at their low ends, and all at their high ends. What concerns the page alone is left out.
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 
 const CHAPTERS = new URL('../../chapters/', import.meta.url);
@@ -20,15 +20,16 @@ export function readFigures() {
 
 // [{ figure, choices, settings: { name: value } }]
 export function cases() {
-  return readFigures().flatMap(({ name, controls }) =>
-    combinations(controls).flatMap(choices =>
+  return readFigures().flatMap(({ name, controls }) => {
+    const computed = controls.filter(({ page }) => !page);
+    return combinations(computed).flatMap(choices =>
       ['start', 'from', 'to'].map(end => ({
         figure: name,
         choices,
-        settings: { ...choices, ...sliders(controls, end) },
+        settings: { ...choices, ...sliders(computed, end) },
       })),
-    ),
-  );
+    );
+  });
 }
 
 function combinations(controls) {

@@ -10,11 +10,16 @@ void Figure::advance(int steps) {
   show_state();
 }
 
+double Figure::work(int, int) {
+  return 0;
+}
+
 void Figure::put(const char* name, std::span<const double> values, bool reproducible) {
   const auto same_name = [name](const Shown& s) { return std::string_view(s.name) == name; };
   auto found = std::find_if(shown_.begin(), shown_.end(), same_name);
   if (found == shown_.end()) found = shown_.insert(found, Shown{name, {}, reproducible});
   found->values.assign(values.begin(), values.end());
+  ++found->changes;
 }
 
 }  // namespace live

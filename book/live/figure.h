@@ -22,6 +22,7 @@ struct Shown {
   const char* name;
   std::vector<double> values;
   bool reproducible;  ///< whether every machine computes the same bits
+  long changes = 0;   ///< how often they were shown
 };
 
 /// A live figure. The page sets its settings, calls start() once and advance() many times, and
@@ -37,6 +38,13 @@ class Figure {
   /// Takes steps and shows where they lead.
   /// @param steps  how many
   void advance(int steps);
+  /// Work whose time the page takes: rounds of a loop over many bodies, each of them a step.
+  /// @param which  method
+  /// @param rounds  steps of each body
+  /// @return something that depends on all of it
+  virtual double work(int which, int rounds);
+  /// Bodies in that loop; none where nothing is timed.
+  virtual int bodies() const { return 0; }
   /// What stands there to be drawn, always under the same names in the same order.
   const std::vector<Shown>& shown() const { return shown_; }
 

@@ -3,8 +3,10 @@
 /// A number that tells two trajectories apart by their last bit.
 #pragma once
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "figure.h"
 
@@ -21,17 +23,21 @@ struct Hash {
   }
 };
 
-/// The fingerprint of a run from its start: of all that is shown after each step and is meant to
-/// have the same bits everywhere.
+/// The fingerprint of a run from its start: of all that is shown anew after each step and is meant
+/// to have the same bits everywhere.
 /// @param steps  how many steps the run has
 inline std::uint64_t fingerprint(Figure& figure, int steps) {
   Hash hash;
+  std::vector<long> seen;
   figure.start();
   for (int n = 0; n < steps; ++n) {
     figure.advance(1);
-    for (const Shown& shown : figure.shown()) {
-      if (!shown.reproducible) continue;
-      for (const double x : shown.values) hash.add(x);
+    const std::vector<Shown>& all = figure.shown();
+    seen.resize(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!all[i].reproducible || all[i].changes == seen[i]) continue;
+      seen[i] = all[i].changes;
+      for (const double x : all[i].values) hash.add(x);
     }
   }
   return hash.value;

@@ -67,6 +67,17 @@ EXPORT(const double*, shown_values)(int i) {
   return shown(i).values.data();
 }
 
+EXPORT(int, shown_changes)(int i) {
+  return int(shown(i).changes);
+}
+
+EXPORT(int, bodies)() {
+  return figure->bodies();
+}
+EXPORT(double, work)(int which, int rounds) {
+  return figure->work(which, rounds);
+}
+
 EXPORT(std::uint64_t, fingerprint)(int steps) {
   return live::fingerprint(*figure, steps);
 }

@@ -3,6 +3,7 @@ import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFi
 import { createRequire } from 'node:module';
 import { basename, dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
 import { LIVE_SCRIPTS, colourRules } from './live.mjs';
 import { isMark } from './snippets.mjs';
 import { CLOCK } from './wall.mjs';
@@ -33,7 +34,7 @@ export function copyAssets(book, out) {
   copyHeaders(book, join(out, 'headers'));
 }
 
-// The module stands in a script, in Base64, since a page on disk can load a script and nothing else.
+// The module stands in a script, compressed and in Base64, since a page on disk can load a script and nothing else.
 function copyLive({ config, live }, folder) {
   mkdirSync(folder, { recursive: true });
   const uplot = dirname(require.resolve('uplot'));
@@ -44,7 +45,7 @@ function copyLive({ config, live }, folder) {
   writeFileSync(join(folder, 'live.css'), colours + readFileSync(join(livePage, 'live.css'), 'utf8'));
   writeFileSync(
     join(folder, 'compiled.js'),
-    `(globalThis.Live ??= {}).compiled = "${readFileSync(config.live).toString('base64')}";\n` +
+    `(globalThis.Live ??= {}).compiled = "${gzipSync(readFileSync(config.live)).toString('base64')}";\n` +
       `globalThis.Live.descriptions = ${JSON.stringify(Object.fromEntries(live))};\n`,
   );
   for (const script of LIVE_SCRIPTS) copyFileSync(join(livePage, `${script}.js`), join(folder, `${script}.js`));

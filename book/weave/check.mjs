@@ -7,7 +7,7 @@ import { liveFolder, methodsOf } from './live.mjs';
 import { MARKS, NUMBERED, REFERS } from './marks.mjs';
 import { renderTex, substituteNumbers } from './math.mjs';
 import { didYouMean, nameOneOf } from './problems.mjs';
-import { numberColumns, tableFault } from './tables.mjs';
+import { tableColumns, tableFault } from './tables.mjs';
 import { introduction, italics } from './terms.mjs';
 import { checkTake } from './wall.mjs';
 
@@ -188,18 +188,21 @@ function checkLive(book, page, piece, report) {
     const { fault } = book.snippet(path, tag);
     if (fault) report(`the live figure shows the code of its methods: ${fault}`);
   }
-  if (piece.live.table) findLiveTable(book, page, piece.live, report);
+  findLiveTables(book, page, piece.live, report);
   findLiveNumbers(book, page, piece.live, report);
 }
 
-function findLiveTable(book, page, live, report) {
+// { name: { column: [value] } } of the tables that a picture draws.
+function findLiveTables(book, page, live, report) {
   const tables = book.programs.get(page.owner)?.tables ?? new Map();
-  const table = tables.get(live.table);
-  if (table) live.columns = numberColumns(table);
-  else
-    report(
-      `${live.file} wants the table "${live.table}", and the program of this chapter writes none of that name.${nameOneOf(live.table, tables.keys())}`,
-    );
+  const found = (live.tables ?? []).map(name => {
+    if (!tables.has(name))
+      report(
+        `${live.file} wants the table "${name}", and the program of this chapter writes none of that name.${nameOneOf(name, tables.keys())}`,
+      );
+    return [name, tables.has(name) && tableColumns(tables.get(name))];
+  });
+  live.tables = Object.fromEntries(found);
 }
 
 // { name: value } of the recorded numbers that a picture draws.

@@ -10,7 +10,20 @@ import { escapeHtml, smarten } from './text.mjs';
 export const liveFolder = chapter => `${chapter.folder}/live`;
 
 // The scripts of every live figure, in the order in which they are loaded.
-export const LIVE_SCRIPTS = ['module', 'words', 'settings', 'run', 'pen', 'chart', 'clock', 'handle', 'figure'];
+export const LIVE_SCRIPTS = [
+  'module',
+  'words',
+  'settings',
+  'run',
+  'pen',
+  'map',
+  'chart',
+  'plot',
+  'clock',
+  'handle',
+  'stopwatch',
+  'figure',
+];
 
 // What a page with live figures loads, and no other.
 export function liveHead(body) {
@@ -57,29 +70,31 @@ function readJson(path, file, problems) {
   }
 }
 
-// The code of each method that a figure has to choose from: what moves x and v, cut from its header, or from where `code` says.
+// The code of each method that a figure has, or has to choose from: what moves x and v, cut from its header, or from where `code` says.
 export const methodsOf = live =>
-  Object.entries(live.controls.find(({ name }) => name === 'method')?.choices ?? {}).map(([name, label]) => ({
-    name,
-    label,
-    path: `code/integrate/${name}.h`,
-    tag: 'move',
-    ...live.code?.[name],
-  }));
+  Object.entries(live.methods ?? live.controls.find(({ name }) => name === 'method')?.choices ?? {}).map(
+    ([name, label]) => ({
+      name,
+      label,
+      path: `code/integrate/${name}.h`,
+      tag: 'move',
+      ...live.code?.[name],
+    }),
+  );
 
 // What stands ready for the scripts; a page whose scripts do not run never shows it.
 export function liveHtml({ book }, live) {
-  const { scene, shape, chart, pace } = live;
+  const { scene, shape, chart, pace, timed } = live;
   return `<template><div class="stage">
 <div class="views"><div><p class="axis">${escapeHtml(smarten(scene))}</p><canvas class="scene" role="img" style="aspect-ratio:${shape.join('/')}"></canvas></div>
-<div><p class="axis">${escapeHtml(smarten(chart.name))}${chart.curves.map(keyHtml).join('')}</p><div class="chart" role="img"></div></div></div>
-<div class="keys"><button type="button" data-do="play">Play</button><button type="button" data-do="step">Step</button><button type="button" data-do="reset">Reset</button>
+<div><p class="axis">${escapeHtml(smarten(chart.name))}${(chart.curves ?? []).map(keyHtml).join('')}</p><div class="chart" role="img"></div></div></div>
+<div class="keys"><button type="button" data-do="play">Play</button><button type="button" data-do="step">Step</button><button type="button" data-do="reset">Reset</button>${timed ? '<button type="button" data-do="time">Time it here</button>' : ''}
 <p class="readout"></p><small>${paceText(pace)}</small></div>
 <div class="below"><div class="controls">${live.controls.map(control => controlHtml(live, control)).join('')}
-<button type="button" data-do="link">Link to these settings</button></div>
-${methodsOf(live)
-  .map(method => codeHtml(book, method))
-  .join('\n')}</div>
+<button type="button" data-do="link">Link to these settings</button>${timed ? '<div class="advice"></div>' : ''}</div>
+<div>${timed ? '<div class="ranked"></div>' : ''}${methodsOf(live)
+    .map(method => codeHtml(book, method))
+    .join('\n')}</div></div>
 <p class="unseen" role="status"></p></div></template>`;
 }
 

@@ -29,9 +29,10 @@ export function tableFault(table) {
 }
 
 // { column: its values } for a picture, which shows no more than five digits.
-export function numberColumns(table) {
+export function tableColumns(table) {
   const [header, ...rows] = readCsv(table.path);
-  return Object.fromEntries(header.map((name, i) => [name, rows.map(row => Number(Number(row[i]).toPrecision(5)))]));
+  const cell = text => (Number.isNaN(Number(text)) ? text : Number(Number(text).toPrecision(5)));
+  return Object.fromEntries(header.map((name, i) => [name, rows.map(row => cell(row[i]))]));
 }
 
 export function tableHtml(table, times) {

@@ -13,11 +13,13 @@
 #include <vector>
 
 #include "asks.h"
+#include "entrants.h"
 #include "float_floor.h"
 #include "level_by_choice.h"
 #include "map.h"
 #include "measure/method_of.h"
 #include "measure/methods.h"
+#include "off.h"
 #include "particles.h"
 #include "poster.h"
 #include "verdicts.h"
@@ -151,6 +153,11 @@ TEST_CASE("With drag in the acceleration only the two implicit methods hold the 
           (entrant == &backward_euler || entrant == &method::trapezoid));
   }
   CHECK(errors(backward_euler)["hatch"] < 5);
+  for (const Method* entrant : entrants) {
+    if (entrant != &backward_euler) {
+      CHECK(errors(*entrant)["shuttle"] < errors(backward_euler)["shuttle"]);
+    }
+  }
 }
 
 TEST_CASE("With drag divided symplectic Euler holds the hatch as near as backward Euler") {

@@ -10,6 +10,7 @@
 
 #include "asks.h"
 #include "contest.h"
+#include "entrants.h"
 
 using Catch::Matchers::WithinRel;
 using measure::Method;

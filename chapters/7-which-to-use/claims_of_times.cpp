@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "entrants.h"
 #include "particles.h"
 #include "peers.h"
 #include "prices.h"
@@ -76,6 +77,15 @@ TEST_CASE(
     CHECK_THAT(step_time("shuttle", beyond_the_cache, *entrant) / of_512(*entrant),
                WithinAbs(1, 0.15));
   }
+}
+
+TEST_CASE("On the suspension one step of RK4 is nearer than four of velocity Verlet, and quicker") {
+  const auto quick = [](const Method& method) {
+    return step_time("suspension", in_a_loop, method);
+  };
+  CHECK(quick(rk4) < 4 * quick(velocity_verlet));
+  CHECK(quick(rk4) > 3 * quick(velocity_verlet));
+  CHECK(off(rk4, suspension, frame, 1) < off(velocity_verlet, suspension, frame / 4, 1));
 }
 
 TEST_CASE("In packs of floats a step takes a quarter of its time in structs of doubles, or less") {

@@ -12,9 +12,11 @@
 #include <type_traits>
 #include <vector>
 
+#include "entrants.h"
 #include "frames/recorded.h"
 #include "integrate/dopri5.h"
 #include "level.h"
+#include "measure/error.h"
 #include "prices.h"
 
 /// What is wanted of a method.

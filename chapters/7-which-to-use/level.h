@@ -2,11 +2,7 @@
 /// @file
 /// The six things that move in one level of a game.
 #pragma once
-#include <cmath>
-
 #include "../cast.h"
-#include "entrants.h"
-#include "measure/error.h"
 
 /// A ball in a vacuum, thrown straight up.
 struct Ball : scenes::LinearDrag<> {
@@ -29,10 +25,3 @@ void for_each_thing(Visit visit) {
   visit("shuttle", shuttle, 8);
 }
 // [level]
-
-/// The largest distance from where a thing should be [m]; infinite from a kilometre on.
-template <class Scene>
-double off(const measure::Method& method, const Scene& scene, double h, double seconds) {
-  const double error = measure::largest_error(method, scene, h, std::lround(seconds / h)).position;
-  return error < 1000 ? error : INFINITY;
-}

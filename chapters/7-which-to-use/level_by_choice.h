@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "contest.h"
+#include "entrants.h"
 #include "measure/record.h"
 
 inline constexpr double centimetre = 0.01;  ///< the largest error that the level may show [m]

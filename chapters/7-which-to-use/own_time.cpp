@@ -17,7 +17,7 @@ int main() {
   list::for_each(list::Among<list::EveryGeneral, list::is_chosen>(), [&](auto method) {
     std::vector<double> runs;
     for (int n = 0; n < 15; ++n)
-      runs.push_back(1e9 * measure::time_of(method, scene, scene.start(), 1e-6, in_a_loop));
+      runs.push_back(1e9 * measure::time_of(method, scene, scene.start(), brief_step, in_a_loop));
     std::printf("%.3g\n", measure::quartiles(runs).median);
   });
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "contest.h"
+#include "entrants.h"
 #include "measure/record.h"
 #include "verdicts.h"
 

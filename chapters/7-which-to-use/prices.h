@@ -8,12 +8,9 @@
 #include <string>
 #include <string_view>
 
+#include "loops.h"
 #include "measure/method.h"
 #include "measure/times.h"
-
-inline constexpr std::size_t one_body = 1;                ///< each step waits for the last
-inline constexpr std::size_t in_a_loop = 512;             ///< throughput
-inline constexpr std::size_t beyond_the_cache = 100'000;  ///< memory
 
 /// What the time of a step of one of so many bodies is called.
 /// @param thing  of the level, such as "shuttle", or a layout, such as "packs of float"

@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "entrants.h"
 #include "float_floor.h"
 #include "level.h"
 #include "level_by_choice.h"
 #include "map.h"
+#include "off.h"
 #include "particles.h"
 #include "peers.h"
 #include "poster.h"

@@ -7,14 +7,13 @@
 
 #include "../times.h"
 #include "level.h"
+#include "loops.h"
 #include "measure/methods.h"
 #include "measure/time_of.h"
 #include "particles.h"
 #include "prices.h"
 
 namespace {
-
-constexpr double brief = 1e-6;  ///< a step so short that nothing explodes while it is timed [s]
 
 /// What the headers' own functions take, which the compiler sees through.
 template <class Step, class Scene, class Vec, class Real>
@@ -58,11 +57,11 @@ void add_layouts(std::vector<measure::Timed>& all, const std::string& type) {
   const Real x0 = Real(suspension.x0);
   list::for_each(list::Among<list::EveryExplicit, list::is_contender>(), [&](auto method) {
     for (const std::size_t bodies : {one_body, in_a_loop, beyond_the_cache}) {
-      add(all, "structs of " + type, method, spring, scenes::State<Real>{x0, 0}, Real(brief),
+      add(all, "structs of " + type, method, spring, scenes::State<Real>{x0, 0}, Real(brief_step),
           bodies);
     }
     for (const std::size_t bodies : {in_a_loop, beyond_the_cache}) {
-      add(all, "packs of " + type, method, spring, pack_at(x0), Real(brief), bodies,
+      add(all, "packs of " + type, method, spring, pack_at(x0), Real(brief_step), bodies,
           sizeof(Lanes<Real>) / sizeof(Real));
     }
   });
@@ -74,7 +73,7 @@ void add_step_times(std::vector<measure::Timed>& all) {
   for_each_thing([&](const std::string& thing, const auto& scene, double) {
     const auto add_to_all = [&](auto method) {
       for (const std::size_t bodies : {one_body, in_a_loop, beyond_the_cache}) {
-        add(all, thing, method, scene, scene.start(), brief, bodies);
+        add(all, thing, method, scene, scene.start(), brief_step, bodies);
       }
     };
     list::for_each(list::Contenders(), add_to_all);

@@ -4,10 +4,10 @@
 #pragma once
 #include <string>
 
-#include "level.h"
 #include "measure/energy.h"
 #include "measure/record.h"
 #include "measure/stability.h"
+#include "off.h"
 
 // [kinds]
 // The drone is in chapters/cast.h.

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <string>
 
+#include "entrants.h"
 #include "level.h"
 #include "measure/energy.h"
 #include "measure/record.h"
 #include "measure/times.h"
+#include "off.h"
 #include "prices.h"
 
 inline constexpr int rates[] = {30, 60, 120, 240, 480, 960};  ///< steps a second
@@ -173,6 +175,17 @@ inline void step_times(measure::Record& record) {
   }
 }
 
+/// The recorded times of a step in a loop, for the figure in which readers take their own.
+inline void recorded_steps(measure::Record& record) {
+  auto& table = record.table("recorded-steps", {{"thing"}, {"method"}, {"nanoseconds", "ns"}});
+  record.number("most-tried", double(tried_in_a_frame.back()), measure::whole);
+  for_each_thing([&](const std::string& thing, const auto&, double) {
+    for (const measure::Method* method : entrants) {
+      table.add({thing, method->function, step_time(thing, in_a_loop, *method)});
+    }
+  });
+}
+
 /// The time of a step of the suspension in several layouts, for the methods that solve for nothing,
 /// the quickest of them first.
 inline void layouts(measure::Record& record) {
@@ -259,5 +272,6 @@ inline void all_work(measure::Record& record) {
       off(method::symplectic_euler, shuttle, frame / 4, 8) / off(method::rk4, shuttle, frame, 8),
       2);
   step_times(record);
+  recorded_steps(record);
   layouts(record);
 }

@@ -40,6 +40,8 @@ for (const { name, page, controls } of figures) {
     await visit(page);
     const stage = tab.locator(`[data-live="${name}"] .stage`);
     for (const control of controls) {
+      for (const [name, value] of Object.entries(control.for ?? {}))
+        await stage.locator(`[data-control="${name}"] [value="${value}"]`).check();
       const before = await tab.evaluate(of => globalThis.pictures(of), name);
       await stage.locator(`[data-control="${control.name}"] ${control.choices ? 'input:checked' : 'input'}`).focus();
       await tab.keyboard.press('ArrowRight');

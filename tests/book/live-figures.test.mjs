@@ -24,8 +24,10 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
 
   about('every control, moved by keyboard, changes the picture and says so', async () => {
     for (const reader of [tab, phone]) {
-      for (const { name, choices } of figure.controls) {
+      for (const control of figure.controls) {
+        const { name, choices } = control;
         const live = await open(reader, figure);
+        await live.reach(control);
         const before = [await live.scene(), await live.chart()];
         const input = live.control(name).locator(choices ? 'input:checked' : 'input');
         const said = () => live.control(name).locator('input').first().getAttribute('aria-valuetext');
@@ -83,7 +85,7 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
     const live = await open(moving, figure);
     await live.press('reset');
     await live.press('play');
-    await moving.evaluate(() => scrollTo(0, 0));
+    await moving.evaluate(() => scrollTo(0, document.body.scrollHeight));
     await live.stage.evaluate(
       stage =>
         new Promise(done => {
@@ -154,6 +156,7 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
   about('the link brings back the settings', async () => {
     const live = await open(tab, figure);
     for (const { name, choices } of figure.controls) {
+      if (await live.control(name).isHidden()) continue;
       await live
         .control(name)
         .locator(choices ? 'input:checked' : 'input')

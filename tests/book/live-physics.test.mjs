@@ -1,7 +1,11 @@
 // What the live figures show is what the chapters say. Each row opens a figure with the settings of a link, lets it run to
 // its end, and looks at what is shown there.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
+import { build } from './book.mjs';
 import { openTab } from './browser.mjs';
 import { figures, open } from './live.mjs';
 
@@ -207,7 +211,7 @@ test('symplectic Euler loses what lies outside of its limit, and the map beside 
     const { x } = await end('your-spring', `omega=${omega}&rate=${rate}&zeta=${zeta}&method=symplectic_euler`);
     assert.equal(Number.isNaN(x), omega / rate > limit(zeta), `${omega} ${rate} ${zeta}`);
   }
-  const map = await tab.evaluate(() => globalThis.Live.descriptions['your-spring'].columns);
+  const map = await tab.evaluate(() => globalThis.Live.descriptions['your-spring'].tables.map);
   map['ζ'].forEach((zeta, i) => assert.ok(Math.abs(map['symplectic Euler'][i] / limit(zeta) - 1) < 1e-4, `${zeta}`));
 });
 
@@ -240,5 +244,67 @@ test('in recorded frames the rope twitches more than three times as wide, correc
   for (const method of ['recorded', 'distance_corrected', 'uneven']) {
     const recorded = widest(await stretches(`method=${method}`));
     assert.ok(recorded > 3 * even, `${recorded} ${even}`);
+  }
+});
+
+const LEVEL = ['jump', 'leaf', 'suspension', 'hatch', 'lamp', 'shuttle'];
+const labels = figures.find(({ name }) => name === 'speed-against-accuracy').methods;
+
+test('in the level every method is off by what the chapter has recorded, and asks as often', async () => {
+  const [header, ...rows] = readFileSync(join(build, 'chapters/7-which-to-use/data/work.csv'), 'utf8')
+    .trim()
+    .split('\n');
+  const work = rows.map(row => Object.fromEntries(row.split(',').map((cell, i) => [header.split(',')[i], cell])));
+  let compared = 0;
+  for (const thing of LEVEL) {
+    const now = await end('speed-against-accuracy', `thing=${thing}`);
+    for (const [name, label] of Object.entries(labels)) {
+      for (const row of work.filter(row => row.thing === thing && row.method.toLowerCase() === label.toLowerCase())) {
+        const rate = Number(row['steps per second']),
+          place = Object.values(now.tried).indexOf(rate / 60);
+        if (place < 0) continue;
+        const [found, recorded] = [now[`${name} errors`][place] ?? Infinity, Number(row.error)];
+        const where = `${thing}, ${label}, ${rate} steps a second: ${found} instead of ${recorded}`;
+        // The page looks at the ends of frames alone, and calls gone what is a kilometre off.
+        assert.ok(found < 1.001 * recorded + 1e-8 || !(recorded < 1000), where);
+        if (rate === 60 && recorded < 1000) assert.ok(Math.abs(found - recorded) < 1e-6 * recorded + 1e-8, where);
+        assert.equal(now[`${name} evaluations`], Number(row.evaluations) / rate, where);
+        ++compared;
+      }
+    }
+  }
+  assert.equal(compared, LEVEL.length * Object.keys(labels).length * 4);
+});
+
+test('the line of choose asks for the thing that is shown', async () => {
+  for (const query of [
+    'jump',
+    'leaf',
+    'suspension',
+    'hatch',
+    'lamp',
+    'shuttle',
+    'spring&omega=40&zeta=0.5',
+    'orbit&turn=2',
+    'air&drag=5',
+  ]) {
+    const now = await end('speed-against-accuracy', `thing=${query}&tolerance=3e-5`);
+    const line = await tab.locator('[data-live=speed-against-accuracy] .advice code').textContent();
+    const [program, ...words] = line.split(' ');
+    const told = JSON.parse(
+      execFileSync(join(build, program.replace('build/', '')), [...words, '--format', 'json'], { encoding: 'utf8' }),
+    );
+    const reach = Number(words[words.indexOf('--reach') + 1]);
+    const both = told.filter(
+      entry => entry.function in labels && Object.values(now.tried).includes(entry.steps_per_frame),
+    );
+    assert.ok(both.length, `${query}: no method to compare`);
+    for (const { function: name, steps_per_frame: steps, error } of both) {
+      const found = now[`${name} errors`][Object.values(now.tried).indexOf(steps)];
+      assert.ok(
+        Math.abs(found - error * reach) < 1e-3 * found + 1e-8,
+        `${query}, ${name}: ${found} instead of ${error * reach}`,
+      );
+    }
   }
 });

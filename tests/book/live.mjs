@@ -32,5 +32,10 @@ export async function open(tab, { name, page }, query = '') {
     playing: () => tab.evaluate(of => globalThis.Live.opened[of].playing, name),
     query: () => tab.evaluate(of => globalThis.Live.opened[of].settings.query, name),
     control: control => stage.locator(`[data-control="${control}"]`),
+    // Some controls are for one choice of another alone: makes that choice.
+    reach: async ({ for: choice = {} }) => {
+      for (const [control, value] of Object.entries(choice))
+        await stage.locator(`[data-control="${control}"] [value="${value}"]`).check();
+    },
   };
 }

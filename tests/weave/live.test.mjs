@@ -144,11 +144,11 @@ const other = live.filter(([file]) => !file.endsWith('.json'));
 test('a live figure may show a table of its chapter, and the code of a method from another place', () => {
   const book = weaves(
     ...other,
-    described({ table: 'growth', code: { euler: { path: 'code/integrate/euler.h', tag: 'step' } } }),
+    described({ tables: ['growth'], code: { euler: { path: 'code/integrate/euler.h', tag: 'step' } } }),
     module,
   );
   const descriptions = JSON.parse(book.read('built/book/live/compiled.js').match(/descriptions = (.*);/)[1]);
-  assert.deepEqual(descriptions.spiral.columns.h, [0.1, 0.01, 1e-7]);
+  assert.deepEqual(descriptions.spiral.tables.growth.h, [0.1, 0.01, 1e-7]);
   assert.match(book.read('built/book/2-euler.html'), /data-method="euler"[^]*?the old velocity[^]*?<\/template>/);
 });
 
@@ -166,7 +166,7 @@ test('a live figure that wants a number nobody records', () =>
 
 test('a live figure that wants a table nobody writes', () =>
   refuses(
-    [...other, described({ table: 'growht' }), method, methodEnd],
+    [...other, described({ tables: ['growht'] }), method, methodEnd],
     [
       CHAPTER,
       '\\live{spiral',

@@ -80,7 +80,7 @@
       if (width !== this.plot.width || height !== this.plot.height) this.plot.setSize({ width, height });
     }
 
-    draw({ trace, now, endless }, method) {
+    draw({ trace, now, endless }, { method = 'first' }) {
       this.method = method;
       this.lists = this.paths.map(({ path }) => now[path]);
       const whole = name => (trace.t.at(-1) === now.t ? trace[name] : [...trace[name], now[name]]);

@@ -7,9 +7,10 @@
   Live.opened = {};
   Live.started = []; // a promise for each figure, kept once it runs or never will
 
-  // `drawing` has view(settings), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence.
+  // `drawing` has view(settings), draw(pen, run, settings, part) and tell(now, settings, run), which returns a sentence. One that is
+  // "timed" also has chart(pen, run, settings), best(run, settings), which names a method, and answer(stage, run, settings).
   Live.figure = function (name, drawing) {
-    if (!globalThis.WebAssembly) return; // a browser that is too old keeps the still picture
+    if (!globalThis.WebAssembly || !globalThis.DecompressionStream) return; // a browser that is too old keeps the still picture
     for (const element of document.querySelectorAll(`[data-live="${name}"]`))
       Live.started.push(start(element, name, drawing));
   };
@@ -19,7 +20,7 @@
     const figure = new Figure(element, Live.descriptions[name], drawing);
     try {
       const [code] = await Promise.all([(compiled ??= Live.compile(Live.compiled)), document.fonts.ready]);
-      figure.open(await Live.open(code, name));
+      figure.open(await Live.open(code, name), code);
       Live.opened[name] = figure;
     } catch (fault) {
       figure.stage.remove();
@@ -37,18 +38,21 @@
       this.status = find('[role=status]');
       this.settings = new Live.Settings(this.stage, description.controls);
       this.pen = new Live.Pen(find('canvas.scene'));
-      this.chart = new Live.Chart(find('.chart'), find('canvas.scene'), description.chart, description.seconds);
+      this.chart = drawing.chart
+        ? new Live.Plot(find('.chart'), drawing, description.shape, values => this.choose(values))
+        : new Live.Chart(find('.chart'), find('canvas.scene'), description.chart, description.seconds);
       this.readLink();
       this.settings.tell();
       this.showCode(this.values.method);
     }
-    open(module) {
+    open(module, code) {
       const { element, description } = this;
       const find = selector => element.querySelector(selector);
       this.run = new Live.Run(module, description);
       this.clock = new Live.Clock(description.pace);
       if (description.handle)
         this.handle = new Live.Handle(find('canvas.scene'), description.handle, values => this.hold(values));
+      if (description.timed) this.stopwatch = new Live.Stopwatch(code, element.dataset.live, () => this.retime());
       this.listen(find);
       this.showWhole();
       this.startWhenSeen();
@@ -61,6 +65,7 @@
       on('step', () => this.step());
       on('reset', () => this.reset());
       on('link', event => this.link(event.target));
+      if (this.stopwatch) on('time', () => this.time());
       this.stage.addEventListener('input', () => this.change());
       addEventListener('hashchange', () => {
         if (!this.readLink()) return;
@@ -89,6 +94,7 @@
             started = true;
             this.begin();
             this.play();
+            if (this.stopwatch) this.time();
           }
           this.ask();
         },
@@ -101,10 +107,35 @@
     }
 
     begin() {
-      this.run.start(this.values);
+      const { values, run } = this;
+      run.start(values);
       this.clock.restart();
-      this.settings.tell(this.run.now);
-      this.showCode(this.values.method);
+      this.settings.tell(run.now);
+      this.answer();
+    }
+    // What the figure says of its methods, where it has times of them.
+    answer() {
+      const { values, run, drawing } = this;
+      if (!this.stopwatch) {
+        this.showCode(values.method);
+        return;
+      }
+      run.times = this.stopwatch.of(values);
+      drawing.answer(this.stage, run, values);
+      this.showCode(drawing.best(run, values));
+    }
+    time() {
+      this.stopwatch.begin(this.values);
+      this.retime();
+    }
+    retime() {
+      this.answer();
+      this.draw();
+    }
+    // Something that the reader set by another way than its control.
+    choose(values) {
+      this.settings.values = values;
+      this.change();
     }
     showCode(method) {
       if (method === this.codeShown) return;
@@ -192,12 +223,12 @@
       this.pen.begin(this.drawing.view(values));
       this.drawing.draw(this.pen, this.run, values, part);
       this.handle?.place(this.pen);
-      this.chart.draw(this.run, values.method ?? 'first');
+      this.chart.draw(this.run, values);
       this.readout.textContent = this.sentence + (this.playing && this.clock.slow ? ' Runs slower than time.' : '');
     }
     get sentence() {
       const { now } = this.run;
-      return `${now.t.toFixed(2)}\u202fs: ${this.drawing.tell(now, this.values)}`;
+      return `${now.t.toFixed(2)}\u202fs: ${this.drawing.tell(now, this.values, this.run)}`;
     }
     // For those who do not see it: once things have come to rest, not in every frame.
     speak() {

@@ -3,8 +3,12 @@
   'use strict';
   const Live = (globalThis.Live ??= {});
 
-  // Base64, since a page on disk can load a script and nothing else.
-  Live.compile = base64 => WebAssembly.compile(Uint8Array.from(atob(base64), c => c.charCodeAt(0)));
+  // Base64, since a page on disk can load a script and nothing else; compressed, since pages that nobody sent are not.
+  Live.compile = function (base64) {
+    const packed = new Blob([Uint8Array.from(atob(base64), c => c.charCodeAt(0))]);
+    const unpacked = new Response(packed.stream().pipeThrough(new DecompressionStream('gzip')));
+    return unpacked.arrayBuffer().then(WebAssembly.compile);
+  };
 
   // One figure in an instance, and so in a memory, of its own.
   Live.open = async function (compiled, name) {
@@ -25,17 +29,21 @@
     module.choose(place(figures, name, 'figure'));
     const settings = list(module.setting_count(), module.setting_name);
     const choices = settings.map((_, i) => list(module.choice_count(i), j => module.choice_name(i, j)));
-    let memory, shown, numbers;
+    let memory, shown, numbers, last;
 
-    // The names stay from start to start; where the values lie may change.
+    // The names stay from start to start; where the values lie may change. What was not shown anew is not copied again.
     function look() {
-      shown ??= list(module.shown_count(), module.shown_name);
+      if (!shown) [shown, last] = [list(module.shown_count(), module.shown_name), {}];
       if (memory !== module.memory.buffer) numbers = new Float64Array((memory = module.memory.buffer));
       const state = {};
       shown.forEach((of, i) => {
-        const at = module.shown_values(i) / 8,
-          size = module.shown_size(i);
-        state[of] = size === 1 ? numbers[at] : numbers.slice(at, at + size);
+        const changes = module.shown_changes(i);
+        if (last[of]?.changes !== changes) {
+          const at = module.shown_values(i) / 8,
+            size = module.shown_size(i);
+          last[of] = { changes, value: size === 1 ? numbers[at] : numbers.slice(at, at + size) };
+        }
+        state[of] = last[of].value;
       });
       return state;
     }
@@ -55,6 +63,8 @@
         module.advance(steps);
         return look();
       },
+      bodies: module.bodies(),
+      work: (which, rounds) => module.work(which, rounds),
       fingerprint: steps => BigInt.asUintN(64, module.fingerprint(steps)).toString(16).padStart(16, '0'),
     };
   };

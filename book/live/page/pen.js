@@ -30,6 +30,7 @@
       if (!free) across = up = Math.min(across, up);
       this.x = value => width / 2 + (value - (x[0] + x[1]) / 2) * across;
       this.y = value => height / 2 - (value - (y[0] + y[1]) / 2) * up;
+      this.fromX = pixels => (pixels - width / 2) / across + (x[0] + x[1]) / 2;
       this.metre = across;
       this.view = { x, y };
       context.lineJoin = context.lineCap = 'round';
@@ -113,8 +114,8 @@
       });
       context.fillText(words, this.x(x), this.y(y));
     }
-    // Faint lines with their numbers at the left and the lower edge.
-    grid(xs, ys) {
+    // Faint lines with their numbers at the left and the lower edge, or with what stands for the numbers.
+    grid(xs, ys, { x: nameX, y: nameY } = { x: x => Live.digits(x, 6), y: y => Live.digits(y, 6) }) {
       const { context, canvas } = this;
       context.beginPath();
       for (const x of xs) {
@@ -132,8 +133,8 @@
         textBaseline: 'bottom',
         textAlign: 'left',
       });
-      for (const x of xs) context.fillText(Live.digits(x, 6), this.x(x) + 3, canvas.clientHeight - 2);
-      for (const y of ys) context.fillText(Live.digits(y, 6), 3, this.y(y) - 2);
+      for (const x of xs) context.fillText(nameX(x), this.x(x) + 3, canvas.clientHeight - 2);
+      for (const y of ys) context.fillText(nameY(y), 3, this.y(y) - 2);
     }
   };
 })();

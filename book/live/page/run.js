@@ -5,15 +5,19 @@
   const MOST = 2000; // points of a trace: more than a chart has pixels
 
   Live.Run = class {
-    constructor(module, { seconds, endless }) {
-      Object.assign(this, { module, seconds, endless });
+    constructor(module, { seconds, endless, controls }) {
+      const inThePage = controls.filter(({ page }) => page).map(({ name }) => name);
+      Object.assign(this, { module, seconds, endless, inThePage });
     }
+    // What concerns the page alone stays there.
     set(values) {
-      for (const [name, value] of Object.entries(values)) this.module.set(name, value);
+      for (const [name, value] of Object.entries(values))
+        if (!this.inThePage.includes(name)) this.module.set(name, value);
     }
     start(values) {
       this.set(values);
       this.now = this.before = this.module.start();
+      this.seconds = this.now.seconds ?? this.seconds;
       this.stride = Math.ceil(this.seconds / this.now.h / MOST);
       this.taken = 0;
       this.trace = Object.fromEntries(

@@ -62,21 +62,37 @@
     tell() {}
   }
 
+  // "for": { "thing": "orbit" } is a control of orbits alone.
+  Live.isFor = (control, values) =>
+    Object.entries(control.for ?? {}).every(([name, choice]) => values[name] === choice);
+
   Live.Settings = class {
     constructor(stage, controls) {
       this.controls = controls.map(control => {
         const element = stage.querySelector(`[data-control="${control.name}"]`);
-        return control.choices ? new Choice(element, control) : new Slider(element, control);
+        const made = control.choices ? new Choice(element, control) : new Slider(element, control);
+        return Object.assign(made, { element });
       });
     }
     get values() {
       return Object.fromEntries(this.controls.map(({ name, value }) => [name, value]));
     }
-    get words() {
-      return this.controls.map(control => `${control.label}: ${control.words()}`).join(', ');
+    set values(wanted) {
+      for (const control of this.controls) if (control.name in wanted) control.value = wanted[control.name];
     }
+    get words() {
+      return this.controls
+        .filter(({ element }) => !element.hidden)
+        .map(control => `${control.label}: ${control.words()}`)
+        .join(', ');
+    }
+    // One that is for another choice than the one made is not seen.
     tell(now) {
-      for (const control of this.controls) control.tell(now);
+      const { values } = this;
+      for (const control of this.controls) {
+        control.element.hidden = !Live.isFor(control, values);
+        control.tell(now);
+      }
     }
 
     // method=euler&h=0.011, in seconds and the like; what it does not know it leaves as it is.

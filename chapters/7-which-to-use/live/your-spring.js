@@ -2,7 +2,8 @@
 globalThis.Live.figure('your-spring', {
   view: () => ({ x: [0, 2], y: [0, 6], free: true }),
   draw(pen, run, { omega, zeta, rate, method }) {
-    const { columns, controls } = globalThis.Live.descriptions['your-spring'];
+    const { Live } = globalThis,
+      { tables, controls } = Live.descriptions['your-spring'];
     this.names = controls.find(({ name }) => name === 'method').choices;
     this.lost = Object.keys(this.names).filter(name => run.trace[name].some(x => !(Math.abs(x) < run.now.far)));
     Object.entries(this.names).forEach(([name, label], i) => {
@@ -10,37 +11,10 @@ globalThis.Live.figure('your-spring', {
         low = 5 - Math.floor(i / 2) + 0.06;
       pen.text(left + 0.03, low + 0.81, label, { colour: name, align: 'left' });
       if (this.lost.includes(name)) pen.text(left + 0.98, low + 0.81, 'lost', { colour: 'limit', align: 'right' });
-      this.map(pen, this.box(pen, left + 0.03, low, 0.37, name === method), name, this.limits(columns, label), {
-        homega: omega / rate,
-        zeta,
-      });
-      this.path(pen, this.box(pen, left + 0.45, low, 0.53, name === method), name, run);
+      const box = (at, width) => Live.frame(pen, { left: left + at, low, width, high: 0.65 }, name === method);
+      Live.map(pen, box(0.03, 0.37), tables.map, { label, colour: name }, { homega: omega / rate, zeta });
+      this.path(pen, box(0.45, 0.53), name, run);
     });
-  },
-  // From parts of a frame to the picture.
-  box(pen, left, low, width, chosen) {
-    const high = 0.65;
-    pen.line([left, left + width, left + width, left, left], [low, low, low + high, low + high, low], {
-      colour: chosen ? 'ink' : 'context',
-      width: chosen ? 1.6 : 0.8,
-    });
-    return { x: share => left + width * share, y: share => low + high * share };
-  },
-  limits(columns, label) {
-    const find = words => Object.entries(columns).find(([column]) => column.toLowerCase() === words.toLowerCase())[1];
-    return { zeta: columns['ζ'], stable: find(label), true: find(`${label} true`) };
-  },
-  map(pen, { x, y }, name, limits, { homega, zeta }) {
-    for (const [kind, faint] of [
-      ['stable', 0.22],
-      ['true', 0.6],
-    ]) {
-      const edge = limits[kind].map(limit => x(limit / 4)),
-        heights = limits.zeta.map(z => y(z / 2));
-      pen.area([x(0), ...edge, x(0)], [y(0), ...heights, y(1)], { colour: name, faint });
-    }
-    pen.dot(x(homega / 4), y(zeta / 2), 5, 'paper');
-    pen.dot(x(homega / 4), y(zeta / 2), 3.5);
   },
   path(pen, { x, y }, name, { now, trace, seconds }) {
     const most = 1.5,

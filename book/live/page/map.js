@@ -1,0 +1,32 @@
+// One method's part of the stability map of chapter 7, and the frames of small pictures beside each other.
+(function () {
+  'use strict';
+  const Live = (globalThis.Live ??= {});
+  const WIDEST = 4, // of h omega
+    TALLEST = 2; // of zeta
+
+  // From parts of a frame to the picture.
+  Live.frame = function (pen, { left, low, width, high }, chosen = false) {
+    pen.line([left, left + width, left + width, left, left], [low, low, low + high, low + high, low], {
+      colour: chosen ? 'ink' : 'context',
+      width: chosen ? 1.6 : 0.8,
+    });
+    return { x: share => left + width * share, y: share => low + high * share };
+  };
+
+  // Where the method with this label is stable and, darker, where it is true to life; `columns` are those of the table "map".
+  Live.map = function (pen, { x, y }, columns, { label, colour }, spring) {
+    const find = words => Object.entries(columns).find(([column]) => column.toLowerCase() === words.toLowerCase())[1];
+    const heights = columns.ζ.map(zeta => y(zeta / TALLEST));
+    for (const [limits, faint] of [
+      [find(label), 0.22],
+      [find(`${label} true`), 0.6],
+    ]) {
+      const edge = limits.map(limit => x(limit / WIDEST));
+      pen.area([x(0), ...edge, x(0)], [y(0), ...heights, y(1)], { colour, faint });
+    }
+    const at = [x(Math.min(1, spring.homega / WIDEST)), y(Math.min(1, spring.zeta / TALLEST))];
+    pen.dot(...at, 5, 'paper');
+    pen.dot(...at, 3.5);
+  };
+})();

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT-0
+// Nine methods on a thing of the level, or on one of the reader's own: what each makes of it with
+// 1, 2, 3 and more steps in a frame, and the loop in which the page times them.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "7-which-to-use/bill.h"
+#include "7-which-to-use/level.h"
+#include "7-which-to-use/loops.h"
+#include "live/figure.h"
+#include "live/implicit.h"
+#include "live/run.h"
+#include "measure/length.h"
+#include "measure/methods/euler.h"
+#include "measure/methods/runge_kutta.h"
+#include "measure/methods/verlet.h"
+
+namespace live {
+namespace {
+
+constexpr std::tuple methods{Method{"euler", measure::euler},
+                             Method{"symplectic_euler", measure::symplectic_euler},
+                             Method{"velocity_verlet", measure::velocity_verlet},
+                             Method{"yoshida4", measure::yoshida4},
+                             Method{"midpoint", measure::midpoint},
+                             Method{"rk4", measure::rk4},
+                             Method{"dopri5", measure::dopri5},
+                             Method{"trapezoid", trapezoid},
+                             Method{"backward_euler", backward_euler}};
+
+constexpr int of_the_truth = 32;  ///< steps that Dormand-Prince takes in a frame
+constexpr double gone = 1000;     ///< nobody sees how far beyond [m]
+
+/// What a method makes of a thing, for each number of steps.
+struct Outcome {
+  std::vector<double> paths;   ///< places at the ends of frames, one run after the other [m]
+  std::vector<double> errors;  ///< the largest at the end of a frame; infinite if it is gone [m]
+  double evaluations;          ///< of a step
+};
+
+/// What all methods make of one thing.
+class Trial {
+ public:
+  virtual ~Trial() = default;
+  /// Steps of a method that many bodies take, for their time.
+  virtual double work(int which, int rounds) const = 0;
+
+  double seconds = 0, omega = 0, zeta = 0;  ///< not a number, where nothing swings
+  std::vector<double> truth;
+  std::vector<Outcome> outcomes;
+};
+
+/// The trial of one scene.
+template <class Scene>
+class TrialOf final : public Trial {
+  using Vec = typename Scene::Vec;
+  using Path = std::vector<Vec>;
+
+ public:
+  TrialOf(const Scene& scene, double watched)
+      : scene_(scene), frames_(std::lround(watched / frame)) {
+    seconds = double(frames_) * frame;
+    omega = zeta = std::numeric_limits<double>::quiet_NaN();
+    if constexpr (requires { scene.omega; }) {
+      omega = scene.omega;
+      zeta = scene.zeta;
+    } else if constexpr (requires { scene.length; }) {
+      omega = std::sqrt(scene.g / scene.length);
+      zeta = 0;
+    }
+    const Path right = path(measure::dopri5, of_the_truth);
+    append(truth, right);
+    std::apply(
+        [&](const auto&... method) { (outcomes.push_back(try_out(method.step, right)), ...); },
+        methods);
+  }
+
+  double work(int which, int rounds) const override {
+    double sum = 0;
+    int place = 0;
+    const auto if_asked = [&](const auto& method) {
+      if (place++ == which) sum = move(method.step, rounds);
+    };
+    std::apply([&](const auto&... method) { (if_asked(method), ...); }, methods);
+    return sum;
+  }
+
+ private:
+  /// Where a method has the thing at the start and at the end of each frame.
+  template <class Step>
+  Path path(Step step, int in_a_frame) const {
+    const double h = frame / in_a_frame;
+    auto kept = measure::start(step, scene_.start(), h, scene_);
+    Path places{scene_.start().x};
+    for (long n = 0; n < frames_ * in_a_frame;) {
+      measure::advance(step, kept, double(n) * h, h, scene_);
+      if (++n % in_a_frame == 0) {
+        places.push_back(measure::state_of(step, kept, double(n) * h, h, scene_).x);
+      }
+    }
+    return places;
+  }
+
+  template <class Step>
+  Outcome try_out(Step step, const Path& right) const {
+    Outcome outcome;
+    for (const int in_a_frame : tried_in_a_frame) {
+      const Path places = path(step, in_a_frame);
+      append(outcome.paths, places);
+      outcome.errors.push_back(largest_error(places, right));
+    }
+    outcome.evaluations = evaluations(step);
+    return outcome;
+  }
+
+  static double largest_error(const Path& places, const Path& right) {
+    double worst = 0;
+    for (std::size_t n = 0; n < places.size(); ++n) {
+      const double error = measure::length(Vec(places[n] - right[n]));
+      if (!(error < gone)) return std::numeric_limits<double>::infinity();
+      worst = std::max(worst, error);
+    }
+    return worst;
+  }
+
+  template <class Step>
+  double evaluations(Step step) const {
+    const Billed<Scene> billed{scene_};
+    auto kept = measure::start(step, scene_.start(), frame, billed);
+    billed.evaluations = 0;
+    measure::advance(step, kept, 0.0, frame, billed);
+    return double(billed.evaluations);
+  }
+
+  // One coordinate after the other, of each place.
+  static void append(std::vector<double>& list, const Path& places) {
+    for (const Vec& place : places) {
+      if constexpr (std::is_same_v<Vec, double>) {
+        list.push_back(place);
+      } else {
+        list.insert(list.end(), place.begin(), place.end());
+      }
+    }
+  }
+
+  template <class Step>
+  __attribute__((flatten)) double move(Step step, int rounds) const {
+    std::vector bodies(in_a_loop, measure::start(step, scene_.start(), brief_step, scene_));
+    for (int n = 0; n < rounds; ++n) {
+      for (auto& kept : bodies) measure::advance(step, kept, n * brief_step, brief_step, scene_);
+    }
+    return measure::length(bodies.back()[0]);
+  }
+
+  Scene scene_;
+  long frames_;
+};
+
+class SpeedAgainstAccuracy final : public Figure {
+  double thing_ = 2, omega_ = 20, zeta_ = 0.1, eccentricity_ = 0.6, turn_ = 4, drag_ = 2;
+  std::vector<double> tried_with_;
+  std::unique_ptr<Trial> trial_;
+  std::vector<std::string> paths_, errors_, evaluations_;  // what they are called
+  long steps_ = 0;
+
+  std::vector<Setting> settings() override {
+    return {{"thing", &thing_, things()},     {"omega", &omega_}, {"zeta", &zeta_},
+            {"eccentricity", &eccentricity_}, {"turn", &turn_},   {"drag", &drag_}};
+  }
+
+  static std::vector<const char*> things() {
+    std::vector<const char*> all;
+    for_each_thing([&](const char* name, const auto&, double) { all.push_back(name); });
+    all.insert(all.end(), {"spring", "orbit", "air"});
+    return all;
+  }
+
+  // The same thing is not tried again.
+  void start() override {
+    steps_ = 0;
+    const std::vector now{thing_, omega_, zeta_, eccentricity_, turn_, drag_};
+    if (now != tried_with_) {
+      tried_with_ = now;
+      trial_ = try_thing();
+      show_trial();
+    }
+    show_state();
+  }
+
+  void step() override { ++steps_; }
+
+  void show_state() override {
+    show("t", double(steps_) * frame);
+    show("h", frame);
+  }
+
+  template <class Scene>
+  static std::unique_ptr<Trial> try_scene(const Scene& scene, double seconds) {
+    return std::make_unique<TrialOf<Scene>>(scene, seconds);
+  }
+
+  std::unique_ptr<Trial> try_thing() const {
+    const std::string_view asked = things()[std::size_t(thing_)];
+    std::unique_ptr<Trial> found;
+    for_each_thing([&](const char* name, const auto& scene, double seconds) {
+      if (name == asked) found = try_scene(scene, seconds);
+    });
+    if (found) return found;
+    if (asked == "spring") {
+      return try_scene(scenes::Spring<>{.omega = omega_, .zeta = zeta_, .x0 = suspension.x0}, 2);
+    }
+    if (asked == "air") return try_scene(scenes::LinearDrag<>{.c = drag_}, 2);
+    const double rate = 2 * std::numbers::pi / turn_, half = shuttle.semi_major;
+    return try_scene(scenes::Orbit<>{.eccentricity = eccentricity_,
+                                     .semi_major = half,
+                                     .mu = half * half * half * rate * rate},
+                     turn_);
+  }
+
+  void show_trial() {
+    const auto all = names(methods);
+    for (const char* name : all) {
+      if (paths_.size() == all.size()) break;
+      paths_.push_back(std::string(name) + " paths");
+      errors_.push_back(std::string(name) + " errors");
+      evaluations_.push_back(std::string(name) + " evaluations");
+    }
+    show("seconds", trial_->seconds);
+    show("omega", trial_->omega);
+    show("zeta", trial_->zeta);
+    show("tried", std::vector<double>(tried_in_a_frame.begin(), tried_in_a_frame.end()));
+    show("truth", trial_->truth);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      show(paths_[i].c_str(), trial_->outcomes[i].paths);
+      show(errors_[i].c_str(), trial_->outcomes[i].errors);
+      show(evaluations_[i].c_str(), trial_->outcomes[i].evaluations);
+    }
+  }
+
+  int bodies() const override { return int(in_a_loop); }
+  double work(int which, int rounds) override { return trial_->work(which, rounds); }
+};
+
+}  // namespace
+
+std::unique_ptr<Figure> make_speed_against_accuracy() {
+  return std::make_unique<SpeedAgainstAccuracy>();
+}
+
+}  // namespace live

@@ -1,0 +1,218 @@
+// Nine methods on one thing: what each gets for a price, the three that are nearest, and what is cheapest within a tolerance.
+(function () {
+  'use strict';
+  const Live = globalThis.Live;
+  const NAME = 'speed-against-accuracy';
+  const FRAMES = 60; // a second
+  const LIKE = { spring: 'suspension', orbit: 'shuttle', air: 'leaf' }; // whose recorded times stand for the reader's own thing
+  const KIN = ['dopri5', 'trapezoid']; // share a colour, and are dashed
+  const NOTHING = 1e-9; // of an error: what is less is rounding, or as good as that [m]
+  const description = () => Live.descriptions[NAME];
+  const metres = error => (error === Infinity ? 'gone' : error > NOTHING ? Live.metres(error) : 'no nanometre');
+  const micro = time => `${Live.digits(time, 2)}\u202fµs`;
+
+  // The recorded time of a step of each method [ns].
+  function recorded(thing) {
+    const { thing: things, method, nanoseconds } = description().tables['recorded-steps'];
+    const wanted = LIKE[thing] ?? thing;
+    return Object.fromEntries(nanoseconds.flatMap((ns, i) => (things[i] === wanted ? [[method[i], ns]] : [])));
+  }
+
+  // What each method offers: { steps in a frame, error, time for a thousand [µs] } for each number of steps that was tried.
+  function offers({ now, times }, { thing }) {
+    const known = recorded(thing);
+    return Object.entries(description().methods).map(([name, label]) => {
+      const error = i => Math.max(NOTHING, now[`${name} errors`][i]);
+      const rungs = step => [...now.tried].map((steps, i) => ({ steps, rung: i, error: error(i), time: steps * step }));
+      return { name, label, rungs: rungs((times ?? known)[name]), recorded: times && rungs(known[name]) };
+    });
+  }
+
+  // Nearest first, of what the price buys; then what it does not buy.
+  function ranked(run, values) {
+    const nearest = rungs => rungs.reduce((best, rung) => (rung.error < best.error ? rung : best));
+    const all = offers(run, values).map(offer => {
+      const bought = offer.rungs.filter(({ time }) => time <= values.price);
+      return { ...offer, bought: bought.length ? nearest(bought) : null };
+    });
+    const dear = ({ bought }) => Number(!bought),
+      far = ({ bought }) => bought?.error ?? 0,
+      time = ({ bought, rungs }) => (bought ?? rungs[0]).time;
+    return all.sort((a, b) => dear(a) - dear(b) || far(a) - far(b) || time(a) - time(b));
+  }
+  const best = (run, values) =>
+    ranked(run, values)
+      .filter(({ bought }) => bought && bought.error < Infinity)
+      .slice(0, 3);
+
+  // Of all that is near enough, what takes the least time.
+  function cheapest(run, values) {
+    const near = offers(run, values).flatMap(({ name, label, rungs }) =>
+      rungs.filter(({ error }) => error <= values.tolerance).map(rung => ({ name, label, ...rung })),
+    );
+    return near.reduce((least, one) => (!least || one.time < least.time ? one : least), null);
+  }
+  const inSteps = ({ steps }) => `${steps} step${steps > 1 ? 's' : ''} a frame`;
+
+  // What asks the program of this chapter the same.
+  function question({ now }, values) {
+    const { thing, tolerance } = values;
+    const truth = now.truth,
+      plane = truth.length > (now.seconds * FRAMES + 1) * 1.5;
+    const reach = plane
+      ? Math.max(...truth.filter((_, i) => i % 2 === 0).map((x, i) => Math.hypot(x, truth[2 * i + 1])))
+      : Math.max(...truth.map(Math.abs));
+    const spring = `spring --omega ${Live.digits(now.omega, 4)} --zeta ${Live.digits(now.zeta, 3)}`;
+    const scenes = {
+      jump: 'ball',
+      leaf: 'drag --drag 2',
+      lamp: `pendulum --omega ${Live.digits(now.omega, 4)} --angle 1`,
+      orbit: `orbit --omega ${Live.digits((2 * Math.PI) / now.seconds, 4)} --eccentricity ${Live.digits(values.eccentricity, 3)}`,
+      shuttle: `orbit --omega ${Live.digits((2 * Math.PI) / now.seconds, 4)} --eccentricity 0.6`,
+      air: `drag --drag ${values.drag}`,
+    };
+    return (
+      `build/chapters/7-which-to-use/choose --scene ${scenes[thing] ?? spring} --hz ${FRAMES} --seconds ${now.seconds} ` +
+      `--error-metres ${tolerance} --reach ${Live.digits(reach, 4)}`
+    );
+  }
+
+  Live.figure(NAME, {
+    view: () => ({ x: [0, 1], y: [0, 3], free: true }),
+    draw(pen, run, values, part) {
+      best(run, values).forEach((offer, i) => this.row(pen, run, offer, i, part));
+    },
+    row(pen, run, { name, label, bought }, i, part) {
+      const low = 2 - i + 0.05,
+        high = 0.74;
+      pen.text(0.01, low + high + 0.1, `${i + 1}. ${label}`, { colour: name, align: 'left' });
+      pen.text(0.99, low + high + 0.1, `${inSteps(bought)}, ${metres(bought.error)}`, { align: 'right' });
+      const { omega, zeta } = run.now,
+        swings = !Number.isNaN(omega);
+      if (swings) {
+        const spring = { homega: omega / FRAMES / bought.steps, zeta };
+        const map = Live.frame(pen, { left: 0.01, low, width: 0.32, high });
+        Live.map(pen, map, description().tables.map, { label, colour: name }, spring);
+      }
+      const left = swings ? 0.37 : 0.01;
+      this.motion(pen, { left, low, width: 0.99 - left, high }, run, name, bought.rung, part);
+    },
+    // The way so far, on the way that it should be.
+    motion(pen, box, { now }, name, rung, part) {
+      const frames = Math.round(now.seconds * FRAMES),
+        plane = now.truth.length === 2 * (frames + 1);
+      const length = now.truth.length,
+        all = now[`${name} paths`].subarray(rung * length, (rung + 1) * length);
+      const points = list =>
+        plane
+          ? [...Array(frames + 1).keys()].map(n => [list[2 * n], list[2 * n + 1]])
+          : [...list].map((x, n) => [n / FRAMES, x]);
+      const truth = points(now.truth),
+        place = this.scale(pen, box, truth, plane);
+      const frame = Live.frame(pen, box),
+        at = Math.min(frames, Math.max(0, now.t * FRAMES - 1 + part));
+      const whole = Math.floor(at),
+        next = Math.min(frames, whole + 1);
+      const between = list => list[whole].map((value, k) => value + (at - whole) * (list[next][k] - value));
+      const way = points(all);
+      const line = (list, look) => pen.line(...[0, 1].map(k => list.map(point => place(point)[k])), look);
+      pen.within([frame.x(0), frame.x(1)], [frame.y(0), frame.y(1)], { colour: 'context', width: 0.8 }, () => {
+        line(truth, { colour: 'exact', width: 1.2, dash: [4, 3] });
+        line([...way.slice(0, whole + 1), between(way)], { colour: name, width: 2 });
+        pen.dot(...place(between(truth)), 6, 'exact');
+        pen.dot(...place(between(way)), 4, name);
+      });
+    },
+    // From metres and seconds to the picture; in the plane a metre is as long upwards as sideways.
+    scale(pen, { left, low, width, high }, truth, plane) {
+      const span = k => [Math.min(...truth.map(point => point[k])), Math.max(...truth.map(point => point[k]))];
+      const [x, y] = [span(0), span(1)];
+      const room = 0.82;
+      let across = (room * width) / (x[1] - x[0]),
+        up = (room * high) / (y[1] - y[0]);
+      if (plane) {
+        const pixels = [pen.x(1) - pen.x(0), pen.y(0) - pen.y(1)];
+        const metre = Math.min(across * pixels[0], up * pixels[1]);
+        [across, up] = [metre / pixels[0], metre / pixels[1]];
+      }
+      const middle = [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2];
+      return point => [
+        left + width / 2 + (point[0] - middle[0]) * across,
+        low + high / 2 + (point[1] - middle[1]) * up,
+      ];
+    },
+
+    // Powers of ten: of microseconds to the right, of metres upwards.
+    chartView: { x: [-0.75, 3.4], y: [Math.log10(NOTHING) - 0.8, 1.5], free: true },
+    chart(pen, run, values) {
+      const { x, y } = this.chartView;
+      const price = Math.log10(values.price),
+        tolerance = Math.log10(values.tolerance);
+      const height = error => Math.min(Math.log10(error), y[1] + 1);
+      pen.area([x[0], price, price, x[0]], [y[0], y[0], tolerance, tolerance]);
+      pen.grid([0, 1, 2, 3], [-9, -6, -3, 0], {
+        x: power => (power < 3 ? `${10 ** power}\u202fµs` : '1\u202fms'),
+        y: power => Live.metres(10 ** power).replace('.0', ''),
+      });
+      const line = (rungs, look) =>
+        pen.line(
+          rungs.map(({ time }) => Math.log10(time)),
+          rungs.map(({ error }) => height(error)),
+          look,
+        );
+      const all = offers(run, values),
+        three = best(run, values);
+      for (const { name, rungs, recorded } of all) {
+        if (recorded) line(recorded, { colour: 'context', width: 1 });
+        const first = three.some(one => one.name === name);
+        line(rungs, { colour: name, width: first ? 2.6 : 1.4, dash: KIN.includes(name) ? [6, 4] : [] });
+        for (const { time, error } of rungs) pen.dot(Math.log10(time), height(error), first ? 3 : 2, name);
+      }
+      pen.line([price, price], y, { colour: 'ink', width: 1.6 });
+      pen.line(x, [tolerance, tolerance], { colour: 'limit', width: 1.6, dash: [3, 4] });
+      pen.text(price + 0.06, y[1] - 0.3, micro(values.price), { colour: 'ink', align: 'left' });
+      three.forEach(({ name, bought }, i) => {
+        const at = [Math.log10(bought.time), height(bought.error)];
+        pen.dot(...at, 9, name);
+        pen.text(...at, `${i + 1}`, { colour: 'paper' });
+      });
+    },
+    held: power => {
+      const { values } = description().controls.find(({ name }) => name === 'price');
+      const off = value => Math.abs(Math.log10(value) - power);
+      return { price: values.reduce((near, value) => (off(value) < off(near) ? value : near)) };
+    },
+
+    best: (run, values) => ranked(run, values)[0].name,
+    answer(stage, run, values) {
+      const rows = ranked(run, values).map(({ name, label, bought, rungs }, i) => {
+        const near = bought && bought.error <= values.tolerance;
+        const off = bought ? metres(bought.error) + (near ? ' ✓' : '') : 'too dear';
+        const { steps, time } = bought ?? rungs[0];
+        const cells = [steps, off, micro(time)];
+        const key = `<span class="key${KIN.includes(name) ? ' dashed' : ''}" style="--key:var(--${name.replace(/_/g, '-')})"></span>`;
+        return `<tr><td>${i + 1}</td><th scope="row">${key}${label}</th>${cells.map(cell => `<td>${cell}</td>`).join('')}</tr>`;
+      });
+      const whose =
+        { undefined: 'as recorded', null: 'being taken in your browser' }[run.times] ?? 'taken in your browser';
+      const header = `${this.best(run, values)}.h`;
+      stage.querySelector('.ranked').innerHTML =
+        `<table><thead><tr><td></td><th scope="col">Method</th><th scope="col">Steps</th><th scope="col">Off by</th><th scope="col">Time</th></tr></thead>` +
+        `<tbody>${rows.join('')}</tbody></table><p>Times: ${whose}. ✓: within ${metres(values.tolerance)}.</p>`;
+      stage.querySelector('.advice').innerHTML =
+        `<p>Take <a href="headers/${header}" download>${header}</a>, which is the nearest, or have all methods tried, from 1 step to 1024:</p>` +
+        `<pre><code>${question(run, values)}</code></pre>`;
+    },
+    tell(now, values, run) {
+      const [first] = best(run, values),
+        cheap = cheapest(run, values);
+      const nearest = first
+        ? `${first.label} is nearest for ${micro(values.price)}: ${inSteps(first.bought)}, off by ${metres(first.bought.error)}.`
+        : `Nothing holds it for ${micro(values.price)}.`;
+      const near = Live.metres(values.tolerance);
+      return cheap
+        ? `${nearest} Within ${near}, ${cheap.label} is cheapest: ${inSteps(cheap)}, ${micro(cheap.time)}.`
+        : `${nearest} Nothing here comes within ${near}.`;
+    },
+  });
+})();

@@ -1,0 +1,111 @@
+// The figure that sets speed against accuracy: what it ranks, where it is taken hold of, and the times that it takes itself.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { openTab } from './browser.mjs';
+import { figures, open } from './live.mjs';
+
+const figure = figures.find(({ name }) => name === 'speed-against-accuracy');
+const tab = await openTab();
+
+// The list as the reader sees it.
+const ranking = live =>
+  live.stage.locator('.ranked tbody tr').evaluateAll(rows =>
+    rows.map(row => {
+      const [, method, steps, off, time] = [...row.cells].map(cell => cell.textContent);
+      return { method, steps: Number(steps), off, microseconds: Number(time.match(/^[\d.]+/)[0]) };
+    }),
+  );
+
+// What each method offers, worked out from what the module shows and the recorded times.
+async function offers(live, thing) {
+  const now = await live.now();
+  const {
+    method,
+    thing: things,
+    nanoseconds,
+  } = await tab.evaluate(name => globalThis.Live.descriptions[name].tables['recorded-steps'], figure.name);
+  return Object.entries(figure.methods).map(([name, label]) => {
+    const step = nanoseconds[method.findIndex((one, i) => one === name && things[i] === thing)];
+    return {
+      label,
+      rungs: Object.values(now.tried).map((steps, i) => ({
+        steps,
+        time: steps * step,
+        error: now[`${name} errors`][i],
+      })),
+    };
+  });
+}
+
+test('the list has all nine, nearest first, within the price, and marks those near enough', async () => {
+  for (const [thing, price, tolerance] of [
+    ['suspension', 5, 3e-4],
+    ['hatch', 20, 0.01],
+    ['shuttle', 70, 1e-3],
+    ['jump', 2, 0.01],
+  ]) {
+    const live = await open(tab, figure, `thing=${thing}&price=${price}&tolerance=${tolerance}`);
+    const bounds = await tab.evaluate(name => globalThis.Live.opened[name].values, figure.name);
+    assert.deepEqual([bounds.price, bounds.tolerance], [price, tolerance]);
+    const rows = await ranking(live);
+    assert.deepEqual(rows.map(({ method }) => method).sort(), Object.values(figure.methods).sort());
+    const all = await offers(live, thing);
+    let last = 0;
+    for (const { method, steps, off, microseconds } of rows) {
+      const { rungs } = all.find(({ label }) => label === method);
+      const paid = rungs.filter(({ time }) => time <= price);
+      const where = `${thing}: ${method}, ${steps} steps`;
+      assert.equal(off === 'too dear', paid.length === 0, where);
+      const taken = rungs.find(rung => rung.steps === steps);
+      assert.ok(Math.abs(microseconds / taken.time - 1) < 0.06, where);
+      if (!paid.length) {
+        last = Infinity;
+        continue;
+      }
+      assert.ok(microseconds <= 1.06 * price, where);
+      assert.ok(
+        taken.error <= Math.min(...paid.map(({ error }) => error)) + 1e-9,
+        `${where}: another number is nearer`,
+      );
+      assert.ok(Math.max(taken.error, 1e-9) >= last, `${where}: nearer than the one above`);
+      assert.equal(off.includes('✓'), taken.error <= tolerance, where);
+      last = Math.max(taken.error, 1e-9);
+    }
+  }
+});
+
+test('the price is taken hold of in the chart, by mouse and by finger', async () => {
+  const phone = await openTab('dark');
+  for (const reader of [tab, phone]) {
+    const live = await open(reader, figure);
+    const price = () => reader.evaluate(name => globalThis.Live.opened[name].values.price, figure.name);
+    const canvas = live.stage.locator('canvas.plot');
+    const { width, height } = await canvas.boundingBox();
+    const first = await price();
+    await canvas.click({ position: { x: 0.6 * width, y: height / 2 } });
+    const dearer = await price();
+    assert.ok(dearer > first, `${dearer}`);
+    const box = await canvas.boundingBox();
+    await reader.mouse.move(box.x + 0.6 * width, box.y + height / 2);
+    await reader.mouse.down();
+    await reader.mouse.move(box.x + 0.3 * width, box.y + height / 2, { steps: 4 });
+    await reader.mouse.up();
+    assert.ok((await price()) < dearer);
+    assert.equal(await canvas.evaluate(element => getComputedStyle(element).touchAction), 'pan-y');
+    assert.deepEqual(reader.faults, []);
+  }
+});
+
+test('it takes its own times beside the page, and draws them over the recorded ones', async () => {
+  const live = await open(tab, figure, 'thing=leaf&price=70');
+  const [before, chart] = [await live.now(), await live.chart()];
+  assert.match(await live.stage.locator('.ranked').textContent(), /as recorded/);
+  await live.press('time');
+  await live.stage.locator('.ranked', { hasText: /: taken in/ }).waitFor();
+  const times = await tab.evaluate(name => globalThis.Live.opened[name].run.times, figure.name);
+  assert.deepEqual(Object.keys(times), Object.keys(figure.methods));
+  for (const time of Object.values(times)) assert.ok(time > 0 && Number.isFinite(time));
+  assert.notEqual(await live.chart(), chart);
+  assert.deepEqual(await live.now(), before);
+  assert.deepEqual(tab.faults, []);
+});
