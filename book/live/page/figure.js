@@ -43,7 +43,7 @@
         : new Live.Chart(find('.chart'), find('canvas.scene'), description.chart, description.seconds);
       this.readLink();
       this.settings.tell();
-      this.showCode(this.values.method);
+      this.showCode(this.values.method ?? Object.keys(description.methods ?? {})[0]);
     }
     open(module, code) {
       const { element, description } = this;
@@ -122,6 +122,7 @@
       }
       run.times = this.stopwatch.of(values);
       drawing.answer(this.stage, run, values);
+      this.chart.draw(run, values);
       this.showCode(drawing.best(run, values));
     }
     time() {
@@ -223,7 +224,7 @@
       this.pen.begin(this.drawing.view(values));
       this.drawing.draw(this.pen, this.run, values, part);
       this.handle?.place(this.pen);
-      this.chart.draw(this.run, values);
+      if (!this.stopwatch || !this.playing) this.chart.draw(this.run, values); // an answer stays while it is played
       this.readout.textContent = this.sentence + (this.playing && this.clock.slow ? ' Runs slower than time.' : '');
     }
     get sentence() {
