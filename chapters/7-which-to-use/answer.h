@@ -48,11 +48,24 @@ inline std::string prices(const Entry& entry) {
          (timed ? ", " + microseconds(entry.microseconds) + " us a frame for 1000" : std::string());
 }
 
+/// Whether an entry is right in even frames alone.
+inline bool is_for_even_frames(const Entry& entry, const Bounds& bounds) {
+  return entry.good && !(entry.uneven <= bounds.error);
+}
+
+/// An error in full.
+inline std::string error_of(const Entry& entry, const Bounds& bounds) {
+  const std::string unit = bounds.reach > 0 ? " m" : "";
+  const std::string even = "error " + brief(told(entry.last.error, bounds)) + unit;
+  if (!is_for_even_frames(entry, bounds)) return even;
+  return even + ", too much in uneven frames: " + brief(told(entry.uneven, bounds)) + unit;
+}
+
 /// One entry in full.
-inline void print_choice(const Entry& entry) {
+inline void print_choice(const Entry& entry, const Bounds& bounds) {
   const std::string function(entry.method->function), header(entry.method->header);
-  std::printf("  %s, %s: %s, error %s\n  #include \"integrate/%s\"\n\n", function.c_str(),
-              pace(entry).c_str(), prices(entry).c_str(), brief(entry.last.error).c_str(),
+  std::printf("  %s, %s: %s, %s\n  #include \"integrate/%s\"\n\n", function.c_str(),
+              pace(entry).c_str(), prices(entry).c_str(), error_of(entry, bounds).c_str(),
               header.c_str());
 }
 
@@ -62,24 +75,27 @@ inline void print_row(const Entry& entry, const Bounds& bounds, bool keeps_energ
   const std::string substeps =
       entry.last.substeps ? std::to_string(entry.last.substeps) : "adaptive";
   const bool timed = !std::isnan(entry.microseconds);
-  std::printf("%-30s %11s %9.0f %9s  %-8s %-8s %-8s %s\n", function.c_str(), substeps.c_str(),
+  const std::string mark = is_for_even_frames(entry, bounds) ? "!" : "";
+  std::printf("%-30s %11s %9.0f %9s  %-9s %-10s %-8s %s\n", function.c_str(), substeps.c_str(),
               entry.evaluations, timed ? microseconds(entry.microseconds).c_str() : "-",
-              brief(entry.last.error).c_str(), brief(entry.uneven).c_str(),
+              brief(told(entry.last.error, bounds)).c_str(),
+              (brief(told(entry.uneven, bounds)) + mark).c_str(),
               keeps_energy ? brief(entry.last.energy).c_str() : "-",
               entry.last.substeps ? reason(entry, bounds).c_str() : pace(entry).c_str());
 }
 
 /// Says so where the two prices choose differently.
-inline void print_by_time(const Entry& best, const std::vector<Entry>& entries) {
+inline void print_by_time(const Entry& best, const std::vector<Entry>& entries,
+                          const Bounds& bounds) {
   const Entry* quickest = cheapest_by_time(entries);
   if (!quickest || quickest == &best || !best.good) return;
   if (quickest->microseconds > 0.95 * best.microseconds) return;
   const std::string function(quickest->method->function);
   std::printf(
       "That counts evaluations. By time, if the acceleration is as short as here, take\n"
-      "  %s, %s: %s, error %s\n\n",
+      "  %s, %s: %s, %s\n\n",
       function.c_str(), pace(*quickest).c_str(), prices(*quickest).c_str(),
-      brief(quickest->last.error).c_str());
+      error_of(*quickest, bounds).c_str());
 }
 
 /// The answer for a person.
@@ -88,7 +104,7 @@ inline void print_text(const Contest& found, const Bounds& bounds) {
   const Entry& best = found.methods[0];
   if (exact) {
     std::printf("This scene has an exact step. Take it:\n");
-    print_choice(found.exact[0]);
+    print_choice(found.exact[0], bounds);
   }
   const char* said = best.good ? exact ? "If other forces act as well, the cheapest within the "
                                          "bounds is"
@@ -97,15 +113,17 @@ inline void print_text(const Contest& found, const Bounds& bounds) {
                                  "nearest is"
                                : "Nothing meets the bounds. The nearest:";
   std::printf("%s\n", said);
-  print_choice(best);
-  print_by_time(best, found.methods);
+  print_choice(best, bounds);
+  print_by_time(best, found.methods, bounds);
   for (const Entry& entry : found.undisturbed) {
     if (!entry.good) continue;
     std::printf("If nothing disturbs the motion, take steps that do not end with the frames:\n");
-    print_choice(entry);
+    print_choice(entry, bounds);
   }
-  std::printf("%-30s %11s %9s %9s  %-8s %-8s %-8s %s\n", "", "steps/frame", "evals/s", "us/frame",
-              "error", "uneven", "energy", "with fewer steps");
+  const bool metres = bounds.reach > 0;
+  std::printf("%-30s %11s %9s %9s  %-9s %-10s %-8s %s\n", "", "steps/frame", "evals/s", "us/frame",
+              metres ? "error [m]" : "error", metres ? "uneven [m]" : "uneven", "energy",
+              "with fewer steps");
   for (const Entry& entry : found.methods) print_row(entry, bounds, found.keeps_energy);
   for (const Entry& entry : found.undisturbed) print_row(entry, bounds, found.keeps_energy);
   const measure::Times& times = measure::recorded_times();
@@ -115,7 +133,9 @@ inline void print_text(const Contest& found, const Bounds& bounds) {
                 times.processor.c_str(), times.compiler.c_str(), times.date.c_str());
   }
   std::printf(
-      "\nuneven: the error in frames as uneven as those of a busy machine, with the same mean.\n");
+      "\nuneven: the error in frames as uneven as those of a busy machine, with the same mean; "
+      "with a "
+      "! where it is more than was asked for.\n");
 }
 
 /// All entries: the exact step, the methods, the best first, and adaptive steps.

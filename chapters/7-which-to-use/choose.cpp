@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // Prints the cheapest method and step for a scene, from measurement.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
@@ -122,8 +124,17 @@ void require_frames(const Bounds& bounds) {
   if (bounds.frames() < 1) throw std::invalid_argument("--seconds is less than one frame");
   if (bounds.frames() > most_steps / 8) {
     throw std::invalid_argument("--seconds times --hz must stay below " +
-                                std::to_string(most_steps / 8));
+                                std::to_string(most_steps / 8) + ": at these --hz, --seconds " +
+                                brief(std::floor(most_steps / 8 / bounds.hz), 6));
   }
+}
+
+/// So that nobody who waits thinks that nothing happens.
+void tell_if_long(const Bounds& bounds) {
+  constexpr long many = 20'000;
+  if (bounds.frames() < many || !isatty(STDERR_FILENO)) return;
+  std::fprintf(stderr, "choose: %ld frames for every method; this takes a minute or more\n",
+               bounds.frames());
 }
 
 void require_fits(const CLI::App& app, const Choice& choice, const Parameters& parameters,
@@ -170,7 +181,10 @@ void use(const Stands& stands, const CLI::App& app, const Choice& choice, Parame
     }
     parameters.omega = std::sqrt(stands.k / stands.m);
   }
-  if (app.count("--error-metres") > 0) bounds.error = stands.error_metres / stands.reach;
+  if (app.count("--error-metres") > 0) {
+    bounds.error = stands.error_metres / stands.reach;
+    bounds.reach = stands.reach;
+  }
 }
 
 /// What is asked of a scene of the reader's own.
@@ -233,14 +247,16 @@ int choose(int argc, char** argv) {
   for (const Number& number : numbers) {
     if (app.count(number.option) > 0) require_in_range(number);
   }
+  if (!chart.empty()) require_folder(chart);
   if (scene.ends_with(".h"))
     return choose_for_own(question(app, scene, bounds, stands, format, chart));
   const Choice& chosen = choice_of(scene);
   use(stands, app, chosen, parameters, bounds);
   require_fits(app, chosen, parameters, bounds);
   const Format written = format_of(format);
+  tell_if_long(bounds);
   const Contest found = chosen.run(parameters, bounds);
-  if (!chart.empty()) draw_chart(found, bounds, chart);
+  if (!chart.empty()) draw_chart(found, bounds, scene, chart);
   print(found, bounds, written);
   return is_met(found) ? 0 : 1;
 }

@@ -25,6 +25,7 @@ struct Bounds {
   double seconds = 10;       ///< how long the scene is watched
   double error = 0.01;       ///< largest error, as a share of how far the motion gets
   double energy = INFINITY;  ///< largest relative change of the energy
+  double reach = 0;          ///< how far the motion gets, if errors are told in metres [m]
 
   long frames() const { return std::lround(seconds * hz); }
 };
@@ -441,10 +442,16 @@ inline std::string above(double value, double bound) {
   return brief(value, digits);
 }
 
+/// What a share of the motion is told as: a share, or metres.
+inline double told(double share, const Bounds& bounds) {
+  return bounds.reach > 0 ? share * bounds.reach : share;
+}
+
 /// Why fewer steps did not do.
 inline std::string shortcoming(const Attempt& attempt, const Bounds& bounds) {
   if (!(attempt.error < 10)) return "explodes";
-  if (attempt.error > bounds.error) return "error " + above(attempt.error, bounds.error);
+  if (attempt.error > bounds.error)
+    return "error " + above(told(attempt.error, bounds), told(bounds.error, bounds));
   return "energy off by " + above(attempt.energy, bounds.energy);
 }
 

@@ -10,7 +10,9 @@
 // The scene comes first, since these know it.
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <fstream>
+#include <string>
 
 #include "answer.h"
 #include "chart.h"
@@ -21,9 +23,13 @@ int main(int argc, char** argv) {
     const OwnScene scene;
     Bounds bounds{
         .hz = std::stod(argv[1]), .seconds = std::stod(argv[2]), .error = std::stod(argv[3])};
-    if (std::stod(argv[4]) != 0) bounds.error = std::stod(argv[4]) / size_of(scene, bounds);
+    if (std::stod(argv[4]) != 0) {
+      bounds.reach = size_of(scene, bounds);
+      bounds.error = std::stod(argv[4]) / bounds.reach;
+    }
     const Contest found = full_contest(scene, bounds);
-    if (*argv[6]) draw_chart(found, bounds, argv[6]);
+    const std::string name = std::filesystem::path(SCENE).filename().string();
+    if (*argv[6]) draw_chart(found, bounds, name, argv[6]);
     print(found, bounds, format_of(argv[5]));
     std::fflush(stdout);
     std::ofstream(argv[7]) << found.methods.front().method->function;

@@ -45,7 +45,7 @@ answers(0 "within the bounds is\n  velocity_verlet, 3 steps a frame: 90 "
 answers(0 "\nvelocity_verlet [^\n]*\nleapfrog [^\n]*\nstormer_verlet " --scene spring --omega 10)
 answers(0 "\nvelocity_verlet [^\n]*\nleapfrog [^\n]*\nstormer_verlet " --scene ball)
 
-# A stiffness and a mass are a frequency, and metres are a share.
+# A stiffness and a mass are a frequency. Errors that are asked for in metres are told in metres.
 function(same first second)
   run(${${first}})
   set(one "${out}")
@@ -55,8 +55,13 @@ function(same first second)
   endif()
 endfunction()
 set(by_omega --scene spring --omega 5 --error 0.02)
-set(by_stiffness --scene spring --k 100 --m 4 --error-metres 0.1 --reach 5)
+set(by_stiffness --scene spring --k 100 --m 4 --error 0.02)
 same(by_omega by_stiffness)
+answers(0 "velocity_verlet, 4 steps a frame: 240 [^\n]*, error 0.012 m\n.* error \\[m\\] +uneven \\[m\\] .*\nsymplectic_euler +33 [^\n]* 0.019 [^\n]* error 0.0201 in 32 steps"
+  --scene spring --omega 40 --zeta 0.1 --hz 60 --error-metres 0.02 --reach 2)
+# What is right in even frames alone is marked.
+answers(0 "velocity_verlet, [^\n]*, error 0.006, too much in uneven frames: 0.011\n.*\nvelocity_verlet [^\n]* 0.006 +0.011! "
+  --scene spring --omega 20 --zeta 0.1 --seconds 1)
 
 # Where the two prices choose differently, it says so; and what adaptive steps cost.
 answers(0 "By time, [^\n]*\n  rk4, 1 step a frame" --scene spring --omega 40 --zeta 0.1 --hz 60 --error 0.01)
