@@ -2,6 +2,7 @@
 /// @file
 /// The lines that the page gives to copy, each within a function that its claims call.
 #pragma once
+#include <cmath>
 
 #include "frames/fixed_step.h"
 #include "integrate/backward_euler.h"
@@ -19,8 +20,8 @@
 #include "integrate/yoshida4.h"
 
 /// A jump.
-template <class Vec>
-void move_by_constant(Vec& x, Vec& v, double t, double tick, const Vec& g) {
+template <class Vec, class Real>
+void move_by_constant(Vec& x, Vec& v, double t, Real tick, const Vec& g) {
   // [constant]
   const auto gravity = [&](const Vec&, const Vec&, double) { return g; };
   integrate::constant_acceleration(x, v, t, tick, gravity);
@@ -28,30 +29,38 @@ void move_by_constant(Vec& x, Vec& v, double t, double tick, const Vec& g) {
 }
 
 /// A leaf.
-template <class Vec>
-void move_in_air(Vec& x, Vec& v, double t, double tick, const Vec& g, double c) {
+/// @param c  drag per mass [1/s]; above zero
+template <class Vec, class Real>
+void move_in_air(Vec& x, Vec& v, Real tick, const Vec& g, Real c) {
   // [air]
-  const auto gravity = [&](const Vec&, const Vec&, double) { return g; };
-  integrate::linear_damping_exact(x, v, t, tick, c, gravity);
+  const auto push = -std::expm1(-c * tick) / c;
+  x = x + push * v + ((tick - push) / c) * g;
+  v = std::exp(-c * tick) * v + push * g;
   // [air]
 }
 
 /// A camera.
-template <class Vec>
-void move_on_spring(Vec& x, Vec& v, double tick, const Vec& target, double omega, double zeta) {
+/// @param target  where it is at the start of the tick
+/// @param u  the velocity of the target
+template <class Vec, class Real>
+void move_on_spring(Vec& x, Vec& v, Real tick, const Vec& target, const Vec& u, Real omega,
+                    Real zeta) {
   // [spring]
-  Vec way = x - target;
-  integrate::spring_exact(way, v, tick, omega, zeta);
-  x = target + way;
+  const Vec lag = (2 * zeta / omega) * u;
+  Vec way = x - target + lag;
+  Vec rel = v - u;
+  integrate::spring_exact(way, rel, tick, omega, zeta);
+  x = target + tick * u - lag + way;
+  v = rel + u;
   // [spring]
 }
 
 /// A body with contacts and joints.
-template <class Vec, class Acceleration>
-void move_undamped(Vec& x, Vec& v, double t, double tick, int steps,
+template <class Vec, class Real, class Acceleration>
+void move_undamped(Vec& x, Vec& v, double t, Real tick, int steps,
                    const Acceleration& acceleration) {
   // [undamped]
-  const double h = tick / steps;
+  const auto h = tick / steps;
   for (int n = 0; n < steps; ++n) {
     integrate::symplectic_euler(x, v, t + n * h, h, acceleration);
   }
@@ -59,12 +68,13 @@ void move_undamped(Vec& x, Vec& v, double t, double tick, int steps,
 }
 
 /// A body with drag.
-template <class Vec, class Acceleration>
-void move_with_drag(Vec& x, Vec& v, double t, double tick, int steps, double c,
+template <class Vec, class Real, class Acceleration>
+void move_with_drag(Vec& x, Vec& v, double t, Real tick, int steps, Real c,
                     const Acceleration& acceleration) {
   // [drag]
-  const double h = tick / steps;
-  for (int n = 0; n < steps; ++n) {  // acceleration: without the drag
+  const auto h = tick / steps;
+  for (int n = 0; n < steps; ++n) {
+    // acceleration without the drag
     integrate::linear_damping_implicit_last(x, v, t + n * h, h, c, acceleration);
   }
   // [drag]
@@ -72,17 +82,20 @@ void move_with_drag(Vec& x, Vec& v, double t, double tick, int steps, double c,
 
 /// Two bodies with a damper between them.
 /// @param axis  of length one, from the one to the other
-template <class Body, class Vec>
-void move_pair(Body& one, Body& two, const Vec& axis, double d, double tick, int steps,
-               const Vec& a1, const Vec& a2) {
+/// @param accelerations  of both, by all forces but the damper
+template <class Body, class Vec, class Real, class Accelerations>
+void move_pair(Body& one, Body& two, const Vec& axis, Real d, Real tick, int steps,
+               const Accelerations& accelerations) {
   // [between]
-  const double h = tick / steps;
-  const double light = 1 / one.m + 1 / two.m;
+  const auto h = tick / steps;
+  const auto light = 1 / one.m + 1 / two.m;
   for (int n = 0; n < steps; ++n) {
+    // by all forces but the damper
+    const auto [a1, a2] = accelerations(one, two);
     one.v = one.v + h * a1;
     two.v = two.v + h * a2;
-    const double fast = dot(two.v - one.v, axis);
-    const double left = fast / (1 + d * h * light);
+    const auto fast = dot(two.v - one.v, axis);
+    const auto left = fast / (1 + d * h * light);
     const Vec push = ((fast - left) / light) * axis;
     one.v = one.v + (1 / one.m) * push;
     two.v = two.v + (-1 / two.m) * push;
@@ -92,27 +105,41 @@ void move_pair(Body& one, Body& two, const Vec& axis, double d, double tick, int
   // [between]
 }
 
-/// A rope of particles, whose links are put right after each step.
-template <class Vec, class Acceleration, class Links>
-void move_linked(Vec& x, Vec& v, double t, double tick, int steps, const Acceleration& acceleration,
-                 const Links& pull_links) {
-  // [links]
-  const double h = tick / steps;
+/// What a rope of particles keeps from tick to tick.
+/// @returns  the places one step ago
+template <class Vec, class Real, class Acceleration>
+Vec start_linked(const Vec& x, const Vec& v, double t, Real tick, int steps,
+                 const Acceleration& acceleration) {
+  // [links-once]
+  // once, and kept from tick to tick
+  const auto h = tick / steps;
   Vec last = integrate::stormer_verlet_start(x, v, t, h, acceleration);
+
+  // [links-once]
+  return last;
+}
+
+/// A rope of particles, whose links are put right after each step.
+/// @param last  from start_linked()
+template <class Vec, class Real, class Acceleration, class Links>
+void move_linked(Vec& x, Vec& v, Vec& last, double t, Real h, int steps,
+                 const Acceleration& acceleration, const Links& pull_links) {
+  // [links]
+  // every tick
   for (int n = 0; n < steps; ++n) {
     integrate::stormer_verlet(x, last, t + n * h, h, acceleration);
     pull_links(x);  // changes the velocity, too
   }
-  // [links]
   v = integrate::stormer_verlet_velocity(x, last, h);
+  // [links]
 }
 
 /// An orbit whose place counts.
-template <class Vec, class Acceleration>
-void move_for_ever(Vec& x, Vec& v, double t, double tick, int steps,
+template <class Vec, class Real, class Acceleration>
+void move_for_ever(Vec& x, Vec& v, double t, Real tick, int steps,
                    const Acceleration& acceleration) {
   // [place]
-  const double h = tick / steps;
+  const auto h = tick / steps;
   Vec a = integrate::yoshida4_start(x, v, t, acceleration);  // once
   for (int n = 0; n < steps; ++n) {
     integrate::yoshida4(x, v, a, t + n * h, h, acceleration);
@@ -121,11 +148,11 @@ void move_for_ever(Vec& x, Vec& v, double t, double tick, int steps,
 }
 
 /// An orbit of which only the shape counts.
-template <class Vec, class Acceleration>
-void move_in_shape(Vec& x, Vec& v, double t, double tick, int steps,
+template <class Vec, class Real, class Acceleration>
+void move_in_shape(Vec& x, Vec& v, double t, Real tick, int steps,
                    const Acceleration& acceleration) {
   // [shape]
-  const double h = tick / steps;
+  const auto h = tick / steps;
   Vec a = integrate::velocity_verlet_start(x, v, t, acceleration);  // once
   for (int n = 0; n < steps; ++n) {
     integrate::velocity_verlet(x, v, a, t + n * h, h, acceleration);
@@ -140,8 +167,8 @@ template <class Vec, class Lengths, class Acceleration>
 double move_in_frames(Vec& x, Vec& v, double tick, int steps, const Lengths& lengths,
                       const Acceleration& acceleration) {
   // [frames]
-  frames::FixedStep<> clock{tick / steps};
-  Vec a = integrate::velocity_verlet_start(x, v, 0.0, acceleration);
+  frames::FixedStep<> clock{tick / steps};                            // once
+  Vec a = integrate::velocity_verlet_start(x, v, 0.0, acceleration);  // once
   const auto step = [&](double now) {
     integrate::velocity_verlet(x, v, a, now, clock.h, acceleration);
   };
@@ -151,11 +178,11 @@ double move_in_frames(Vec& x, Vec& v, double tick, int steps, const Lengths& len
 }
 
 /// What is watched closely.
-template <class Vec, class Acceleration>
-void move_closely(Vec& x, Vec& v, double t, double tick, int steps,
+template <class Vec, class Real, class Acceleration>
+void move_closely(Vec& x, Vec& v, double t, Real tick, int steps,
                   const Acceleration& acceleration) {
   // [closely]
-  const double h = tick / steps;
+  const auto h = tick / steps;
   for (int n = 0; n < steps; ++n) {
     integrate::rk4(x, v, t + n * h, h, acceleration);
   }
@@ -164,9 +191,9 @@ void move_closely(Vec& x, Vec& v, double t, double tick, int steps,
 
 /// To a tolerance.
 /// @param now  when it is to be seen [s]
-template <class Vec, class Acceleration>
-void move_within(Vec& x, Vec& v, double t, double tick, double now,
-                 const Acceleration& acceleration, double tolerance) {
+template <class Vec, class Real, class Acceleration>
+void move_within(Vec& x, Vec& v, double t, Real tick, double now, const Acceleration& acceleration,
+                 Real tolerance) {
   // [tolerance]
   const auto size = [](const Vec& error) { return length(error); };
   auto path = integrate::dopri5_path(x, v, t, tick, acceleration);  // once
@@ -177,13 +204,14 @@ void move_within(Vec& x, Vec& v, double t, double tick, double now,
 }
 
 /// A stiff spring to a fixed place, among other forces.
-template <class Vec, class Acceleration>
-void move_stiff(Vec& x, Vec& v, double t, double tick, int steps, const Vec& anchor, double omega,
-                double zeta, const Acceleration& acceleration) {
+template <class Vec, class Real, class Acceleration>
+void move_stiff(Vec& x, Vec& v, double t, Real tick, int steps, const Vec& anchor, Real omega,
+                Real zeta, const Acceleration& acceleration) {
   // [stiff]
-  const double h = tick / steps;
+  const auto h = tick / steps;
   for (int n = 0; n < steps; ++n) {
-    v = v + h * acceleration(x, v, t + n * h);  // without the spring
+    // acceleration without the spring
+    v = v + h * acceleration(x, v, t + n * h);
     Vec way = x - anchor;
     integrate::backward_euler_spring(way, v, h, omega, zeta);
     x = anchor + way;
@@ -207,8 +235,8 @@ template <class Vec, class Acceleration, class Jacobian>
 bool move_slow(Vec& x, Vec& v, double t, double tick, int ticks, const Acceleration& acceleration,
                Jacobian jacobian) {
   // [slow]
-  integrate::SparseSystem<decltype(jacobian)> system(jacobian);
-  auto last = integrate::bdf2_start(x, v, t, tick, acceleration);
+  integrate::SparseSystem<decltype(jacobian)> system(jacobian);    // once
+  auto last = integrate::bdf2_start(x, v, t, tick, acceleration);  // once
   bool solved = true;
   for (int n = 0; n < ticks && solved; ++n) {  // till something hits it
     solved = integrate::bdf2(x, v, last, t + n * tick, tick, tick, acceleration, system);

@@ -13,6 +13,7 @@
 #include "measure/compiled.h"
 #include "measure/record.h"
 #include "measure/stability.h"
+#include "scenes/orbit.h"
 #include "scenes/spring.h"
 
 /// A method that the page ends in, and whether dampers are among its forces.
@@ -21,10 +22,10 @@ struct Answer {
   bool damped;
 };
 
-/// All of them but the exact and the adaptive steps, whose length is no question.
+/// All of them but the exact and the adaptive steps, whose length is no question, and that of
+/// ropes, which have no swing to count by.
 inline constexpr Answer answers[] = {{method::symplectic_euler, false},
                                      {method::linear_damping_implicit_last, true},
-                                     {method::stormer_verlet, false},
                                      {method::yoshida4, false},
                                      {method::velocity_verlet, false},
                                      {method::rk4, true},
@@ -95,9 +96,9 @@ inline double steps_to_stand(const Answer& answer) {
   return limit < INFINITY ? rounded_up(2 * 2 * std::numbers::pi / limit) : 0;
 }
 
-/// Steps a swing to stay within a tolerance on one spring, to a hundredth of them.
-inline double steps_within(const Answer& answer, double zeta, double tolerance) {
-  const auto within = [&](double steps) { return off(answer.method, zeta, steps) <= tolerance; };
+/// The fewest steps that are enough, to a hundredth of them.
+template <class Within>
+double fewest(const Within& within) {
   double few = 2, enough = few;
   while (!within(enough)) few = enough, enough = 2 * enough;
   while (enough - few > std::max(1.0, enough / 100)) {
@@ -107,6 +108,11 @@ inline double steps_within(const Answer& answer, double zeta, double tolerance) 
   return enough;
 }
 
+/// Steps a swing to stay within a tolerance on one spring.
+inline double steps_within(const Answer& answer, double zeta, double tolerance) {
+  return fewest([&](double steps) { return off(answer.method, zeta, steps) <= tolerance; });
+}
+
 /// Steps a swing to stay within a tolerance on every spring of an answer, and not to explode.
 inline double steps_within(const Answer& answer, double tolerance) {
   double most = 0;
@@ -114,6 +120,41 @@ inline double steps_within(const Answer& answer, double tolerance) {
     most = std::max(most, steps_within(answer, zeta, tolerance));
   }
   return std::max(rounded_up(most), steps_to_stand(answer));
+}
+
+/// The methods that the page ends in for what orbits.
+inline constexpr const measure::Method* of_orbits[] = {&method::yoshida4, &method::velocity_verlet};
+
+/// The orbits that they are asked for.
+struct Shape {
+  const char* name;
+  double eccentricity;
+};
+inline constexpr Shape shapes[] = {{"circle", 0}, {"e = 0.5", 0.5}};
+
+/// How far a method gets from an orbit within so many turns, as a share of half its long axis, from
+/// eight places of it.
+inline double off_orbit(const measure::Method& method, double eccentricity, double steps_a_turn,
+                        double turns = watched) {
+  const scenes::Orbit<> orbit{.eccentricity = eccentricity};
+  const double h = orbit.period() / steps_a_turn;
+  double most = 0;
+  for (int eighth = 0; eighth < 8; ++eighth) {
+    const double since = orbit.period() * eighth / 8;
+    auto s = orbit.exact(since);
+    measure::run(method, orbit, s, h, std::lround(turns * steps_a_turn),
+                 [&](double t, const auto& now) {
+                   const double error = (now.x - orbit.exact(since + t).x).norm();
+                   if (!(error <= most)) most = error;
+                 });
+  }
+  return most / orbit.semi_major;
+}
+
+/// Steps a turn to stay within a tolerance on an orbit.
+inline double steps_on_orbit(const measure::Method& method, double eccentricity, double tolerance) {
+  return rounded_up(
+      fewest([&](double steps) { return off_orbit(method, eccentricity, steps) <= tolerance; }));
 }
 
 /// The whole steps in a tick that are at least so many in a swing.
@@ -163,6 +204,22 @@ inline void rates(measure::Record& record) {
       };
       shown.add({answer.method.function, swings, ticks, steps(found.stands), steps(within[0]),
                  steps(within[1]), steps(within[2])});
+    }
+  }
+}
+
+/// Steps a turn, in the same columns.
+inline void orbits(measure::Record& record) {
+  auto& table = record.table(
+      "orbits",
+      {{"function"}, {"orbit"}, {"to 10 %", "", 2}, {"to 1 %", "", 2}, {"to 0.1 %", "", 2}});
+  for (const measure::Method* method : of_orbits) {
+    for (const Shape& shape : shapes) {
+      const auto steps = [&](double tolerance) {
+        return steps_on_orbit(*method, shape.eccentricity, tolerance);
+      };
+      table.add({method->function, shape.name, steps(tolerances[0]), steps(tolerances[1]),
+                 steps(tolerances[2])});
     }
   }
 }

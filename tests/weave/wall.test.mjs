@@ -52,3 +52,47 @@ test('a method, lines or a table that are not there are named', () => {
     [CHAPTER, '\\take', '\\take is incomplete; write \\take{function, tag of the lines, Name}'],
   );
 });
+
+test('steps a turn stand below the steps a swing, and what was measured folds out', () => {
+  const page = weaves(
+    calls,
+    [TABLES, 'table,column,unit,digits\n', 'table,column,unit,digits\nrates,function,,text\norbits,function,,text\n'],
+    ['built/2-euler/data/rates.csv', 'function,name,stands,to 10 %,to 1 %,to 0.1 %\neuler,Euler,4,5,6,7\n'],
+    [
+      'built/2-euler/data/orbits.csv',
+      'function,orbit,to 10 %,to 1 %,to 0.1 %\neuler,circle,8,9,10\nrk4,circle,1,2,3\n',
+    ],
+    paragraph(box("\\choice{one, A spring}\n\\take{euler, one, Euler's method}\n\\endchoice")),
+  );
+  const html = page('2-euler.html');
+  const rows = [...html.match(/<table class="rates">[\s\S]*?<\/table>/)[0].matchAll(/<tr>([\s\S]*?)<\/tr>/g)].map(
+    ([, row]) =>
+      row
+        .replace(/<[^>]*>/g, ' ')
+        .trim()
+        .split(/\s{2,}/),
+  );
+  assert.deepEqual(rows.slice(1), [
+    ['steps a swing', '4.0', '5.0', '6.0', '7.0'],
+    ['a turn, circle', '–', '8.0', '9.0', '10'],
+  ]);
+  assert.match(html, /<details class="measured"><summary>[^<]*<\/summary><p class="facts">order /);
+});
+
+test('lines that call no header have none to copy, and include what they use of the library', () => {
+  const page = weaves(
+    [CALLS, '// A call.\n// [one]\nx = std::exp(x);\n// [one]\n'],
+    ...rates,
+    paragraph(box('\\choice{one, A spring}\n\\take{euler, one, By hand}\n\\endchoice')),
+  );
+  const [take] = page('2-euler.html').match(/<div class="take" data-function="euler">[\s\S]*?<\/pre>/);
+  assert.ok(!/download|its page/.test(take), take);
+  assert.ok(
+    take
+      .replace(/<[^>]*>/g, '')
+      .replace(/&lt;/g, '<')
+      .replace(/&gt;/g, '>')
+      .includes('#include <cmath>\n\nx = std::exp(x);'),
+    take,
+  );
+});
