@@ -136,7 +136,8 @@ inline void draw_chart(const Contest& found, const Bounds& bounds, const std::st
       quoted(part) + "\n" + blocks_of(found, bounds) +
       "set datafile missing 'nan'\nbound = " + brief(bound, 17) +
       "\nset logscale xy\nset format '10^{%T}'\nset yrange [*:" + brief(told(1, bounds), 17) +
-      "]\nset border 3\nset tics nomirror\nset key outside top center horizontal maxcols 3 noenhanced samplen 1\n"
+      "]\nset border 3\nset tics nomirror\nset key outside top center horizontal maxcols 3 "
+      "noenhanced samplen 1\n"
       "set ylabel " +
       quoted("error" + std::string(bounds.reach > 0 ? "  [m]" : ", as a share of the motion")) +
       "\nset multiplot layout 2,1 title " + quoted(title) +
