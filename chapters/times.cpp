@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   std::vector<measure::Timed> all;
   add_card_times(all);
   add_spring_times(all);
+  add_net_times(all);
   add_step_times(all);
   add_particle_times(all);
   try {

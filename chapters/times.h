@@ -12,6 +12,9 @@ void add_card_times(std::vector<measure::Timed>& all);
 /// Chapter 3: steps of one spring, called `spring/...`.
 void add_spring_times(std::vector<measure::Timed>& all);
 
+/// Chapter 4: a frame of a net, for each unknown, called as `frame_name` says.
+void add_net_times(std::vector<measure::Timed>& all);
+
 /// Chapter 7: a step of each method, called as `step_name` says, and of many particles, called
 /// `particles/...`.
 void add_step_times(std::vector<measure::Timed>& all);

@@ -16,6 +16,8 @@
 #include "blows.h"
 #include "iterated.h"
 #include "matrix_costs.h"
+#include "measure/times.h"
+#include "nets.h"
 #include "seen.h"
 #include "slide.h"
 #include "struck_nets.h"
@@ -479,4 +481,55 @@ TEST_CASE("Closed to a ring a chain of 108 has twice the entries in its factor")
   Sparse matrix = step_matrix_of(steel_chain);
   matrix.coeffRef(0, 107) = matrix.coeffRef(107, 0) = matrix.coeff(0, 1);
   CHECK(factor_of(matrix).nonZeros() == 2 * 108 - 3);
+}
+
+namespace {
+
+/// The recorded time of a frame, for each unknown [ns].
+double time_of_frame(const std::string& net, const std::string& function) {
+  return measure::recorded_times().of.at(frame_name(net, function)).median;
+}
+
+/// How much longer the fewest substeps take than one solved step.
+double saved_time(const std::string& net) {
+  return time_of_frame(net, "symplectic_euler") / time_of_frame(net, "backward_euler");
+}
+
+}  // namespace
+
+TEST_CASE(
+    "By the clock the fewest substeps take seven times a solved step of the chain, five of the "
+    "rope, three of the cloth") {
+  CHECK_THAT(saved_time("chain"), WithinAbs(7, 0.5));
+  CHECK_THAT(saved_time("rope"), WithinAbs(5, 0.5));
+  CHECK(saved_time("cloth") > 3);
+  CHECK(saved_time("cloth") < 4);
+  CHECK(saving(steel_chain, chain_of<Tallied>(steel_chain.count)) > 1.5 * saved_time("chain"));
+  CHECK(saving(steel_rope, rope_of<Tallied>(steel_rope.count)) < 0.8 * saved_time("rope"));
+  const auto cloth = ways("cloth", gentle);
+  CHECK(way_of(cloth, "symplectic Euler", fewest_substeps("cloth")).work <
+        0.9 * saved_time("cloth") * way_of(cloth, "backward Euler").work);
+}
+
+TEST_CASE(
+    "By the clock nothing solved in less time than the fewest substeps comes within four times "
+    "their distance") {
+  const std::map<std::string, std::string> functions{
+      {"backward Euler", "backward_euler"}, {"BDF2", "bdf2"}, {"trapezoid", "trapezoid"}};
+  for (const std::string& net : nets) {
+    const auto all = ways(net, gentle);
+    const double nearest = way_of(all, "symplectic Euler", fewest_substeps(net)).off;
+    int compared = 0;
+    for (const Way& way : all) {
+      const auto function = functions.find(way.method);
+      if (function == functions.end()) continue;
+      if (way.steps * time_of_frame(net, function->second) >=
+          time_of_frame(net, "symplectic_euler"))
+        continue;
+      INFO(net << ": " << way.method << ", " << way.steps);
+      CHECK(way.off > 4 * nearest);
+      ++compared;
+    }
+    CHECK(compared >= 6);
+  }
 }

@@ -14,6 +14,7 @@
 #include "integrate/rk4.h"
 #include "integrate/trapezoid.h"
 #include "matrix_costs.h"
+#include "nets.h"
 #include "struck_nets.h"
 #include "substeps.h"
 
@@ -311,8 +312,23 @@ void seen(measure::Record& record) {
                                                 {"work", "", 3},
                                                 {"until", "", 3},
                                                 {"off", "", 2}});
+  auto& times = record.table("net-times", {{"net"},
+                                           {"method"},
+                                           {"steps", "", measure::whole},
+                                           {"multiplications", "", measure::whole},
+                                           {"time", "ns"},
+                                           {"off by", "%", 2}});
   for (const char* net : {"chain", "rope", "cloth"}) {
     const auto all = ways(net, gentle);
+    const auto add_time = [&](const std::string& function, const std::string& method, int steps) {
+      const Way& way = way_of(all, method, steps);
+      times.add({net, method, double(steps), way.work, "time:" + frame_name(net, function),
+                 100 * way.off});
+    };
+    add_time("symplectic_euler", "symplectic Euler", fewest_substeps(net));
+    add_time("backward_euler", "backward Euler", 1);
+    add_time("bdf2", "BDF2", 1);
+    add_time("trapezoid", "trapezoid", 1);
     for (const Way& way : all) {
       table.add({net, way.method, double(way.steps), way.work, way.off, way.left});
     }

@@ -94,7 +94,6 @@
             started = true;
             this.begin();
             this.play();
-            if (this.stopwatch) this.time();
           }
           this.ask();
         },
@@ -132,6 +131,7 @@
     retime() {
       this.answer();
       this.draw();
+      this.speak();
     }
     // Something that the reader set by another way than its control.
     choose(values) {
@@ -154,6 +154,7 @@
     change() {
       if (this.playing) {
         this.begin();
+        this.label();
         return;
       }
       const { full, now, taken } = this.run;
@@ -237,6 +238,9 @@
       this.speaking = setTimeout(() => {
         this.status.textContent = this.sentence;
       }, 400);
+      this.label();
+    }
+    label() {
       for (const picture of this.stage.querySelectorAll('[role=img]')) {
         const axis = [...picture.parentElement.querySelector('.axis').childNodes]
           .map(part => part.textContent.trim())

@@ -41,8 +41,9 @@
       const asked = controls.filter(({ page }) => !page).map(control => control.name);
       Object.assign(this, { code, name, told, timed, methods: Object.keys(methods), asked, taken: {} });
     }
-    // From now on, whatever comes up is timed.
+    // From now on, whatever comes up is timed; what has been is timed anew.
     begin(values) {
+      if (this.taken[values[this.timed]]) delete this.taken[values[this.timed]];
       if (!this.worker) {
         const text = `globalThis.Live = { open: ${Live.open} };\n(${work})();`;
         this.worker = new Worker(URL.createObjectURL(new Blob([text], { type: 'text/javascript' })));

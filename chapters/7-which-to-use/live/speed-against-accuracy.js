@@ -8,7 +8,8 @@
   const KIN = ['dopri5', 'trapezoid']; // share a colour, and are dashed
   const NOTHING = 1e-9; // of an error: what is less is rounding, or as good as that [m]
   const description = () => Live.descriptions[NAME];
-  const metres = error => (error === Infinity ? 'gone' : error > NOTHING ? Live.metres(error) : 'no nanometre');
+  const metres = error => (error === Infinity ? 'gone' : error > NOTHING ? Live.metres(error) : '<\u202f1\u202fnm');
+  const millimetres = tolerance => `${Live.digits(1000 * tolerance, 3)}\u202fmm`;
   const micro = time => `${Live.digits(time, 2)}\u202fµs`;
 
   // The recorded time of a step of each method [ns].
@@ -80,7 +81,9 @@
   Live.figure(NAME, {
     view: () => ({ x: [0, 1], y: [0, 3], free: true }),
     draw(pen, run, values, part) {
-      best(run, values).forEach((offer, i) => this.row(pen, run, offer, i, part));
+      const three = best(run, values);
+      three.forEach((offer, i) => this.row(pen, run, offer, i, part));
+      if (!three.length) pen.text(0.5, 2, `none holds it for ${micro(values.price)}`);
     },
     row(pen, run, { name, label, bought }, i, part) {
       const low = 2 - i + 0.05,
@@ -170,7 +173,8 @@
       }
       pen.line([price, price], y, { colour: 'ink', width: 1.6 });
       pen.line(x, [tolerance, tolerance], { colour: 'limit', width: 1.6, dash: [3, 4] });
-      pen.text(price + 0.06, y[1] - 0.3, micro(values.price), { colour: 'ink', align: 'left' });
+      const beside = price < 2.5 ? [price + 0.06, 'left'] : [price - 0.06, 'right'];
+      pen.text(beside[0], y[1] - 0.3, micro(values.price), { colour: 'ink', align: beside[1] });
       three.forEach(({ name, bought }, i) => {
         const at = [Math.log10(bought.time), height(bought.error)];
         pen.dot(...at, 9, name);
@@ -183,7 +187,8 @@
       return { price: values.reduce((near, value) => (off(value) < off(near) ? value : near)) };
     },
 
-    best: (run, values) => ranked(run, values)[0].name,
+    // The cheapest that is near enough; without one, the nearest.
+    best: (run, values) => (cheapest(run, values) ?? ranked(run, values)[0]).name,
     answer(stage, run, values) {
       const rows = ranked(run, values).map(({ name, label, bought, rungs }, i) => {
         const near = bought && bought.error <= values.tolerance;
@@ -191,16 +196,17 @@
         const { steps, time } = bought ?? rungs[0];
         const cells = [steps, off, micro(time)];
         const key = `<span class="key${KIN.includes(name) ? ' dashed' : ''}" style="--key:var(--${name.replace(/_/g, '-')})"></span>`;
-        return `<tr><td>${i + 1}</td><th scope="row">${key}${label}</th>${cells.map(cell => `<td>${cell}</td>`).join('')}</tr>`;
+        const shown = bought && bought.error < Infinity && i < 3;
+        return `<tr${shown ? ' class="shown"' : ''}><td>${bought ? i + 1 : ''}</td><th scope="row">${key}${label}</th>${cells.map(cell => `<td>${cell}</td>`).join('')}</tr>`;
       });
-      const whose =
-        { undefined: 'as recorded', null: 'being taken in your browser' }[run.times] ?? 'taken in your browser';
-      const header = `${this.best(run, values)}.h`;
+      const whose = { undefined: 'as recorded', null: 'being taken …' }[run.times] ?? 'taken in your browser';
+      const header = `${this.best(run, values)}.h`,
+        why = cheapest(run, values) ? 'the cheapest that is near enough' : 'the nearest, though not near enough';
       stage.querySelector('.ranked').innerHTML =
-        `<table><thead><tr><td></td><th scope="col">Method</th><th scope="col">Steps</th><th scope="col">Off by</th><th scope="col">Time</th></tr></thead>` +
-        `<tbody>${rows.join('')}</tbody></table><p>Times: ${whose}. ✓: within ${metres(values.tolerance)}.</p>`;
+        `<table><caption class="unseen">The methods, nearest first</caption><thead><tr><th scope="col"><span class="unseen">Rank</span></th><th scope="col">Method</th><th scope="col">Steps</th><th scope="col">Off by</th><th scope="col">Time</th></tr></thead>` +
+        `<tbody>${rows.join('')}</tbody></table><p>Times: ${whose}. ✓: within ${millimetres(values.tolerance)}.</p>`;
       stage.querySelector('.advice').innerHTML =
-        `<p>Take <a href="headers/${header}" download>${header}</a>, which is the nearest, or have all methods tried, from 1 step to 1024:</p>` +
+        `<p>Take <a href="headers/${header}" download>${header}</a>, ${why}. Or have all methods tried, from 1 step to 1024:</p>` +
         `<pre><code>${question(run, values)}</code></pre>`;
     },
     tell(now, values, run) {
@@ -208,11 +214,11 @@
         cheap = cheapest(run, values);
       const nearest = first
         ? `${first.label} is nearest for ${micro(values.price)}: ${inSteps(first.bought)}, off by ${metres(first.bought.error)}.`
-        : `Nothing holds it for ${micro(values.price)}.`;
-      const near = Live.metres(values.tolerance);
+        : `None holds it for ${micro(values.price)}.`;
+      const near = millimetres(values.tolerance);
       return cheap
         ? `${nearest} Within ${near}, ${cheap.label} is cheapest: ${inSteps(cheap)}, ${micro(cheap.time)}.`
-        : `${nearest} Nothing here comes within ${near}.`;
+        : `${nearest} None comes within ${near}.`;
     },
   });
 })();
