@@ -55,14 +55,17 @@
   }
   const inSteps = ({ steps }) => `${steps} step${steps > 1 ? 's' : ''} a frame`;
 
+  // Of a list of coordinates, the places at the ends of frames: [x] on a line, [x, y] in the plane.
+  function places({ seconds }, list) {
+    const count = Math.round(seconds * FRAMES) + 1,
+      size = list.length / count;
+    return Array.from({ length: count }, (_, n) => [...list.subarray(n * size, (n + 1) * size)]);
+  }
+
   // What asks the program of this chapter the same.
   function question({ now }, values) {
     const { thing, tolerance } = values;
-    const truth = now.truth,
-      plane = truth.length > (now.seconds * FRAMES + 1) * 1.5;
-    const reach = plane
-      ? Math.max(...truth.filter((_, i) => i % 2 === 0).map((x, i) => Math.hypot(x, truth[2 * i + 1])))
-      : Math.max(...truth.map(Math.abs));
+    const reach = Math.max(...places(now, now.truth).map(place => Math.hypot(...place)));
     const spring = `spring --omega ${Live.digits(now.omega, 4)} --zeta ${Live.digits(now.zeta, 3)}`;
     const scenes = {
       jump: 'ball',
@@ -102,22 +105,18 @@
     },
     // The way so far, on the way that it should be.
     motion(pen, box, { now }, name, rung, part) {
-      const frames = Math.round(now.seconds * FRAMES),
-        plane = now.truth.length === 2 * (frames + 1);
-      const length = now.truth.length,
-        all = now[`${name} paths`].subarray(rung * length, (rung + 1) * length);
-      const points = list =>
-        plane
-          ? [...Array(frames + 1).keys()].map(n => [list[2 * n], list[2 * n + 1]])
-          : [...list].map((x, n) => [n / FRAMES, x]);
+      const { length } = now.truth;
+      // Over the time, what moves on a line.
+      const points = list => places(now, list).map((place, n) => (place.length > 1 ? place : [n / FRAMES, ...place]));
       const truth = points(now.truth),
-        place = this.scale(pen, box, truth, plane);
+        way = points(now[`${name} paths`].subarray(rung * length, (rung + 1) * length)),
+        last = truth.length - 1;
+      const place = this.scale(pen, box, truth, length > truth.length);
       const frame = Live.frame(pen, box),
-        at = Math.min(frames, Math.max(0, now.t * FRAMES - 1 + part));
+        at = Math.min(last, Math.max(0, now.t * FRAMES - 1 + part));
       const whole = Math.floor(at),
-        next = Math.min(frames, whole + 1);
+        next = Math.min(last, whole + 1);
       const between = list => list[whole].map((value, k) => value + (at - whole) * (list[next][k] - value));
-      const way = points(all);
       const line = (list, look) => pen.line(...[0, 1].map(k => list.map(point => place(point)[k])), look);
       pen.within([frame.x(0), frame.x(1)], [frame.y(0), frame.y(1)], { colour: 'context', width: 0.8 }, () => {
         line(truth, { colour: 'exact', width: 1.2, dash: [4, 3] });
