@@ -7,8 +7,8 @@
   Live.opened = {};
   Live.started = []; // a promise for each figure, kept once it runs or never will
 
-  // `drawing` has view(settings), draw(pen, run, settings, part) and tell(now, settings, run), which returns a sentence. One that is
-  // "timed" also has chart(pen, run, settings), best(run, settings), which names a method, and answer(stage, run, settings).
+  // `drawing` has view(settings), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence. One that is
+  // "timed" also has chart(pen, run, settings) and answer(stage, run, settings), which comes before all drawing and returns a method.
   Live.figure = function (name, drawing) {
     if (!globalThis.WebAssembly || !globalThis.DecompressionStream) return; // a browser that is too old keeps the still picture
     for (const element of document.querySelectorAll(`[data-live="${name}"]`))
@@ -120,9 +120,8 @@
         return;
       }
       run.times = this.stopwatch.of(values);
-      drawing.answer(this.stage, run, values);
-      this.chart.draw(run, values);
-      this.showCode(drawing.best(run, values));
+      this.showCode(drawing.answer(this.stage, run, values));
+      if (this.playing) this.chart.draw(run, values); // no frame draws it
     }
     time() {
       this.stopwatch.begin(this.values);
@@ -230,7 +229,7 @@
     }
     get sentence() {
       const { now } = this.run;
-      return `${now.t.toFixed(2)}\u202fs: ${this.drawing.tell(now, this.values, this.run)}`;
+      return `${now.t.toFixed(2)}\u202fs: ${this.drawing.tell(now, this.values)}`;
     }
     // For those who do not see it: once things have come to rest, not in every frame.
     speak() {

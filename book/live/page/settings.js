@@ -63,7 +63,7 @@
   }
 
   // "for": { "thing": "orbit" } is a control of orbits alone.
-  Live.isFor = (control, values) =>
+  const isFor = (control, values) =>
     Object.entries(control.for ?? {}).every(([name, choice]) => values[name] === choice);
 
   Live.Settings = class {
@@ -90,7 +90,7 @@
     tell(now) {
       const { values } = this;
       for (const control of this.controls) {
-        control.element.hidden = !Live.isFor(control, values);
+        control.element.hidden = !isFor(control, values);
         control.tell(now);
       }
     }

@@ -30,26 +30,22 @@
   }
 
   // Nearest first, of what the price buys; then what it does not buy.
-  function ranked(run, values) {
+  function rank(all, { price }) {
     const nearest = rungs => rungs.reduce((best, rung) => (rung.error < best.error ? rung : best));
-    const all = offers(run, values).map(offer => {
-      const bought = offer.rungs.filter(({ time }) => time <= values.price);
+    const ranked = all.map(offer => {
+      const bought = offer.rungs.filter(({ time }) => time <= price);
       return { ...offer, bought: bought.length ? nearest(bought) : null };
     });
     const dear = ({ bought }) => Number(!bought),
       far = ({ bought }) => bought?.error ?? 0,
       time = ({ bought, rungs }) => (bought ?? rungs[0]).time;
-    return all.sort((a, b) => dear(a) - dear(b) || far(a) - far(b) || time(a) - time(b));
+    return ranked.sort((a, b) => dear(a) - dear(b) || far(a) - far(b) || time(a) - time(b));
   }
-  const best = (run, values) =>
-    ranked(run, values)
-      .filter(({ bought }) => bought && bought.error < Infinity)
-      .slice(0, 3);
 
   // Of all that is near enough, what takes the least time.
-  function cheapest(run, values) {
-    const near = offers(run, values).flatMap(({ name, label, rungs }) =>
-      rungs.filter(({ error }) => error <= values.tolerance).map(rung => ({ name, label, ...rung })),
+  function cheapest(all, { tolerance }) {
+    const near = all.flatMap(({ name, label, rungs }) =>
+      rungs.filter(({ error }) => error <= tolerance).map(rung => ({ name, label, ...rung })),
     );
     return near.reduce((least, one) => (!least || one.time < least.time ? one : least), null);
   }
@@ -84,7 +80,7 @@
   Live.figure(NAME, {
     view: () => ({ x: [0, 1], y: [0, 3], free: true }),
     draw(pen, run, values, part) {
-      const three = best(run, values);
+      const { three } = this.found;
       three.forEach((offer, i) => this.row(pen, run, offer, i, part));
       if (!three.length) pen.text(0.5, 2, `none holds it for ${micro(values.price)}`);
     },
@@ -112,13 +108,13 @@
         way = points(now[`${name} paths`].subarray(rung * length, (rung + 1) * length)),
         last = truth.length - 1;
       const place = this.scale(pen, box, truth, length > truth.length);
-      const frame = Live.frame(pen, box),
-        at = Math.min(last, Math.max(0, now.t * FRAMES - 1 + part));
+      const at = Math.min(last, Math.max(0, now.t * FRAMES - 1 + part));
       const whole = Math.floor(at),
         next = Math.min(last, whole + 1);
       const between = list => list[whole].map((value, k) => value + (at - whole) * (list[next][k] - value));
       const line = (list, look) => pen.line(...[0, 1].map(k => list.map(point => place(point)[k])), look);
-      pen.within([frame.x(0), frame.x(1)], [frame.y(0), frame.y(1)], { colour: 'context', width: 0.8 }, () => {
+      const { left, low, width, high } = box;
+      pen.within([left, left + width], [low, low + high], { colour: 'context', width: 0.8 }, () => {
         line(truth, { colour: 'exact', width: 1.2, dash: [4, 3] });
         line([...way.slice(0, whole + 1), between(way)], { colour: name, width: 2 });
         pen.dot(...place(between(truth)), 6, 'exact');
@@ -162,8 +158,7 @@
           rungs.map(({ error }) => height(error)),
           look,
         );
-      const all = offers(run, values),
-        three = best(run, values);
+      const { all, three } = this.found;
       for (const { name, rungs, recorded } of all) {
         if (recorded) line(recorded, { colour: 'context', width: 1 });
         const first = three.some(one => one.name === name);
@@ -186,31 +181,39 @@
       return { price: values.reduce((near, value) => (off(value) < off(near) ? value : near)) };
     },
 
-    // The cheapest that is near enough; without one, the nearest.
-    best: (run, values) => (cheapest(run, values) ?? ranked(run, values)[0]).name,
+    // Finds what is drawn and told until something is set anew. Returns the method to take: the cheapest that is near enough;
+    // without one, the nearest.
     answer(stage, run, values) {
-      const rows = ranked(run, values).map(({ name, label, bought, rungs }, i) => {
+      const all = offers(run, values),
+        ranked = rank(all, values),
+        cheap = cheapest(all, values);
+      const three = ranked.filter(({ bought }) => bought && bought.error < Infinity).slice(0, 3);
+      this.found = { all, three, cheap };
+      const rows = ranked.map(({ name, label, bought, rungs }, i) => {
         const near = bought && bought.error <= values.tolerance;
         const off = bought ? metres(bought.error) + (near ? ' ✓' : '') : 'too dear';
         const { steps, time } = bought ?? rungs[0];
         const cells = [steps, off, micro(time)];
         const key = `<span class="key${KIN.includes(name) ? ' dashed' : ''}" style="--key:var(--${name.replace(/_/g, '-')})"></span>`;
-        const shown = bought && bought.error < Infinity && i < 3;
-        return `<tr${shown ? ' class="shown"' : ''}><td>${bought ? i + 1 : ''}</td><th scope="row">${key}${label}</th>${cells.map(cell => `<td>${cell}</td>`).join('')}</tr>`;
+        return `<tr${i < three.length ? ' class="shown"' : ''}><td>${bought ? i + 1 : ''}</td><th scope="row">${key}${label}</th>${cells.map(cell => `<td>${cell}</td>`).join('')}</tr>`;
       });
       const whose = { undefined: 'as recorded', null: 'being taken …' }[run.times] ?? 'taken in your browser';
-      const header = `${this.best(run, values)}.h`,
-        why = cheapest(run, values) ? 'the cheapest that is near enough' : 'the nearest, though not near enough';
+      const { name } = cheap ?? ranked[0];
+      const header = `${name}.h`,
+        why = cheap ? 'the cheapest that is near enough' : 'the nearest, though not near enough';
       stage.querySelector('.ranked').innerHTML =
         `<table><caption class="unseen">The methods, nearest first</caption><thead><tr><th scope="col"><span class="unseen">Rank</span></th><th scope="col">Method</th><th scope="col">Steps</th><th scope="col">Off by</th><th scope="col">Time</th></tr></thead>` +
         `<tbody>${rows.join('')}</tbody></table><p>Times: ${whose}. ✓: within ${millimetres(values.tolerance)}.</p>`;
       stage.querySelector('.advice').innerHTML =
         `<p>Take <a href="headers/${header}" download>${header}</a>, ${why}. Or have all methods tried, from 1 step to 1024:</p>` +
         `<pre><code>${question(run, values)}</code></pre>`;
+      return name;
     },
-    tell(now, values, run) {
-      const [first] = best(run, values),
-        cheap = cheapest(run, values);
+    tell(now, values) {
+      const {
+        three: [first],
+        cheap,
+      } = this.found;
       const nearest = first
         ? `${first.label} is nearest for ${micro(values.price)}: ${inSteps(first.bought)}, off by ${metres(first.bought.error)}.`
         : `None holds it for ${micro(values.price)}.`;
