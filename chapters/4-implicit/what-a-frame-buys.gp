@@ -27,7 +27,7 @@ do for [j=1:3] {
   do for [i=1:6] {
     n = n + 1
     set arrow n from cheapest,py(j, errors[i]) to dearest,py(j, errors[i]) nohead ls GRID
-    set label n sprintf(i == 1 ? "off by %g %%" : "%g %%", 100*errors[i]) at graph 0.004,first py(j, errors[i]) left offset 0,0.4 font ",12" tc ls EXACT
+    set label n sprintf(i == 1 && (!NARROW || j == 2) ? "off by %g %%" : "%g %%", 100*errors[i]) at graph 0.004,first py(j, errors[i]) left offset 0,0.4 font ",12" tc ls EXACT
   }
 }
 # What the symbols are, above the first panel.
