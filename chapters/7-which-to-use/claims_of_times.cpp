@@ -241,16 +241,22 @@ TEST_CASE("Of 512 planets the headers on a struct take the time of a loop by han
   }
 }
 
-TEST_CASE("No library takes less time for one of 512 planets than a header on a struct") {
-  for (const char* method : {"symplectic_euler", "velocity_verlet", "rk4", "dopri5"}) {
-    const double header = library_time(method, "header struct", true);
-    for (const char* called : {"odeint array", "odeint Eigen", "GSL", "SUNDIALS ERKStep"}) {
-      const std::string name = library_name(method, called, true);
+TEST_CASE("On the same vectors no library takes less time for one of 512 planets than a header") {
+  struct Pair {
+    const char *library, *header;
+  };
+  for (const char* method : {"symplectic_euler", "velocity_verlet", "rk4", "dopri5"})
+    for (const auto& [library, header] : {Pair{"odeint array", "header struct"},
+                                          {"odeint classic array", "header struct"},
+                                          {"odeint Eigen", "header Vector2d"},
+                                          {"odeint vector", "header one Vec"},
+                                          {"GSL", "header struct"},
+                                          {"SUNDIALS ERKStep", "header struct"}}) {
+      const std::string name = library_name(method, library, true);
       if (!measure::recorded_times("libraries.csv").of.contains(name)) continue;
-      CAPTURE(method, called);
-      CHECK(library_time(method, called, true) > 0.93 * header);
+      CAPTURE(method, library);
+      CHECK(library_time(method, library, true) > 0.93 * library_time(method, header, true));
     }
-  }
 }
 
 TEST_CASE("Of 512 planets RK4 takes GSL twice the time of the loop by hand, SUNDIALS six times") {
