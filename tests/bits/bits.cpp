@@ -20,7 +20,9 @@
 #include "scenes/pendulum.h"
 #include "scenes/spring.h"
 #include "shelf/fixed_step.h"
+#include "shelf/link.h"
 #include "snippets/shelf_calls/fixed_step.h"
+#include "snippets/shelf_calls/link.h"
 
 namespace {
 
@@ -110,4 +112,5 @@ int main() {
     print<decltype(method)>("spring", spring, spring.start(), 1e-3, 10'000);
   });
   print("fixed_step", fixed_step_on<Doubles>);
+  print("link", link_on<Doubles>);
 }

@@ -8,5 +8,6 @@
 namespace measure::shelf_cards {
 
 ShelfCard fixed_step();  ///< of fixed_step.h
+ShelfCard link();        ///< of link.h
 
 }  // namespace measure::shelf_cards
