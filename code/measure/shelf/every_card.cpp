@@ -9,6 +9,7 @@ std::vector<ShelfCard> every_shelf_card() {
   return {
       fixed_step(),
       link(),
+      soft_constraint(),
   };
 }
 

@@ -7,7 +7,8 @@
 /// What is measured of the headers of the shelf.
 namespace measure::shelf_cards {
 
-ShelfCard fixed_step();  ///< of fixed_step.h
-ShelfCard link();        ///< of link.h
+ShelfCard fixed_step();       ///< of fixed_step.h
+ShelfCard link();             ///< of link.h
+ShelfCard soft_constraint();  ///< of soft_constraint.h
 
 }  // namespace measure::shelf_cards
