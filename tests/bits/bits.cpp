@@ -19,8 +19,10 @@
 #include "scenes/outer_solar_system.h"
 #include "scenes/pendulum.h"
 #include "scenes/spring.h"
+#include "shelf/bounce.h"
 #include "shelf/fixed_step.h"
 #include "shelf/link.h"
+#include "snippets/shelf_calls/bounce.h"
 #include "snippets/shelf_calls/fixed_step.h"
 #include "snippets/shelf_calls/link.h"
 
@@ -111,6 +113,7 @@ int main() {
   list::for_each(list::Joined<list::OnSprings, list::Damping>(), [&](auto method) {
     print<decltype(method)>("spring", spring, spring.start(), 1e-3, 10'000);
   });
+  print("bounce", bounce_on<Doubles>);
   print("fixed_step", fixed_step_on<Doubles>);
   print("link", link_on<Doubles>);
 }
