@@ -8,6 +8,7 @@
 namespace measure::shelf_cards {
 
 ShelfCard bounce();           ///< of bounce.h
+ShelfCard damper();           ///< of damper.h
 ShelfCard fixed_step();       ///< of fixed_step.h
 ShelfCard link();             ///< of link.h
 ShelfCard soft_constraint();  ///< of soft_constraint.h
