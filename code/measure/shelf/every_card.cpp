@@ -7,7 +7,11 @@ namespace measure {
 std::vector<ShelfCard> every_shelf_card() {
   using namespace shelf_cards;
   return {
+      bounce(),
+      damper(),
       fixed_step(),
+      link(),
+      soft_constraint(),
   };
 }
 

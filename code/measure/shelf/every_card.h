@@ -7,6 +7,10 @@
 /// What is measured of the headers of the shelf.
 namespace measure::shelf_cards {
 
-ShelfCard fixed_step();  ///< of fixed_step.h
+ShelfCard bounce();           ///< of bounce.h
+ShelfCard damper();           ///< of damper.h
+ShelfCard fixed_step();       ///< of fixed_step.h
+ShelfCard link();             ///< of link.h
+ShelfCard soft_constraint();  ///< of soft_constraint.h
 
 }  // namespace measure::shelf_cards
