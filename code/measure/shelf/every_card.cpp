@@ -12,6 +12,7 @@ std::vector<ShelfCard> every_shelf_card() {
       fixed_step(),
       link(),
       soft_constraint(),
+      orientation(),
   };
 }
 

@@ -12,5 +12,7 @@ ShelfCard damper();           ///< of damper.h
 ShelfCard fixed_step();       ///< of fixed_step.h
 ShelfCard link();             ///< of link.h
 ShelfCard soft_constraint();  ///< of soft_constraint.h
+ShelfCard fixed_step();   ///< of fixed_step.h
+ShelfCard orientation();  ///< of orientation.h
 
 }  // namespace measure::shelf_cards
