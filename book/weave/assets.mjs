@@ -1,12 +1,11 @@
 // Style sheet, scripts, fonts and data files that lie beside the pages.
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { basename, dirname, join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { LIVE_SCRIPTS, colourRules } from './live.mjs';
 import { isMark } from './snippets.mjs';
-import { CLOCK } from './wall.mjs';
 
 const require = createRequire(import.meta.url);
 const theme = fileURLToPath(new URL('../theme/', import.meta.url));
@@ -31,6 +30,7 @@ export function copyAssets(book, out) {
   copyKatex(join(out, 'katex'));
   for (const chapter of book.programs.values()) copyData(chapter.data, join(out, 'data', chapter.name));
   copyData(book.config.cards, join(out, 'data', 'cards'));
+  if (book.config.shelf) copyData(book.config.shelf, join(out, 'data', 'shelf'));
   copyHeaders(book, join(out, 'headers'));
 }
 
@@ -85,9 +85,7 @@ function copyData(data, folder) {
 // The headers that readers take home, without the marks between which the book cuts its listings.
 function copyHeaders({ api, config }, folder) {
   mkdirSync(folder, { recursive: true });
-  const clock = { file: CLOCK, name: basename(CLOCK) };
-  for (const { file, name } of [...api.headers.values(), clock]) {
-    if (!existsSync(join(config.source, file))) continue; // the sample of the tests has no clock
+  for (const { file, name } of api.headers.values()) {
     const lines = readFileSync(join(config.source, file), 'utf8').split('\n');
     writeFileSync(join(folder, name), lines.filter(line => !isMark(line)).join('\n'));
   }

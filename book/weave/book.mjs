@@ -2,6 +2,7 @@
 import { existsSync, readdirSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { readCards } from './cards.mjs';
+import { readPromises } from './promises.mjs';
 import { readClaims } from './claims.mjs';
 import { readLive } from './live.mjs';
 import { readAllTimes } from './measured-times.mjs';
@@ -34,6 +35,7 @@ export function readBook(config) {
     claims: new Map(),
     sources,
     cards: readCards(config.cards, problems),
+    promises: readPromises(config.shelf, problems),
     times: readAllTimes(config.times, problems),
     live: readLive(config, problems),
     snippet: createSnippets(config.source, sources),

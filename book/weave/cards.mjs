@@ -5,6 +5,7 @@ import { readRecords } from './csv.mjs';
 import { aboutTimes, isTime, timeHtml } from './measured-times.mjs';
 import { numberHtml, unitHtml } from './numbers.mjs';
 import { didYouMean } from './problems.mjs';
+import { onShelf } from './namespaces.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { escapeHtml } from './text.mjs';
 
@@ -34,7 +35,8 @@ function readCard(name, records) {
 // A function that moves its first argument on is one that steps.
 export const steps = member => member.kind === 'function' && /^Vec ?&$/.test(member.parameters[0]?.type ?? '');
 
-export const stepping = api => [...api.headers.values()].flatMap(header => header.functions.filter(steps));
+export const stepping = api =>
+  [...api.headers.values()].filter(header => !onShelf(header)).flatMap(header => header.functions.filter(steps));
 
 export function checkCards(book) {
   const known = stepping(book.api);

@@ -14,6 +14,7 @@ import {
   templateLine,
   where,
 } from './reference-entries.mjs';
+import { promisesHtml } from './promises.mjs';
 import { isMark } from './snippets.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { escapeHtml } from './text.mjs';
@@ -60,7 +61,7 @@ function headerPage(book, header) {
     body: [
       `<p class="lead">${brief(book, header)}</p>`,
       take(book, header),
-      usage(book, header),
+      promisesHtml(book, header, usage(book, header)),
       ...members,
       ...types,
     ].join('\n'),

@@ -7,11 +7,18 @@ export const NAMESPACES = [
     name: 'integrate',
     about: 'The methods, one per header, each of which stands alone and can be copied into any project.',
   },
+  {
+    name: 'shelf',
+    about: 'Things that a game needs beside a method, one per header, each of which stands alone as well.',
+  },
 ];
 
-const TITLES = { integrate: 'Methods', measure: 'Measurements' };
+const TITLES = { integrate: 'Methods', shelf: 'The shelf', measure: 'Measurements' };
 
 export const titleOf = name => TITLES[name] ?? name[0].toUpperCase() + name.slice(1);
+
+// Headers of things, and not of methods.
+export const onShelf = ({ file }) => file.startsWith('code/shelf/');
 
 // The page of a header that stands alone, or nothing.
 export function headerPage(path) {

@@ -1,6 +1,8 @@
 // The index of the snippets: every method with what its card says, side by side, and the file to take.
 import { stepping, steps, value } from './cards.mjs';
 import { headerList } from './header-pages.mjs';
+import { onShelf } from './namespaces.mjs';
+import { shelfTable } from './promises.mjs';
 import { brief } from './reference-entries.mjs';
 import { escapeHtml, slug } from './text.mjs';
 
@@ -62,7 +64,13 @@ export function snippetsPage(book) {
       `<h2 id="${id}">${escapeHtml(title)}</h2>\n<table class="methods">${HEAD}` +
       `<tbody>\n${own.map(card => methodRow(book, card, members.get(card.name))).join('\n')}\n</tbody></table>`,
   );
-  const beside = [...book.api.headers.values()].filter(header => !header.functions.some(steps));
+  const headers = [...book.api.headers.values()];
+  const shelf = headers.filter(onShelf);
+  if (shelf.length)
+    tables.unshift(
+      `<h2 id="things">Things that a game needs</h2>\n${shelfTable(book, shelf, header => brief(book, header))}`,
+    );
+  const beside = headers.filter(header => !onShelf(header) && !header.functions.some(steps));
   const systems = { id: 'linear-systems', title: 'Linear systems for the implicit methods' };
   if (beside.length) tables.push(`<h2 id="${systems.id}">${systems.title}</h2>\n${headerList(book, beside)}`);
   return {

@@ -1,5 +1,4 @@
 // The page for the wall: answers that fold out, and what they end in: a method, the steps that it needs, lines to copy.
-import { basename } from 'node:path';
 import { value } from './cards.mjs';
 import { readRecords } from './csv.mjs';
 import { highlightLines } from './highlight.mjs';
@@ -13,9 +12,6 @@ import { escapeHtml, slug, smarten } from './text.mjs';
 const CALLS = 'calls.h';
 const RATES = 'rates';
 const ORBITS = 'orbits';
-
-// The clock of a game, a header to copy as well.
-export const CLOCK = 'code/frames/fixed_step.h';
 
 // What a \take{function, tag, Name} names, looked up before Doxygen runs.
 export function checkTake({ book, page, piece, report }) {
@@ -62,7 +58,7 @@ export function takeHtml({ book, hold }, { args: [name, , title], card, path, sn
 
 // The headers that the lines need, the method's own first; none, where the lines stand for themselves.
 function headersOf({ api }, name, code) {
-  const used = [...code.matchAll(/integrate::(\w+)/g)].map(([, called]) => called);
+  const used = [...code.matchAll(/(?:integrate|shelf)::(\w+)/g)].map(([, called]) => called);
   if (!used.length) return [];
   const homes = [name, ...used].map(
     wanted =>
@@ -70,7 +66,7 @@ function headersOf({ api }, name, code) {
         [...functions, ...types].some(entry => entry.name === wanted),
       ).name,
   );
-  return [...new Set(/frames::/.test(code) ? [...homes, basename(CLOCK)] : homes)];
+  return [...new Set(homes)];
 }
 
 // Columns of the table, and what they are called here.

@@ -5,6 +5,7 @@ import { readApi } from './api.mjs';
 import { copyAssets } from './assets.mjs';
 import { readBook } from './book.mjs';
 import { checkCards } from './cards.mjs';
+import { checkPromises } from './promises.mjs';
 import { checkBook } from './check.mjs';
 import { claimsPage } from './claims-page.mjs';
 import { runDoxygen } from './doxygen.mjs';
@@ -30,6 +31,7 @@ function weave(config) {
   giveUpOn(book);
   book.api = readApi(xml, config.source);
   checkCards(book);
+  checkPromises(book);
   giveUpOn(book);
   const { pages, documents } = watch('pages', () => makePages(book, xml));
   giveUpOn(book);

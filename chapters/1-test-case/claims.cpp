@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "ball.h"
-#include "frames/fixed_step.h"
 #include "frames/recorded.h"
 #include "integrate/rk4.h"
 #include "jump.h"
@@ -20,6 +19,7 @@
 #include "scenes/orbit.h"
 #include "scenes/pendulum.h"
 #include "scenes/spring.h"
+#include "shelf/fixed_step.h"
 #include "shot.h"
 
 using Catch::Matchers::WithinAbs;
@@ -61,7 +61,7 @@ double longest_early_frame(std::size_t first_frame) {
 }
 
 std::vector<double> states_with_fixed_step(std::size_t first_frame) {
-  frames::FixedStep<> clock;
+  shelf::FixedStep<> clock;
   auto seen = heights(first_frame, [&](double length, auto& s, auto& states) {
     clock.frame(length, [&](double t) {
       integrate::euler(s.x, s.v, t, clock.h, jump);
@@ -78,7 +78,7 @@ struct Drawn {
 };
 
 Drawn drawn_ball(int frames) {
-  frames::FixedStep<> clock;
+  shelf::FixedStep<> clock;
   Drawn drawn;
   double before = 0, now = 0;
   for (int shown = 1; shown <= frames; ++shown) {
@@ -275,7 +275,7 @@ TEST_CASE("With a fixed step, uneven frames do not change one bit of a jump") {
 }
 
 TEST_CASE("A frame of ten seconds is paid for with a quarter of a second of steps") {
-  frames::FixedStep<> clock;
+  shelf::FixedStep<> clock;
   int steps = 0;
   clock.frame(10.0, [&](double) { ++steps; });
   CHECK(steps == 15);
@@ -336,7 +336,7 @@ TEST_CASE("A float clock that adds up steps is wrong by more than ten minutes af
 }
 
 TEST_CASE("A clock that multiplies is right to rounding after a night") {
-  frames::FixedStep<> clock;
+  shelf::FixedStep<> clock;
   clock.steps = 8L * 3600 * 60;
   double now = 0;
   clock.frame(clock.h, [&](double t) { now = t; });

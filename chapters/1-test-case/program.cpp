@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "ball.h"
-#include "frames/fixed_step.h"
 #include "frames/recorded.h"
 #include "jump.h"
 #include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/record.h"
+#include "shelf/fixed_step.h"
 #include "shot.h"
 
 using measure::euler;
@@ -157,7 +157,7 @@ void display(Record& record) {
   auto& table =
       record.table("display", {{"frame", "", whole}, {"newest state", "cm"}, {"blended", "cm"}});
   // [blend]
-  frames::FixedStep<> clock{.h = 1.0 / 60};
+  shelf::FixedStep<> clock{.h = 1.0 / 60};
   double before = 0, now = 0;
   double now_before = 0, shown_before = 0;
   for (int shows = 0; shows < 48; ++shows) {

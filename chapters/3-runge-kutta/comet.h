@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "../cast.h"
-#include "frames/fixed_step.h"
 #include "integrate/dopri5.h"
 #include "measure/evaluations.h"
 #include "measure/methods.h"
 #include "measure/run.h"
+#include "shelf/fixed_step.h"
 
 inline constexpr double tolerance = 1e-6;  ///< largest estimate of a step's error [m] or [m/s]
 
@@ -94,7 +94,7 @@ inline double error_of_equal_steps(long rate) {
 /// @param frames  frames per second
 inline scenes::State<scenes::Orbit<>::Vec> end_of_fixed_steps(long frames) {
   auto s = comet.exact(-comet_year / 2);
-  frames::FixedStep<> clock{.h = 1.0 / 1000};
+  shelf::FixedStep<> clock{.h = 1.0 / 1000};
   const long steps = std::lround(comet_year / clock.h);
   while (clock.steps < steps) {
     clock.frame(1.0 / double(frames), [&](double t) {

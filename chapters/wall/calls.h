@@ -4,7 +4,6 @@
 #pragma once
 #include <cmath>
 
-#include "frames/fixed_step.h"
 #include "integrate/backward_euler.h"
 #include "integrate/backward_euler_spring.h"
 #include "integrate/bdf2.h"
@@ -18,6 +17,7 @@
 #include "integrate/symplectic_euler.h"
 #include "integrate/velocity_verlet.h"
 #include "integrate/yoshida4.h"
+#include "shelf/fixed_step.h"
 
 /// A jump.
 template <class Vec, class Real>
@@ -167,7 +167,7 @@ template <class Vec, class Lengths, class Acceleration>
 double move_in_frames(Vec& x, Vec& v, double tick, int steps, const Lengths& lengths,
                       const Acceleration& acceleration) {
   // [frames]
-  frames::FixedStep<> clock{tick / steps};                            // once
+  shelf::FixedStep<> clock{tick / steps};                             // once
   Vec a = integrate::velocity_verlet_start(x, v, 0.0, acceleration);  // once
   const auto step = [&](double now) {
     integrate::velocity_verlet(x, v, a, now, clock.h, acceleration);

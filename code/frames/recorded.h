@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+/// What stands between the steps of a scene and the frames of a screen.
 namespace frames {
 
 /// How long each of 600 frames took, as the page itself read its clock [s].

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 // Prints "method scene hash" for a long trajectory of every method whose arithmetic IEEE 754
-// settles to the last bit: + - * / and square roots. The others call the C library's exponential,
-// sine or power, which no two libraries round alike.
+// settles to the last bit: + - * / and square roots; and "shelf header hash" for each such header
+// of the shelf. The others call the C library's exponential, sine or power, which no two libraries
+// round alike.
 #include <cxxabi.h>
 
 #include <bit>
@@ -18,6 +19,8 @@
 #include "scenes/outer_solar_system.h"
 #include "scenes/pendulum.h"
 #include "scenes/spring.h"
+#include "shelf/fixed_step.h"
+#include "snippets/shelf_calls/fixed_step.h"
 
 namespace {
 
@@ -77,6 +80,14 @@ void print(const char* where, const Scene& scene, scenes::State<Vec> s, double h
   }
 }
 
+void print(const char* header, void (*call)(Numbers&)) {
+  Numbers found;
+  call(found);
+  Hash hash;
+  for (const double number : found.all) hash.add(number);
+  std::printf("shelf %s %016llx\n", header, static_cast<unsigned long long>(hash.value));
+}
+
 }  // namespace
 
 int main() {
@@ -98,4 +109,5 @@ int main() {
   list::for_each(list::Joined<list::OnSprings, list::Damping>(), [&](auto method) {
     print<decltype(method)>("spring", spring, spring.start(), 1e-3, 10'000);
   });
+  print("fixed_step", fixed_step_on<Doubles>);
 }

@@ -4,7 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 if(COMPILER)
   separate_arguments(FLAGS)
   execute_process(COMMAND ${COMPILER} -std=c++20 ${FLAGS} -ffp-contract=off -DEIGEN_DONT_VECTORIZE
-    -I${SOURCE}/code -isystem ${EIGEN} ${SOURCE}/tests/bits/bits.cpp -o ${PROGRAM}
+    -I${SOURCE}/code -I${SOURCE}/tests -I${SOURCE}/tests/snippets -isystem ${EIGEN} ${SOURCE}/tests/bits/bits.cpp -o ${PROGRAM}
     COMMAND_ERROR_IS_FATAL ANY)
 endif()
 execute_process(COMMAND ${EMULATOR} ${PROGRAM} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)

@@ -1,5 +1,5 @@
-// The examples over each header of code/integrate, compiled in an empty folder beside copies of the headers that they name:
-//   node examples.test.mjs FOLDER_OF_HEADERS FOLDER_OF_CARDS EIGEN COMPILER
+// The examples over each header of code/integrate and code/shelf, compiled in an empty folder beside copies of the headers that they name:
+//   node examples.test.mjs METHODS SHELF FOLDER_OF_CARDS EIGEN COMPILER
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { copyFileSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
@@ -7,11 +7,12 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
-const [headers, cards, eigen, compiler] = process.argv.slice(2);
-const names = readdirSync(headers)
-  .filter(name => name.endsWith('.h'))
-  .sort();
-const read = name => readFileSync(join(headers, name), 'utf8');
+const [methods, shelf, cards, eigen, compiler] = process.argv.slice(2);
+const headersOf = folder =>
+  readdirSync(folder)
+    .filter(name => name.endsWith('.h'))
+    .sort();
+const read = (folder, name) => readFileSync(join(folder, name), 'utf8');
 
 // The text between @code and @endcode, as a reader copies it.
 function examplesOf(header) {
@@ -65,39 +66,76 @@ function programOf(name, examples) {
   return `${[`#include "${name}"`, ...includes].join('\n')}\n${DECLARED}int main() {\n  int wrong = 0;\n${body.join('')}  return wrong;\n}\n`;
 }
 
-for (const name of names) {
-  test(`the example over ${name} compiles, runs and ends where it should`, () => {
-    const examples = examplesOf(read(name));
-    assert.ok(examples.length, `${name} has no @code in its first comment`);
-    const folder = mkdtempSync(join(tmpdir(), 'example-'));
-    try {
-      const source = programOf(name, examples);
-      for (const [, needed] of source.matchAll(/^#include "(.*)"$/gm))
-        copyFileSync(join(headers, needed), join(folder, needed));
-      writeFileSync(join(folder, 'example.cpp'), source);
-      writeFileSync(join(folder, 'check.cpp'), CHECK);
-      const flags = [
-        '-std=c++17',
-        '-O1',
-        '-Wall',
-        '-Wextra',
-        '-Wpedantic',
-        '-Wconversion',
-        '-Wshadow',
-        '-Werror',
-        '-Wno-unused-variable',
-        '-isystem',
-        eigen,
-      ];
-      const made = spawnSync(compiler, [...flags, 'example.cpp', 'check.cpp', '-o', 'example'], {
-        cwd: folder,
-        encoding: 'utf8',
-      });
-      assert.equal(made.status, 0, made.stderr);
-      const run = spawnSync(join(folder, 'example'), { encoding: 'utf8' });
-      assert.equal(run.status, 0, run.stdout + run.stderr);
-    } finally {
-      rmSync(folder, { recursive: true });
-    }
-  });
+// What an example of the shelf says at its end has to be so, to the digits that it says.
+const SAID = /^ *\/\/ Now (.+) is (-?[\d.]+(?:e-?\d+)?)\.$/gm;
+
+function roundingOf(number) {
+  const [, fraction = '', exponent = '0'] = number.match(/^-?\d+(?:\.(\d+))?(?:e(-?\d+))?$/);
+  return 0.5001 * 10 ** (Number(exponent) - fraction.length);
 }
+
+function programOfShelf(name, examples) {
+  const includes = examples.join('').match(/^#include .*$/gm) ?? [];
+  const body = examples.map(code => {
+    const said = code.match(SAID)?.length ?? 0;
+    assert.ok(said, `no line "// Now EXPRESSION is NUMBER." in the example over ${name}`);
+    const checked = code.replace(
+      SAID,
+      (_, expression, number) =>
+        `wrong += off(${JSON.stringify(expression)}, double(${expression}), ${number}, ${roundingOf(number)});`,
+    );
+    return `{\n${checked.replace(/^#include .*$/gm, '')}}\n`;
+  });
+  return `${[`#include "${name}"`, ...includes].join('\n')}
+int off(const char*, double, double, double);
+int main() {
+  int wrong = 0;
+${body.join('')}  return wrong;
+}
+`;
+}
+
+const CHECK_OF_SHELF = `
+#include <cmath>
+#include <cstdio>
+int off(const char* expression, double found, double said, double allowed) {
+  if (std::abs(found - said) <= allowed) return 0;
+  std::printf("%s is %.9g, and not %g\\n", expression, found, said);
+  return 1;
+}
+`;
+
+// Compiles and runs it in a folder of its own.
+function tryOut(folder, name, source, check) {
+  const scratch = mkdtempSync(join(tmpdir(), 'example-'));
+  try {
+    for (const [, needed] of source.matchAll(/^#include "(.*)"$/gm))
+      copyFileSync(join(folder, needed), join(scratch, needed));
+    writeFileSync(join(scratch, 'example.cpp'), source);
+    writeFileSync(join(scratch, 'check.cpp'), check);
+    const warnings = ['-Wall', '-Wextra', '-Wpedantic', '-Wconversion', '-Wshadow', '-Werror', '-Wno-unused-variable'];
+    const flags = ['-std=c++17', '-O1', ...warnings, '-isystem', eigen];
+    const made = spawnSync(compiler, [...flags, 'example.cpp', 'check.cpp', '-o', 'example'], {
+      cwd: scratch,
+      encoding: 'utf8',
+    });
+    assert.equal(made.status, 0, made.stderr);
+    const run = spawnSync(join(scratch, 'example'), { encoding: 'utf8' });
+    assert.equal(run.status, 0, run.stdout + run.stderr);
+  } finally {
+    rmSync(scratch, { recursive: true });
+  }
+}
+
+function tryAll(folder, makeProgram, check) {
+  for (const name of headersOf(folder)) {
+    test(`the example over ${name} compiles, runs and ends where it should`, () => {
+      const examples = examplesOf(read(folder, name));
+      assert.ok(examples.length, `${name} has no @code in its first comment`);
+      tryOut(folder, name, makeProgram(name, examples), check);
+    });
+  }
+}
+
+tryAll(methods, programOf, CHECK);
+tryAll(shelf, programOfShelf, CHECK_OF_SHELF);

@@ -1,11 +1,10 @@
 # Compiles a program that calls every function of HEADERS on the vectors of VECTORS, and runs it.
 # Its folder holds these headers, and those that they are used WITH, and no other. Without EIGEN,
 # Eigen is not to be found. With MACROS, a file of macros, the headers are read after them, and after
-# all that they include, which would not survive; so are those of ALSO. FLAGS are the compiler's.
+# all that they include, which would not survive. FLAGS are the compiler's.
 include(${CMAKE_CURRENT_LIST_DIR}/functions.cmake)
 string(REPLACE "," ";" HEADERS "${HEADERS}")
 string(REPLACE "," ";" WITH "${WITH}")
-string(REPLACE "," ";" ALSO "${ALSO}")
 string(REPLACE "," ";" FLAGS "${FLAGS}")
 file(REMOVE_RECURSE ${SCRATCH})
 set(includes "")
@@ -22,11 +21,8 @@ foreach(header IN LISTS HEADERS)
 endforeach()
 
 if(MACROS)
-  foreach(header IN LISTS ALSO)
-    string(APPEND includes "#include \"${header}\"\n")
-  endforeach()
   set(needed "")
-  foreach(header IN LISTS WITH HEADERS ALSO)
+  foreach(header IN LISTS WITH HEADERS)
     cmake_path(ABSOLUTE_PATH header BASE_DIRECTORY ${SCRATCH})
     if(NOT header MATCHES "\\.h$")
       string(APPEND header ".h")

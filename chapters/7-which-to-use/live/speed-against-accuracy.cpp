@@ -38,6 +38,7 @@ constexpr std::tuple methods{Method{"euler", measure::euler},
 
 constexpr int of_the_truth = 32;  ///< steps that Dormand-Prince takes in a frame
 constexpr double gone = 1000;     ///< nobody sees how far beyond [m]
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// What a method makes of a thing, for each number of steps.
 struct Outcome {
@@ -53,7 +54,9 @@ class Trial {
   /// Steps of a method that many bodies take, for their time.
   virtual double work(int which, int rounds) const = 0;
 
-  double seconds = 0, omega = 0, zeta = 0;  ///< not a number, where nothing swings
+  double seconds = 0;
+  /// What the thing is, in the words of `choose`; not a number, where it has none of this.
+  double omega = none, zeta = none, angle = none, eccentricity = none, drag = none;
   std::vector<double> truth;
   std::vector<Outcome> outcomes;
 };
@@ -68,13 +71,17 @@ class TrialOf final : public Trial {
   TrialOf(const Scene& scene, double watched)
       : scene_(scene), frames_(std::lround(watched / frame)) {
     seconds = double(frames_) * frame;
-    omega = zeta = std::numeric_limits<double>::quiet_NaN();
     if constexpr (requires { scene.omega; }) {
       omega = scene.omega;
       zeta = scene.zeta;
     } else if constexpr (requires { scene.length; }) {
       omega = std::sqrt(scene.g / scene.length);
       zeta = 0;
+      angle = scene.angle;
+    } else if constexpr (requires { scene.eccentricity; }) {
+      eccentricity = scene.eccentricity;
+    } else if constexpr (requires { scene.c; }) {
+      drag = scene.c;
     }
     const Path right = path(measure::dopri5, of_the_truth);
     append(truth, right);
@@ -236,6 +243,9 @@ class SpeedAgainstAccuracy final : public Figure {
     show("seconds", trial_->seconds);
     show("omega", trial_->omega);
     show("zeta", trial_->zeta);
+    show("angle", trial_->angle);
+    show("eccentricity", trial_->eccentricity);
+    show("drag", trial_->drag);
     show("tried", std::vector<double>(tried_in_a_frame.begin(), tried_in_a_frame.end()));
     show("truth", trial_->truth);
     for (std::size_t i = 0; i < all.size(); ++i) {

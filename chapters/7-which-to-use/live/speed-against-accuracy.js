@@ -59,20 +59,22 @@
   }
 
   // What asks the program of this chapter the same.
-  function question({ now }, values) {
-    const { thing, tolerance } = values;
+  function question({ now }, { tolerance }) {
     const reach = Math.max(...places(now, now.truth).map(place => Math.hypot(...place)));
-    const spring = `spring --omega ${Live.digits(now.omega, 4)} --zeta ${Live.digits(now.zeta, 3)}`;
-    const scenes = {
-      jump: 'ball',
-      leaf: 'drag --drag 2',
-      lamp: `pendulum --omega ${Live.digits(now.omega, 4)} --angle 1`,
-      orbit: `orbit --omega ${Live.digits((2 * Math.PI) / now.seconds, 4)} --eccentricity ${Live.digits(values.eccentricity, 3)}`,
-      shuttle: `orbit --omega ${Live.digits((2 * Math.PI) / now.seconds, 4)} --eccentricity 0.6`,
-      air: `drag --drag ${values.drag}`,
-    };
+    const turning = `--omega ${Live.digits(Number.isNaN(now.omega) ? (2 * Math.PI) / now.seconds : now.omega, 4)}`;
+    const known = quantity => !Number.isNaN(now[quantity]);
+    const option = quantity => `${turning} --${quantity} ${Live.digits(now[quantity], 3)}`;
+    const scene = known('angle')
+      ? `pendulum ${option('angle')}`
+      : known('zeta')
+        ? `spring ${option('zeta')}`
+        : known('eccentricity')
+          ? `orbit ${option('eccentricity')}`
+          : known('drag')
+            ? `drag --drag ${now.drag}`
+            : 'ball';
     return (
-      `build/chapters/7-which-to-use/choose --scene ${scenes[thing] ?? spring} --hz ${FRAMES} --seconds ${now.seconds} ` +
+      `build/chapters/7-which-to-use/choose --scene ${scene} --hz ${FRAMES} --seconds ${now.seconds} ` +
       `--error-metres ${tolerance} --reach ${Live.digits(reach, 4)}`
     );
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-#include "frames/fixed_step.h"
+#include "shelf/fixed_step.h"
 
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -11,7 +11,7 @@
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
-using frames::FixedStep;
+using shelf::FixedStep;
 
 TEMPLATE_TEST_CASE("Every step starts where the one before ended", "", float, double) {
   FixedStep<TestType> clock{.h = TestType(0.25)};

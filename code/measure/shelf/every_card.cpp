@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT-0
+// All cards of the shelf.
+#include "measure/shelf/every_card.h"
+
+namespace measure {
+
+std::vector<ShelfCard> every_shelf_card() {
+  using namespace shelf_cards;
+  return {
+      fixed_step(),
+  };
+}
+
+}  // namespace measure

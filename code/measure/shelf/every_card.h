@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The card of each header of the shelf, each from a file that bears the header's name.
+#pragma once
+#include "measure/shelf_card.h"
+
+/// What is measured of the headers of the shelf.
+namespace measure::shelf_cards {
+
+ShelfCard fixed_step();  ///< of fixed_step.h
+
+}  // namespace measure::shelf_cards

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What a header of the shelf promises, and what was measured of each promise.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "measure/record.h"
+
+namespace measure {
+
+/// One promise of a header.
+struct Promise {
+  std::string words;       ///< as they stand in the header's list
+  bool kept;               ///< whether what was measured is what the words say
+  Cell measured;           ///< a number, or words such as "none"
+  int digits = 2;          ///< significant digits that the book shows; `whole` for a count
+  std::string unit = "1";  ///< 1 if it has none
+};
+
+/// All promises of one header.
+struct ShelfCard {
+  std::string header;  ///< its name without the ending
+  std::vector<Promise> promises;
+};
+
+/// The cards of all headers of the shelf.
+std::vector<ShelfCard> every_shelf_card();
+
+}  // namespace measure
