@@ -8,6 +8,7 @@ std::vector<ShelfCard> every_shelf_card() {
   using namespace shelf_cards;
   return {
       fixed_step(),
+      smooth_damp(),
   };
 }
 
