@@ -19,7 +19,9 @@
 #include "scenes/outer_solar_system.h"
 #include "scenes/pendulum.h"
 #include "scenes/spring.h"
+#include "shelf/first_order.h"
 #include "shelf/fixed_step.h"
+#include "snippets/shelf_calls/first_order.h"
 #include "snippets/shelf_calls/fixed_step.h"
 
 namespace {
@@ -109,5 +111,6 @@ int main() {
   list::for_each(list::Joined<list::OnSprings, list::Damping>(), [&](auto method) {
     print<decltype(method)>("spring", spring, spring.start(), 1e-3, 10'000);
   });
+  print("first_order", first_order_on<Doubles>);
   print("fixed_step", fixed_step_on<Doubles>);
 }

@@ -7,6 +7,7 @@ namespace measure {
 std::vector<ShelfCard> every_shelf_card() {
   using namespace shelf_cards;
   return {
+      first_order(),
       fixed_step(),
       smooth_damp(),
   };

@@ -7,6 +7,7 @@
 /// What is measured of the headers of the shelf.
 namespace measure::shelf_cards {
 
+ShelfCard first_order();  ///< of first_order.h
 ShelfCard fixed_step();   ///< of fixed_step.h
 ShelfCard smooth_damp();  ///< of smooth_damp.h
 
