@@ -92,9 +92,13 @@ function take(book, header) {
 function vectors({ functions }, libraries) {
   if (libraries.includes('Eigen')) return ' Its <code>Vec</code> is an Eigen vector of all unknowns.';
   if (!functions.some(steps)) return '';
+  const place = functions.some(({ parameters }) => /^Place ?&$/.test(parameters[0]?.type ?? ''))
+    ? ' A <code>Place</code> is the same, or of a type of its own that <code>x + h * v</code> moves: a pose that a twist turns.'
+    : '';
   return (
     ' A <code>Vec</code> is whatever has <code>Vec + Vec</code> and <code>h * Vec</code>: a number, <code>glm::vec3</code>, an Eigen vector, a struct of yours. ' +
-    'Bodies that pull at each other go into one <code>Vec</code>, and one call moves them all.'
+    'Bodies that pull at each other go into one <code>Vec</code>, and one call moves them all.' +
+    place
   );
 }
 
