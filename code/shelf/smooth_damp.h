@@ -72,7 +72,7 @@ void smooth(Vec& x, const std::decay_t<Vec>& target, const std::decay_t<Vec>& ta
             Real rate, Real h) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "rate and h must be no integers");
   if constexpr (scales) {
     // [smooth]
@@ -102,7 +102,7 @@ void smooth_damp(Vec& x, Vec& v, const std::decay_t<Vec>& target,
                  const std::decay_t<Vec>& target_velocity, Real omega, Real h) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "omega and h must be no integers");
   if constexpr (scales) {
     // [smooth-damp]
@@ -139,7 +139,7 @@ void smooth_damp_no_overshoot(Vec& x, Vec& v, const std::decay_t<Vec>& target,
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(x, y)");
   static_assert(!std::is_integral_v<Real>, "omega and h must be no integers");
   if constexpr (scales && dots) {
