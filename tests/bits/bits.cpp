@@ -21,10 +21,12 @@
 #include "scenes/spring.h"
 #include "shelf/bounce.h"
 #include "shelf/damper.h"
+#include "shelf/first_order.h"
 #include "shelf/fixed_step.h"
 #include "shelf/link.h"
 #include "snippets/shelf_calls/bounce.h"
 #include "snippets/shelf_calls/damper.h"
+#include "snippets/shelf_calls/first_order.h"
 #include "snippets/shelf_calls/fixed_step.h"
 #include "snippets/shelf_calls/link.h"
 
@@ -117,6 +119,7 @@ int main() {
   });
   print("bounce", bounce_on<Doubles>);
   print("damper", damper_on<Doubles>);
+  print("first_order", first_order_on<Doubles>);
   print("fixed_step", fixed_step_on<Doubles>);
   print("link", link_on<Doubles>);
 }

@@ -17,6 +17,7 @@
 #include "integrate/euler.h"
 #include "integrate/heun.h"
 #include "integrate/leapfrog.h"
+#include "integrate/leapfrog_drift.h"
 #include "integrate/linear_damping.h"
 #include "integrate/midpoint.h"
 #include "integrate/predicted_euler.h"
@@ -118,6 +119,7 @@ const std::map<std::string, Run>& runs() {
                                               PLAIN(constant_acceleration),
                                               PLAIN(predicted_euler),
                                               PLAIN(heun),
+                                              PLAIN(leapfrog_drift),
                                               PLAIN(midpoint),
                                               PLAIN(rk4),
                                               KEEPING(velocity_verlet),

@@ -7,7 +7,8 @@ namespace measure {
 std::vector<ShelfCard> every_shelf_card() {
   using namespace shelf_cards;
   return {
-      bounce(), damper(), fixed_step(), link(), soft_constraint(),
+      bounce(), damper(),      first_order(), fixed_step(),
+      link(),   orientation(), smooth_damp(), soft_constraint(),
   };
 }
 
