@@ -16,6 +16,28 @@
 /// // Now w.y is 19.998.
 /// @endcode
 ///
+/// A ship whose nose is steered, a quarter of a turn in a second:
+/// @code
+/// shelf::Quaternion<float> q;
+/// for (int n = 0; n < 60; ++n) shelf::turn_exact(q, {0, 1.5707963f, 0}, 1 / 60.0f);
+/// const shelf::Vec3<float> nose = shelf::rotate(q, {0, 0, 1});
+/// // Now nose.x is 1.0000.
+/// @endcode
+///
+/// A body that the air slows down, and one beside it without any air, which only Bullet's step
+/// does:
+/// @code
+/// const shelf::Vec3<double> inertia{1, 2, 3};
+/// shelf::Quaternion<double> q, beside;
+/// shelf::Vec3<double> L{0.2, 40, 0.6}, L_beside = L;
+/// for (int n = 0; n < 60; ++n) {
+///   shelf::spin_damped(q, L, inertia, 1 / 60.0, 0.2);
+///   shelf::spin_by_bullet(beside, L_beside, inertia, 1 / 60.0);
+/// }
+/// // Now L.y is 32.749.
+/// // Now L_beside.y is 33.479.
+/// @endcode
+///
 /// The vectors and quaternions of your engine are copied in, turned and copied out, by their names,
 /// since half of the libraries put `w` last: `shelf::Quaternion<float> q{r.w, r.x, r.y, r.z}`, and
 /// back `r.w = q.w, r.x = q.x, r.y = q.y, r.z = q.z`. In a left-handed world the formulas are the
@@ -235,28 +257,31 @@ void spin_damped(Quaternion<Real>& q, typename Quaternion<Real>::Vec& L,
   L = std::exp(-c * h) * L;
 }
 
-/// One step of Newton's method towards the end of a step of backward Euler: L = start + h * L x w.
-///
-/// @param L  guess at the angular momentum at the end, in the body's axes [kg m^2/s]
-/// @param start  what it was at the start
-/// @param inertia  moments about the body's own three axes, above zero [kg m^2]
-/// @param h  step size [s]
-/// @returns  a better guess
+/// What a step of backward Euler has to solve for a body that no torque acts on: L = start + h L x
+/// w.
 template <class Real>
-constexpr Vec3<Real> spin_newton(const Vec3<Real>& L, const Vec3<Real>& start,
-                                 const Vec3<Real>& inertia, Real h) {
-  const Vec3<Real> w{L.x / inertia.x, L.y / inertia.y, L.z / inertia.z};
-  const auto column = [&](const Vec3<Real>& axis, Real moment) {
-    return axis + (-h) * (cross(axis, w) + (Real(1) / moment) * cross(L, axis));
-  };
-  const Vec3<Real> x = column({Real(1), Real(0), Real(0)}, inertia.x);
-  const Vec3<Real> y = column({Real(0), Real(1), Real(0)}, inertia.y);
-  const Vec3<Real> z = column({Real(0), Real(0), Real(1)}, inertia.z);
-  const Vec3<Real> missing = start + Real(-1) * L + h * cross(L, w);
-  const Vec3<Real> change{dot(missing, cross(y, z)), dot(missing, cross(z, x)),
-                          dot(missing, cross(x, y))};
-  return L + (Real(1) / dot(x, cross(y, z))) * change;
-}
+struct SpinEquation {
+  Vec3<Real> start;    ///< angular momentum at the start, in the body's axes [kg m^2/s]
+  Vec3<Real> inertia;  ///< moments about the body's own three axes, above zero [kg m^2]
+  Real h;              ///< step size [s]
+
+  /// One step of Newton's method.
+  /// @param L  guess at the angular momentum at the end, in the body's axes
+  /// @returns  a better one
+  constexpr Vec3<Real> better(const Vec3<Real>& L) const {
+    const Vec3<Real> w{L.x / inertia.x, L.y / inertia.y, L.z / inertia.z};
+    const auto column = [&](const Vec3<Real>& axis, Real moment) {
+      return axis + (-h) * (cross(axis, w) + (Real(1) / moment) * cross(L, axis));
+    };
+    const Vec3<Real> x = column({Real(1), Real(0), Real(0)}, inertia.x);
+    const Vec3<Real> y = column({Real(0), Real(1), Real(0)}, inertia.y);
+    const Vec3<Real> z = column({Real(0), Real(0), Real(1)}, inertia.z);
+    const Vec3<Real> missing = start + Real(-1) * L + h * cross(L, w);
+    const Vec3<Real> change{dot(missing, cross(y, z)), dot(missing, cross(z, x)),
+                            dot(missing, cross(x, y))};
+    return L + (Real(1) / dot(x, cross(y, z))) * change;
+  }
+};
 
 /// A step of a body that no torque acts on, by the implicit midpoint rule.
 ///
@@ -274,9 +299,9 @@ void spin_by_midpoint(Quaternion<Real>& q, const typename Quaternion<Real>::Vec&
                       const typename Quaternion<Real>::Vec& inertia,
                       typename Quaternion<Real>::Number h) {
   const Real half = h / Real(2);
-  const Vec3<Real> start = rotate_back(q, L);
-  Vec3<Real> middle = start;
-  for (int n = 0; n < 6; ++n) middle = spin_newton(middle, start, inertia, half);
+  const SpinEquation<Real> to_middle{rotate_back(q, L), inertia, half};
+  Vec3<Real> middle = to_middle.start;
+  for (int n = 0; n < 6; ++n) middle = to_middle.better(middle);
   const Vec3<Real> by{half * middle.x / inertia.x, half * middle.y / inertia.y,
                       half * middle.z / inertia.z};
   q = normalised(q * Quaternion<Real>{Real(1), by.x, by.y, by.z});
@@ -298,7 +323,7 @@ void spin_by_bullet(Quaternion<Real>& q, typename Quaternion<Real>::Vec& L,
                     const typename Quaternion<Real>::Vec& inertia,
                     typename Quaternion<Real>::Number h) {
   const Vec3<Real> start = rotate_back(q, L);
-  const Vec3<Real> end = spin_newton(start, start, inertia, h);
+  const Vec3<Real> end = SpinEquation<Real>{start, inertia, h}.better(start);
   turn_exact(q, rotate(q, {end.x / inertia.x, end.y / inertia.y, end.z / inertia.z}), h);
   L = rotate(q, end);
 }
