@@ -16,7 +16,7 @@ namespace integrate {
 /// One step as if the acceleration stayed what it is at the start of the step.
 ///
 /// Exact for any h under a constant force. Order 1 otherwise, one evaluation of the acceleration,
-/// stable on drag while c*h < 2, never on an undamped spring.
+/// stable on drag while c*h < 2, never on an undamped spring. On poses, order 1.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -24,16 +24,20 @@ namespace integrate {
 /// @param h  step size [s]; a negative step goes back in time
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see Galileo, Discorsi (1638), third day, proposition II
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void constant_acceleration(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void constant_acceleration(Place& x, Vec& v, Time t, Real h,
+                                     Acceleration&& acceleration) {
   // [signature]
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     // [move]
     const Vec a = acceleration(x, v, t);
     x = x + h * v + (h * h / Real(2)) * a;

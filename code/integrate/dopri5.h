@@ -27,7 +27,6 @@
 /// }
 /// @endcode
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -110,10 +109,10 @@ struct Dopri5Verdict {
   /// @param in_v  the same in velocity
   Dopri5Verdict(Real in_x, Real in_v) {
     if (!finite(in_x) || !finite(in_v)) return;
-    const Real size = (std::max)(in_v, in_x);
+    const Real size = in_v < in_x ? in_x : in_v;
     const Real wish = size > Real(0) ? Real(0.9) * std::pow(size, Real(-0.2)) : Real(5);
     good = size <= Real(1);
-    change = std::clamp(wish, Real(0.2), Real(5));
+    change = wish < Real(0.2) ? Real(0.2) : wish > Real(5) ? Real(5) : wish;
   }
 
   /// By an integer, since -ffast-math takes every comparison for one of finite numbers.
@@ -129,24 +128,24 @@ struct Dopri5Verdict {
 /// @param v  velocity
 /// @param t  time of `x` and `v` [s]
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
-template <class Vec, class Time, class Acceleration>
-constexpr Vec dopri5_start(const Vec& x, const Vec& v, Time t, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+template <class Place, class Vec, class Time, class Acceleration>
+constexpr Vec dopri5_start(const Place& x, const Vec& v, Time t, Acceleration&& acceleration) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   if constexpr (calls) return acceleration(x, v, t);
 }
 
 #ifdef __clang__
 // Or it calls so long a step, and takes the bodies of a loop one by one.
-template <class Vec, class Time, class Real, class Acceleration>
-[[gnu::always_inline]] constexpr Dopri5Error<Vec> dopri5(Vec&, Vec&, Vec&, Time, Real,
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+[[gnu::always_inline]] constexpr Dopri5Error<Vec> dopri5(Place&, Vec&, Vec&, Time, Real,
                                                          Acceleration&&);
 #endif
 
 /// One step of the method of Dormand and Prince, of order 5, with an estimate of its error.
 ///
 /// Order 5, six evaluations of the acceleration, stable on drag while c*h < 3.306, on an undamped
-/// spring while h*omega < 0.997.
+/// spring while h*omega < 0.997. On poses, order 2.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -156,40 +155,43 @@ template <class Vec, class Time, class Real, class Acceleration>
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @returns  the estimate, of order 4: more than the step's own error as long as h is small
 /// @see J. R. Dormand and P. J. Prince, A family of embedded Runge-Kutta formulae (1980)
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr Dopri5Error<Vec> dopri5(Vec& x, Vec& v, Vec& a, Time t, Real h,
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr Dopri5Error<Vec> dopri5(Place& x, Vec& v, Vec& a, Time t, Real h,
                                   Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     // [move]
     using W = Dopri5Weights;
     const auto part = [h](double weight) { return h * Real(weight); };
-    const Vec x2 = x + part(W::a21) * v;
+    const Place x2 = x + part(W::a21) * v;
     const Vec v2 = v + part(W::a21) * a;
     const Vec a2 = acceleration(x2, v2, t + part(W::c2));
-    const Vec x3 = x + (part(W::a31) * v + part(W::a32) * v2);
+    const Place x3 = x + (part(W::a31) * v + part(W::a32) * v2);
     const Vec v3 = v + (part(W::a31) * a + part(W::a32) * a2);
     const Vec a3 = acceleration(x3, v3, t + part(W::c3));
-    const Vec x4 = x + (part(W::a41) * v + part(W::a42) * v2 + part(W::a43) * v3);
+    const Place x4 = x + (part(W::a41) * v + part(W::a42) * v2 + part(W::a43) * v3);
     const Vec v4 = v + (part(W::a41) * a + part(W::a42) * a2 + part(W::a43) * a3);
     const Vec a4 = acceleration(x4, v4, t + part(W::c4));
-    const Vec x5 =
+    const Place x5 =
         x + (part(W::a51) * v + part(W::a52) * v2 + part(W::a53) * v3 + part(W::a54) * v4);
     const Vec v5 =
         v + (part(W::a51) * a + part(W::a52) * a2 + part(W::a53) * a3 + part(W::a54) * a4);
     const Vec a5 = acceleration(x5, v5, t + part(W::c5));
-    const Vec x6 = x + (part(W::a61) * v + part(W::a62) * v2 + part(W::a63) * v3 +
-                        part(W::a64) * v4 + part(W::a65) * v5);
+    const Place x6 = x + (part(W::a61) * v + part(W::a62) * v2 + part(W::a63) * v3 +
+                          part(W::a64) * v4 + part(W::a65) * v5);
     const Vec v6 = v + (part(W::a61) * a + part(W::a62) * a2 + part(W::a63) * a3 +
                         part(W::a64) * a4 + part(W::a65) * a5);
     const Vec a6 = acceleration(x6, v6, t + part(W::c6));
-    const Vec x7 = x + (part(W::a71) * v + part(W::a73) * v3 + part(W::a74) * v4 +
-                        part(W::a75) * v5 + part(W::a76) * v6);
+    const Place x7 = x + (part(W::a71) * v + part(W::a73) * v3 + part(W::a74) * v4 +
+                          part(W::a75) * v5 + part(W::a76) * v6);
     const Vec v7 = v + (part(W::a71) * a + part(W::a73) * a3 + part(W::a74) * a4 +
                         part(W::a75) * a5 + part(W::a76) * a6);
     const Vec a7 = acceleration(x7, v7, t + part(W::c7));
@@ -219,7 +221,7 @@ constexpr Dopri5Path<Vec, Time, Real> dopri5_path(const Vec& x, const Vec& v, Ti
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales) {
     const Vec a = acceleration(x, v, t);
@@ -241,7 +243,7 @@ constexpr Dopri5Error<Vec> dopri5(Dopri5Path<Vec, Time, Real>& path, Real h,
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && !std::is_integral_v<Real>) {
     Vec v[7] = {path.v, path.v, path.v, path.v, path.v, path.v, path.v};
@@ -289,7 +291,7 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
@@ -337,7 +339,7 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");

@@ -17,7 +17,7 @@ namespace integrate {
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag while c*h < 2, on a damped spring
 /// while h*omega < 2*zeta (zeta <= 1) or 2*(zeta - sqrt(zeta^2 - 1)) (zeta >= 1), never on an
-/// undamped spring.
+/// undamped spring. On poses, order 1.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -25,16 +25,19 @@ namespace integrate {
 /// @param h  step size [s]; a negative step goes back in time
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see L. Euler, Institutionum calculi integralis, volume 1 (1768), chapter 7
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void euler(Place& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
   // [signature]
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     // [move]
     const Vec a = acceleration(x, v, t);
     x = x + h * v;

@@ -15,7 +15,7 @@ namespace integrate {
 /// One step of Heun's method: Euler predicts the end, the mean of both ends' slopes is taken.
 ///
 /// Order 2, two evaluations of the acceleration, stable on drag while c*h < 2, never on an undamped
-/// spring.
+/// spring. On poses, order 2.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -23,18 +23,21 @@ namespace integrate {
 /// @param h  step size [s]; a negative step goes back in time
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see K. Heun, Neue Methoden zur approximativen Integration (1900)
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void heun(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void heun(Place& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     // [move]
     const Vec a = acceleration(x, v, t);
-    const Vec x_end = x + h * v;
+    const Place x_end = x + h * v;
     const Vec v_end = v + h * a;
     const Vec a_end = acceleration(x_end, v_end, t + h);
     x = x + (h / Real(2)) * (v + v_end);

@@ -22,16 +22,19 @@ namespace integrate {
 /// @param t  time of `x` and `v` [s]
 /// @param h  step size [s]
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr Vec leapfrog_start(const Vec& x, const Vec& v, Time t, Real h,
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr Vec leapfrog_start(const Place& x, const Vec& v, Time t, Real h,
                              Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) return v + (h / Real(-2)) * acceleration(x, v, t);
+  if constexpr (calls && scales && moves) return v + (h / Real(-2)) * acceleration(x, v, t);
 }
 
 /// The velocity at the time of the position; costs an evaluation of the acceleration.
@@ -41,23 +44,27 @@ constexpr Vec leapfrog_start(const Vec& x, const Vec& v, Time t, Real h,
 /// @param t  time of `x` [s]
 /// @param h  step size [s]
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr Vec leapfrog_velocity(const Vec& x, const Vec& v_half, Time t, Real h,
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr Vec leapfrog_velocity(const Place& x, const Vec& v_half, Time t, Real h,
                                 Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) return v_half + (h / Real(2)) * acceleration(x, v_half, t);
+  if constexpr (calls && scales && moves)
+    return v_half + (h / Real(2)) * acceleration(x, v_half, t);
 }
 
 /// One step of leapfrog: the velocities live half a step before and after the positions.
 ///
 /// Order 2, 1 under drag, one evaluation of the acceleration, stable on drag while c*h < 2, on an
 /// undamped spring while h*omega < 2. The arithmetic is that of symplectic Euler; the start, half a
-/// step back, is what makes it order 2.
+/// step back, is what makes it order 2. On poses, order 2.
 ///
 /// @param x  position, advanced in place
 /// @param v_half  velocity half a step before `x`, advanced in place; see leapfrog_start
@@ -66,15 +73,18 @@ constexpr Vec leapfrog_velocity(const Vec& x, const Vec& v_half, Time t, Real h,
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see Hairer, Lubich and Wanner, Geometric numerical integration illustrated by the
 /// Stormer-Verlet method, Acta Numerica 12 (2003)
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void leapfrog(Vec& x, Vec& v_half, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void leapfrog(Place& x, Vec& v_half, Time t, Real h, Acceleration&& acceleration) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     // [move]
     const Vec a = acceleration(x, v_half, t);
     v_half = v_half + h * a;

@@ -30,7 +30,6 @@
 /// x = x2 - x1, v = v2 - v1;  // the same motion as above, while both go on at 10 m/s
 /// @endcode
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -39,7 +38,8 @@ namespace integrate {
 /// Symplectic Euler with damping: the force, then the speed times 1 - c*h (PhysX, Jolt).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
-/// while h*omega < 2. The factor is never below zero: from c*h = 1 on, the thing stands still.
+/// while h*omega < 2. The factor is never below zero: from c*h = 1 on, the thing stands still. On
+/// poses, order 1.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -47,18 +47,22 @@ namespace integrate {
 /// @param h  step size [s]; a negative step goes back in time, but not out of a standstill
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void linear_damping_explicit_last(Vec& x, Vec& v, Time t, Real h, Real c,
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void linear_damping_explicit_last(Place& x, Vec& v, Time t, Real h, Real c,
                                             Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     const Vec a = acceleration(x, v, t);
-    v = (std::max)(Real(0), Real(1) - c * h) * Vec(v + h * a);
+    const Real keep = Real(1) - c * h;
+    v = (keep > Real(0) ? keep : Real(0)) * Vec(v + h * a);
     x = x + h * v;
   }
 }
@@ -66,7 +70,7 @@ constexpr void linear_damping_explicit_last(Vec& x, Vec& v, Time t, Real h, Real
 /// Symplectic Euler with damping: the speed times 1 - c*h, then the force (Godot).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
-/// while h*omega < 2. The factor is never below zero.
+/// while h*omega < 2. The factor is never below zero. On poses, order 1.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -74,18 +78,22 @@ constexpr void linear_damping_explicit_last(Vec& x, Vec& v, Time t, Real h, Real
 /// @param h  step size [s]; a negative step goes back in time, but not out of a standstill
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void linear_damping_explicit_first(Vec& x, Vec& v, Time t, Real h, Real c,
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void linear_damping_explicit_first(Place& x, Vec& v, Time t, Real h, Real c,
                                              Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     const Vec a = acceleration(x, v, t);
-    v = (std::max)(Real(0), Real(1) - c * h) * v + h * a;
+    const Real keep = Real(1) - c * h;
+    v = (keep > Real(0) ? keep : Real(0)) * v + h * a;
     x = x + h * v;
   }
 }
@@ -93,7 +101,7 @@ constexpr void linear_damping_explicit_first(Vec& x, Vec& v, Time t, Real h, Rea
 /// Symplectic Euler with damping: the force, then the speed over 1 + c*h (solver2d, Box2D 2).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
-/// while h*omega < 2.
+/// while h*omega < 2. On poses, order 1.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -101,16 +109,19 @@ constexpr void linear_damping_explicit_first(Vec& x, Vec& v, Time t, Real h, Rea
 /// @param h  step size [s]; a negative step goes back in time while c*|h| < 1; at 1 v is infinite
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void linear_damping_implicit_last(Vec& x, Vec& v, Time t, Real h, Real c,
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void linear_damping_implicit_last(Place& x, Vec& v, Time t, Real h, Real c,
                                             Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     // [implicit-last-move]
     const Vec a = acceleration(x, v, t);
     v = (Real(1) / (Real(1) + c * h)) * Vec(v + h * a);
@@ -122,7 +133,7 @@ constexpr void linear_damping_implicit_last(Vec& x, Vec& v, Time t, Real h, Real
 /// Symplectic Euler with damping: the speed over 1 + c*h, then the force (Box2D 3, Avian).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
-/// while h*omega < 2.
+/// while h*omega < 2. On poses, order 1.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -130,16 +141,19 @@ constexpr void linear_damping_implicit_last(Vec& x, Vec& v, Time t, Real h, Real
 /// @param h  step size [s]; a negative step goes back in time while c*|h| < 1; at 1 v is infinite
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void linear_damping_implicit_first(Vec& x, Vec& v, Time t, Real h, Real c,
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void linear_damping_implicit_first(Place& x, Vec& v, Time t, Real h, Real c,
                                              Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     const Vec a = acceleration(x, v, t);
     v = (Real(1) / (Real(1) + c * h)) * v + h * a;
     x = x + h * v;
@@ -149,7 +163,7 @@ constexpr void linear_damping_implicit_first(Vec& x, Vec& v, Time t, Real h, Rea
 /// Symplectic Euler with damping: the force, then the speed times exp(-c*h).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
-/// while h*omega < 2.
+/// while h*omega < 2. On poses, order 1.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -157,16 +171,19 @@ constexpr void linear_damping_implicit_first(Vec& x, Vec& v, Time t, Real h, Rea
 /// @param h  step size [s]; a negative step goes back in time, and takes back the damping
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Vec, class Time, class Real, class Acceleration>
-void linear_damping_exponential_last(Vec& x, Vec& v, Time t, Real h, Real c,
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+void linear_damping_exponential_last(Place& x, Vec& v, Time t, Real h, Real c,
                                      Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     const Vec a = acceleration(x, v, t);
     v = std::exp(-c * h) * Vec(v + h * a);
     x = x + h * v;
@@ -176,7 +193,7 @@ void linear_damping_exponential_last(Vec& x, Vec& v, Time t, Real h, Real c,
 /// Symplectic Euler with damping: the speed times exp(-c*h), then the force (Bullet, Chipmunk).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
-/// while h*omega < 2.
+/// while h*omega < 2. On poses, order 1.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -184,16 +201,19 @@ void linear_damping_exponential_last(Vec& x, Vec& v, Time t, Real h, Real c,
 /// @param h  step size [s]; a negative step goes back in time, and takes back the damping
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Vec, class Time, class Real, class Acceleration>
-void linear_damping_exponential_first(Vec& x, Vec& v, Time t, Real h, Real c,
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+void linear_damping_exponential_first(Place& x, Vec& v, Time t, Real h, Real c,
                                       Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     const Vec a = acceleration(x, v, t);
     v = std::exp(-c * h) * v + h * a;
     x = x + h * v;
@@ -203,7 +223,8 @@ void linear_damping_exponential_first(Vec& x, Vec& v, Time t, Real h, Real c,
 /// Symplectic Euler with damping: the exact velocity of damping and a constant force together.
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
-/// while h*omega < 2. The velocity under gravity and drag is exact, the terminal speed with it.
+/// while h*omega < 2. The velocity under gravity and drag is exact, the terminal speed with it. On
+/// poses, order 1.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -211,15 +232,18 @@ void linear_damping_exponential_first(Vec& x, Vec& v, Time t, Real h, Real c,
 /// @param h  step size [s]; a negative step goes back in time, and takes back damping and force
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Vec, class Time, class Real, class Acceleration>
-void linear_damping_exact(Vec& x, Vec& v, Time t, Real h, Real c, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+void linear_damping_exact(Place& x, Vec& v, Time t, Real h, Real c, Acceleration&& acceleration) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     const Vec a = acceleration(x, v, t);
     const Real push = c * h == Real(0) ? h : -std::expm1(-c * h) / c;
     v = std::exp(-c * h) * v + push * a;

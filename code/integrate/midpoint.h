@@ -15,7 +15,7 @@ namespace integrate {
 /// One step of the midpoint method: half a step of Euler's shows the slope for the whole step.
 ///
 /// Order 2, two evaluations of the acceleration, stable on drag while c*h < 2, never on an undamped
-/// spring.
+/// spring. On poses, order 2.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -23,17 +23,20 @@ namespace integrate {
 /// @param h  step size [s]; a negative step goes back in time
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see C. Runge, Ueber die numerische Aufloesung von Differentialgleichungen (1895)
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void midpoint(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void midpoint(Place& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     // [move]
-    const Vec x_middle = x + (h / Real(2)) * v;
+    const Place x_middle = x + (h / Real(2)) * v;
     const Vec v_middle = v + (h / Real(2)) * acceleration(x, v, t);
     x = x + h * v_middle;
     v = v + h * acceleration(x_middle, v_middle, t + h / Real(2));

@@ -17,7 +17,7 @@ namespace integrate {
 /// Order 1, two evaluations of the acceleration with one correction (one more for each further
 /// one), stable on drag while c*h < 1, on an undamped spring while h*omega < 1. More corrections
 /// never make it stable for every h: with two the limits are 1.353 and 1.272, with three 1 again.
-/// Implicit Euler proper is in backward_euler.h.
+/// Implicit Euler proper is in backward_euler.h. On poses, order 1.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -26,18 +26,21 @@ namespace integrate {
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @param corrections  how often the end is put into its own formula; at least 1
 /// @see Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I (1993), section III.1
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void predicted_euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration,
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void predicted_euler(Place& x, Vec& v, Time t, Real h, Acceleration&& acceleration,
                                int corrections = 1) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     // [move]
-    Vec x_end = x + h * v;
+    Place x_end = x + h * v;
     Vec v_end = v + h * acceleration(x, v, t);
     for (int n = 0; n < corrections; ++n) {
       const Vec a_end = acceleration(x_end, v_end, t + h);

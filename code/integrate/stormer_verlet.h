@@ -51,7 +51,7 @@ template <class Vec, class Real>
 constexpr Vec stormer_verlet_velocity(const Vec& x, const Vec& x_previous, Real h) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales) {
     // [velocity-move]
@@ -73,7 +73,7 @@ constexpr Vec stormer_verlet_carried_velocity(const Vec& x, const Vec& x_previou
                                               Real h) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales) return (Real(1) / h) * (x + Real(-1) * x_previous) + (h / Real(2)) * a;
 }
@@ -94,7 +94,7 @@ constexpr Vec stormer_verlet_start(const Vec& x, const Vec& v, Time t, Real h,
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales) {
     // [start-move]
@@ -122,7 +122,7 @@ constexpr void stormer_verlet(Vec& x, Vec& x_previous, Time t, Real h,
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales) {
     // [move]
@@ -154,7 +154,7 @@ constexpr void stormer_verlet_carried(Vec& x, Vec& x_previous, Vec& a, Time t, R
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales) {
     // [carried-move]
@@ -186,7 +186,7 @@ constexpr void stormer_verlet_uneven(Vec& x, Vec& x_previous, Time t, Real h, Re
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales) {
     // [uneven-move]

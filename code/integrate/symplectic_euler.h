@@ -15,7 +15,7 @@ namespace integrate {
 /// One step of symplectic Euler: velocity first, then position with the new velocity.
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag while c*h < 2, on an undamped spring
-/// while h*omega < 2.
+/// while h*omega < 2. On poses, order 1.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -23,15 +23,18 @@ namespace integrate {
 /// @param h  step size [s]; a negative step goes back in time
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see Hairer, Lubich and Wanner, Geometric Numerical Integration (2006), section I.1.2
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void symplectic_euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void symplectic_euler(Place& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     // [move]
     const Vec a = acceleration(x, v, t);
     v = v + h * a;
@@ -44,7 +47,7 @@ constexpr void symplectic_euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& a
 /// acceleration at the new position.
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag while c*h < 2, on an undamped spring
-/// while h*omega < 2.
+/// while h*omega < 2. On poses, order 1.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -52,16 +55,19 @@ constexpr void symplectic_euler(Vec& x, Vec& v, Time t, Real h, Acceleration&& a
 /// @param h  step size [s]; a negative step goes back in time
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see Hairer, Lubich and Wanner, Geometric Numerical Integration (2006), section I.1.2
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void symplectic_euler_position_first(Vec& x, Vec& v, Time t, Real h,
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void symplectic_euler_position_first(Place& x, Vec& v, Time t, Real h,
                                                Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     // [position-first-move]
     x = x + h * v;
     const Vec a = acceleration(x, v, t + h);

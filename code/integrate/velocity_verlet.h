@@ -20,10 +20,10 @@ namespace integrate {
 /// @param v  velocity
 /// @param t  time of `x` and `v` [s]
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
-template <class Vec, class Time, class Acceleration>
-constexpr Vec velocity_verlet_start(const Vec& x, const Vec& v, Time t,
+template <class Place, class Vec, class Time, class Acceleration>
+constexpr Vec velocity_verlet_start(const Place& x, const Vec& v, Time t,
                                     Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   if constexpr (calls) return acceleration(x, v, t);
 }
@@ -32,7 +32,7 @@ constexpr Vec velocity_verlet_start(const Vec& x, const Vec& v, Time t,
 ///
 /// Order 2, one evaluation of the acceleration, stable on drag while c*h < 1, on an undamped spring
 /// while h*omega < 2. Drag sees a predicted velocity at the end of the step: that keeps order 2,
-/// and halves the limit on drag.
+/// and halves the limit on drag. On poses, order 2.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -41,16 +41,19 @@ constexpr Vec velocity_verlet_start(const Vec& x, const Vec& v, Time t,
 /// @param h  step size [s]; a negative step goes back in time
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see Swope, Andersen, Berens and Wilson, Journal of Chemical Physics 76 (1982)
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void velocity_verlet(Vec& x, Vec& v, Vec& a, Time t, Real h,
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void velocity_verlet(Place& x, Vec& v, Vec& a, Time t, Real h,
                                Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     // [move]
     const Vec v_half = v + (h / Real(2)) * a;
     const Vec v_predicted = v + h * a;

@@ -20,23 +20,23 @@ namespace integrate {
 /// @param v  velocity
 /// @param t  time of `x` and `v` [s]
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
-template <class Vec, class Time, class Acceleration>
-constexpr Vec yoshida4_start(const Vec& x, const Vec& v, Time t, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+template <class Place, class Vec, class Time, class Acceleration>
+constexpr Vec yoshida4_start(const Place& x, const Vec& v, Time t, Acceleration&& acceleration) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   if constexpr (calls) return acceleration(x, v, t);
 }
 
 #ifdef __clang__
 // Or it calls so long a step, and takes the bodies of a loop one by one.
-template <class Vec, class Time, class Real, class Acceleration>
-[[gnu::always_inline]] constexpr void yoshida4(Vec&, Vec&, Vec&, Time, Real, Acceleration&&);
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+[[gnu::always_inline]] constexpr void yoshida4(Place&, Vec&, Vec&, Time, Real, Acceleration&&);
 #endif
 
 /// One step of Yoshida's method: velocity Verlet forward, backward and forward again.
 ///
 /// Order 4, 2 under drag, three evaluations of the acceleration, stable on drag while c*h < 0.912,
-/// on an undamped spring while h*omega < 1.573.
+/// on an undamped spring while h*omega < 1.573. On poses, order 4.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -46,15 +46,18 @@ template <class Vec, class Time, class Real, class Acceleration>
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see H. Yoshida, Construction of higher order symplectic integrators, Physics Letters A 150
 /// (1990)
-template <class Vec, class Time, class Real, class Acceleration>
-constexpr void yoshida4(Vec& x, Vec& v, Vec& a, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr void yoshida4(Place& x, Vec& v, Vec& a, Time t, Real h, Acceleration&& acceleration) {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (calls && scales && moves) {
     // [move]
     const Real outer = h * Real(1.3512071919596576340476878089715);  // h / (2 - cbrt(2))
     const Real middle = h - Real(2) * outer;                         // a step back

@@ -78,6 +78,9 @@ double kept(theory::OneOf<measure::Leapfrog, measure::VelocityVerlet> auto, doub
             double w) {
   return v * v + (1 - w * w / 4) * x * x;
 }
+double kept(measure::LeapfrogDrift, double x, double v, double w) {
+  return (1 - w * w / 4) * v * v + x * x;
+}
 double kept(measure::StormerVerletCarried, double x, double v, double w) {
   const double half_step_ago = (v + w / 2 * x) / (1 + w * w / 2);
   return kept(measure::StormerVerlet(), x, half_step_ago, w);

@@ -55,10 +55,11 @@ foreach(header IN LISTS headers)
     call_wrongly(step_after_acceleration "Real h, Acceleration"
       "${wanted}|conflicting types for parameter .*Real")
     call_wrongly(numbers_are_double_and_vectors_float "Vec.*Real"
-      "(h|matrix) (\\*|times) x.* a Vec")
+      "(h|matrix) (\\*|times) [xv].* a Vec")
     call_wrongly(numbers_are_integers "Real [a-z]" "no integer|not be integers")
     call_wrongly(vectors_of_two_types "Vec.*Vec" "conflicting types for parameter .*Vec")
     set(wanted "expects [0-9]+ argument|requires.* [0-9]+ argument")
+    call_wrongly(place_that_no_velocity_moves "Place.*Real" "x \\+ h \\* v must be a Place")
     call_wrongly(one_argument_missing "" ${wanted})
     call_wrongly(two_arguments_too_many "" ${wanted})
     call_wrongly(solve_of_one_argument Solve "solve must be callable as")

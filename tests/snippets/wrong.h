@@ -10,15 +10,17 @@ struct Label {
   const char* text;
 };
 
-template <int Line, class SomeVec, class SomeReal, class SomeOtherVec = SomeVec>
+template <int Line, class SomeVec, class SomeReal, class SomeOtherVec = SomeVec,
+          class SomePlace = SomeVec>
 struct Call {
+  using Place = SomePlace;
   using Vec = SomeVec;
   using OtherVec = SomeOtherVec;
   using Real = SomeReal;
   using Time = double;
   using Path = integrate::Dopri5Path<Vec, Time, Real>;
   struct Acceleration {
-    Vec operator()(const Vec& x, const Vec& v, Time t) const;
+    Vec operator()(const Place& x, const Vec& v, Time t) const;
   };
   struct Solve {
     bool operator()(const Vec& x, const Vec& v, Time t, Real p, Real q, Vec& change) const;
@@ -57,6 +59,9 @@ struct numbers_are_integers : Call<Line, double, int> {};
 
 template <int Line>
 struct vectors_of_two_types : Call<Line, double, double, float> {};
+
+template <int Line>
+struct place_that_no_velocity_moves : Call<Line, glm::vec3, float, glm::vec3, Label> {};
 
 template <int Line>
 struct one_argument_missing : Call<Line, glm::vec3, float> {};

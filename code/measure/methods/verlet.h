@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "integrate/leapfrog.h"
+#include "integrate/leapfrog_drift.h"
 #include "integrate/stormer_verlet.h"
 #include "integrate/velocity_verlet.h"
 #include "integrate/yoshida4.h"
@@ -54,6 +55,22 @@ struct Leapfrog : Orders<2, 2, 1> {
   template <class Kept, class Real, class Scene>
   static StateOf<Kept> state_of(const Kept& kept, Real t, Real h, const Scene& scene) {
     return {kept[0], integrate::leapfrog_velocity(kept[0], kept[1], t, h, scene)};
+  }
+};
+
+/// integrate::leapfrog_drift.
+struct LeapfrogDrift : Orders<2, 2, 1> {
+  static constexpr std::string_view name = "drift, kick, drift", function = "leapfrog_drift",
+                                    header = "leapfrog_drift.h";
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 2;
+  static constexpr int free_fall = 50;
+  static constexpr bool symplectic = true, reversible = true, central = true;
+  static constexpr bool goes_back = true, contender = false;
+
+  /// One step.
+  constexpr void operator()(auto& x, auto& v, auto t, auto h, auto&& acceleration) const {
+    integrate::leapfrog_drift(x, v, t, h, acceleration);
   }
 };
 
@@ -155,6 +172,7 @@ struct Yoshida4 : Orders<4, 4, 2>, KeepsAcceleration {
 };
 
 inline constexpr Leapfrog leapfrog;                            ///< to hand on
+inline constexpr LeapfrogDrift leapfrog_drift;                 ///< to hand on
 inline constexpr StormerVerlet stormer_verlet;                 ///< to hand on
 inline constexpr StormerVerletCarried stormer_verlet_carried;  ///< to hand on
 inline constexpr StormerVerletUneven stormer_verlet_uneven;    ///< to hand on
@@ -166,8 +184,8 @@ inline constexpr Yoshida4 yoshida4;                            ///< to hand on
 namespace list {
 
 /// Verlet’s methods and those made of them.
-using VerletKin =
-    std::tuple<measure::Leapfrog, measure::StormerVerlet, measure::StormerVerletCarried,
-               measure::StormerVerletUneven, measure::VelocityVerlet, measure::Yoshida4>;
+using VerletKin = std::tuple<measure::Leapfrog, measure::LeapfrogDrift, measure::StormerVerlet,
+                             measure::StormerVerletCarried, measure::StormerVerletUneven,
+                             measure::VelocityVerlet, measure::Yoshida4>;
 
 }  // namespace list

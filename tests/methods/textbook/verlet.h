@@ -61,6 +61,22 @@ inline std::vector<State> steps(measure::Leapfrog, const Force& force, const Sta
   return states;
 }
 
+// Leapfrog on the places at the middles of the steps; what stands at their ends is the mean of two.
+inline std::vector<State> steps(measure::LeapfrogDrift, const Force& force, const State& start,
+                                Real h, int count) {
+  std::vector<State> states;
+  Real before = start.x - h * start.v / 2;
+  Real middle = start.x + h * start.v / 2;
+  for (int n = 0; n < count; ++n) {
+    const Real a = force(middle, (middle - before) / h, (n + 0.5L) * h);
+    const Real next = 2 * middle - before + h * h * a;
+    before = middle;
+    middle = next;
+    states.push_back({(before + middle) / 2, (middle - before) / h});
+  }
+  return states;
+}
+
 // A parabola to the end, and there the mean of both accelerations.
 inline void velocity_verlet(State& s, Real& a, const Force& force, Real t, Real h) {
   const Real before = a;
