@@ -41,6 +41,8 @@ $browsers: to test the book in browsers
 lld-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32: live figures, C++ for the browser
 g++-aarch64-linux-gnu qemu-user: to see the same bits on 64-bit Arm
 git: to test a clean checkout"
+[ "$system" != "debian 12" ] || [ "$*" = grader ] || needs+="
+clang-14: the distribution's own clang, which readers of the headers have"
 [ "$*" != peers ] || needs+="
 libbenchmark-dev: to measure
 libboost-dev libgsl-dev libsundials-dev: odeint, GSL and SUNDIALS, to measure beside; Debian's SUNDIALS brings PETSc and MPI"

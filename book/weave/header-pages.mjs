@@ -14,6 +14,7 @@ import {
   templateLine,
   where,
 } from './reference-entries.mjs';
+import { onShelf } from './namespaces.mjs';
 import { promisesHtml } from './promises.mjs';
 import { isMark } from './snippets.mjs';
 import { sourceHref } from './source-pages.mjs';
@@ -89,16 +90,27 @@ function take(book, header) {
   );
 }
 
-function vectors({ functions }, libraries) {
+// What the vectors of raylib lack.
+export const RAYLIB_OPERATOR = 'inline Vector3 operator*(float s, Vector3 v) { return v * s; }';
+const VECTORS =
+  ' A <code>Vec</code> is whatever has <code>Vec + Vec</code> and <code>h * Vec</code>: a number, <code>glm::vec3</code>, an Eigen vector, a struct of yours.';
+const RAYLIB = ` raylib lacks one operator, which is <code>${RAYLIB_OPERATOR}</code>`;
+
+function vectors(header, libraries) {
+  const { functions, types } = header;
+  const has = (entry, name) =>
+    (entry.templates ?? []).some(template => `${template.type} ${template.name}`.includes(name));
   if (libraries.includes('Eigen')) return ' Its <code>Vec</code> is an Eigen vector of all unknowns.';
+  if (onShelf(header)) return [...functions, ...types].some(entry => has(entry, 'Vec')) ? VECTORS + RAYLIB : '';
   if (!functions.some(steps)) return '';
   const place = functions.some(({ parameters }) => /^Place ?&$/.test(parameters[0]?.type ?? ''))
     ? ' A <code>Place</code> is the same, or of a type of its own that <code>x + h * v</code> moves: a pose that a twist turns.'
     : '';
   return (
-    ' A <code>Vec</code> is whatever has <code>Vec + Vec</code> and <code>h * Vec</code>: a number, <code>glm::vec3</code>, an Eigen vector, a struct of yours. ' +
-    'Bodies that pull at each other go into one <code>Vec</code>, and one call moves them all.' +
-    place
+    VECTORS +
+    ' Bodies that pull at each other go into one <code>Vec</code>, and one call moves them all.' +
+    place +
+    RAYLIB
   );
 }
 

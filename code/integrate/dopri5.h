@@ -27,7 +27,6 @@
 /// }
 /// @endcode
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -110,10 +109,10 @@ struct Dopri5Verdict {
   /// @param in_v  the same in velocity
   Dopri5Verdict(Real in_x, Real in_v) {
     if (!finite(in_x) || !finite(in_v)) return;
-    const Real size = (std::max)(in_v, in_x);
+    const Real size = in_v < in_x ? in_x : in_v;
     const Real wish = size > Real(0) ? Real(0.9) * std::pow(size, Real(-0.2)) : Real(5);
     good = size <= Real(1);
-    change = std::clamp(wish, Real(0.2), Real(5));
+    change = wish < Real(0.2) ? Real(0.2) : wish > Real(5) ? Real(5) : wish;
   }
 
   /// By an integer, since -ffast-math takes every comparison for one of finite numbers.

@@ -30,7 +30,6 @@
 /// x = x2 - x1, v = v2 - v1;  // the same motion as above, while both go on at 10 m/s
 /// @endcode
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -62,7 +61,8 @@ constexpr void linear_damping_explicit_last(Place& x, Vec& v, Time t, Real h, Re
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
     const Vec a = acceleration(x, v, t);
-    v = (std::max)(Real(0), Real(1) - c * h) * Vec(v + h * a);
+    const Real keep = Real(1) - c * h;
+    v = (keep > Real(0) ? keep : Real(0)) * Vec(v + h * a);
     x = x + h * v;
   }
 }
@@ -92,7 +92,8 @@ constexpr void linear_damping_explicit_first(Place& x, Vec& v, Time t, Real h, R
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
     const Vec a = acceleration(x, v, t);
-    v = (std::max)(Real(0), Real(1) - c * h) * v + h * a;
+    const Real keep = Real(1) - c * h;
+    v = (keep > Real(0) ? keep : Real(0)) * v + h * a;
     x = x + h * v;
   }
 }

@@ -19,10 +19,16 @@
 #include "scenes/outer_solar_system.h"
 #include "scenes/pendulum.h"
 #include "scenes/spring.h"
+#include "shelf/bounce.h"
+#include "shelf/damper.h"
 #include "shelf/first_order.h"
 #include "shelf/fixed_step.h"
+#include "shelf/link.h"
+#include "snippets/shelf_calls/bounce.h"
+#include "snippets/shelf_calls/damper.h"
 #include "snippets/shelf_calls/first_order.h"
 #include "snippets/shelf_calls/fixed_step.h"
+#include "snippets/shelf_calls/link.h"
 
 namespace {
 
@@ -111,6 +117,9 @@ int main() {
   list::for_each(list::Joined<list::OnSprings, list::Damping>(), [&](auto method) {
     print<decltype(method)>("spring", spring, spring.start(), 1e-3, 10'000);
   });
+  print("bounce", bounce_on<Doubles>);
+  print("damper", damper_on<Doubles>);
   print("first_order", first_order_on<Doubles>);
   print("fixed_step", fixed_step_on<Doubles>);
+  print("link", link_on<Doubles>);
 }

@@ -1,4 +1,5 @@
-# Compiles a program that calls every function of HEADERS on the vectors of VECTORS, and runs it.
+# Compiles a program that calls every function of HEADERS on the vectors of VECTORS, or on the one
+# KIND of tests/snippets/kinds, and runs it.
 # Its folder holds these headers, and those that they are used WITH, and no other. Without EIGEN,
 # Eigen is not to be found. With MACROS, a file of macros, the headers are read after them, and after
 # all that they include, which would not survive. FLAGS are the compiler's.
@@ -39,9 +40,23 @@ if(MACROS)
   set(includes "${needed}\n#include \"${MACROS}\"\n${includes}${undone}\n")
 endif()
 
+set(vectors "#include \"${VECTORS}.h\"")
+if(KIND)
+  set(vectors "#include \"same_steps.h\"
+#include \"kinds/${KIND}.h\"
+struct Attempt {
+  int wrong = 0;
+
+  template <class Method>
+  void operator()(const char* name, Method method) {
+    wrong += differences<kinds::${KIND}>(name, method);
+  }
+};")
+endif()
+
 # The headers first and nothing before them: each must bring all that it needs.
 file(WRITE ${SCRATCH}/program.cpp "${includes}
-#include \"${VECTORS}.h\"
+${vectors}
 ${adapters}
 int main() {
   Attempt attempt;

@@ -7,9 +7,8 @@ namespace measure {
 std::vector<ShelfCard> every_shelf_card() {
   using namespace shelf_cards;
   return {
-      first_order(),
-      fixed_step(),
-      smooth_damp(),
+      bounce(), damper(),      first_order(), fixed_step(),
+      link(),   orientation(), smooth_damp(), soft_constraint(),
   };
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // A plain struct of floats.
 #pragma once
-#include "numbers.h"
-
 namespace kinds {
 
 struct PlainFloats {

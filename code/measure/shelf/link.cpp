@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT-0
+#include "shelf/link.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "measure/shelf/every_card.h"
+
+namespace measure::shelf_cards {
+namespace {
+
+constexpr double g = 9.81, mass = 0.01, frame = 1 / 60.0;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr auto length_of = [](double x) { return std::abs(x); };
+
+// Two metres of rope in links, hanging straight down, with a floor far below.
+struct Hanging {
+  std::vector<double> x, before, tension, w;
+  shelf::Rope<double> rope;
+
+  Hanging(int links, double stiffness) : tension(links), w(links + 1, 1 / mass) {
+    rope.length = 2.0 / links;
+    rope.compliance = 1 / stiffness;
+    for (int i = 0; i <= links; ++i) x.push_back(-i * rope.length);
+    before = x;
+    w[0] = 0;
+  }
+
+  void run(double h, double duration, double floor = -100) {
+    const auto above = [floor](double place) { return std::max(place, floor); };
+    for (int n = 0; n * h < duration; ++n) {
+      shelf::rope_step(x, before, tension, w, int(x.size()), rope, -g, h, length_of, above);
+    }
+  }
+
+  double per_cent() const { return 100 * (-x.back() / 2 - 1); }
+
+  // How far a point goes at most in one of 600 more steps [m].
+  double restless(double h) {
+    double most = 0;
+    for (int n = 0; n < 600; ++n) {
+      run(h, h / 2);
+      for (std::size_t i = 0; i < x.size(); ++i) most = std::max(most, std::abs(x[i] - before[i]));
+    }
+    return most;
+  }
+};
+
+// The stiffness of springs that let 20 links hang one per cent longer.
+constexpr double one_per_cent = mass * g * 20 * 21 / 2 / 0.02;
+
+double in_substeps(int substeps, bool warm) {
+  Hanging hanging(20, one_per_cent);
+  hanging.rope.warm = warm;
+  hanging.run(frame / substeps, 60);
+  return hanging.per_cent();
+}
+
+// Calls `visit(w1, w2, x1, x2)` for points of 1 g to 1 t.
+template <class Visit>
+void for_each_pair(Visit visit) {
+  for (const double w1 : {1e3, 30.0, 1.0, 0.02, 1e-3}) {
+    for (const double w2 : {1e3, 7.0, 1.0, 0.3, 1e-3}) {
+      for (const double x2 : {-1.0, 0.3, 0.9}) visit(w1, w2, 0.1, x2);
+    }
+  }
+}
+
+Promise distance() {
+  double off = 0;
+  for_each_pair([&](double w1, double w2, double x1, double x2) {
+    shelf::pull(x1, x2, w1, w2, 0.7, length_of);
+    off = std::max(off, std::abs(std::abs(x2 - x1) - 0.7));
+  });
+  return {"a pull brings two points of 1 g to 1 t to their distance, to 4 roundings",
+          off < 4 * epsilon, off / epsilon, 2, "roundings"};
+}
+
+Promise centre() {
+  long double off = 0;
+  for_each_pair([&](double w1, double w2, double x1, double x2) {
+    const auto place = [&] {
+      return (x1 / (long double)w1 + x2 / (long double)w2) /
+             (1 / (long double)w1 + 1 / (long double)w2);
+    };
+    const long double before = place();
+    shelf::pull(x1, x2, w1, w2, 0.7, length_of);
+    off = std::max(off, std::abs(place() - before));
+  });
+  double held = 0.1, end = 0.9;
+  shelf::pull(held, end, 0.0, 1.0, 0.7, length_of);
+  const double roundings = double(off) / epsilon;
+  return {
+      "their centre of mass stays, to 4 roundings, and a point of inverse mass 0 stays to the "
+      "bit",
+      roundings < 4 && held == 0.1, roundings, 2, "roundings"};
+}
+
+Promise backward_euler() {
+  double off = 0;
+  for (int power = -6; power <= 3; ++power) {
+    const double angle = std::pow(10, power), h = frame, w = 5;
+    for (const double speed : {-3.0, 0.0, 2.0}) {
+      double anchor = 0, x = 1.25 + h * speed, tension = 0;
+      const long double exact = ((long double)x - 1) / (1 + (long double)angle * angle);
+      const double compliance = w * h * h / (angle * angle);
+      shelf::link(anchor, x, tension, 0.0, w, 1.0, compliance, h, length_of);
+      off = std::max(off, double(std::abs((long double)x - 1 - exact)) / epsilon);
+    }
+  }
+  return {
+      "a link with compliance makes the step of backward Euler: a stretch e that grows by v "
+      "becomes (e + h v) / (1 + (h omega)^2), to 4 roundings, for h omega from 10^-6 to 10^3",
+      off < 4, off, 2, "roundings"};
+}
+
+Promise next_link() {
+  double off = 0;
+  for (const double tip : {0.002, 0.01, 0.05}) {
+    const double h = frame / 4;
+    Hanging hanging(20, 4e3);
+    hanging.w[20] = 1 / tip;
+    hanging.run(h, 300);
+    double below = 0, weight = tip * g;
+    for (int i = 20; i > 0; --i) {
+      const double wanted = 0.1 + weight / 4e3 + h * h / mass * below;
+      off = std::max(off, std::abs(hanging.x[i - 1] - hanging.x[i] - wanted));
+      below = weight;
+      weight += mass * g;
+    }
+  }
+  return {
+      "where a rope hangs, with one pass, each link is as long as its tension asks for and, by "
+      "h^2/m times the tension of the next link, longer, m being the mass between the two; to "
+      "10^-9 m",
+      off < 1e-9, off, 2, "m"};
+}
+
+Promise law() {
+  const auto near = [](int substeps, double promised, double last_digit) {
+    return std::abs(in_substeps(substeps, false) - promised) < last_digit / 2;
+  };
+  return {
+      "of two metres in 20 links that should give 1 %, one pass gives 26.9 % with one step in "
+      "1/60 s, 2.62 with 4 substeps, 1.40 with 8, 1.10 with 16 and 1.03 with 32",
+      near(1, 26.9, 0.1) && near(4, 2.62, 0.01) && near(8, 1.40, 0.01) && near(16, 1.10, 0.01) &&
+          near(32, 1.03, 0.01),
+      in_substeps(8, false), 4, "%"};
+}
+
+Promise warm() {
+  const double stretch = in_substeps(8, true);
+  return {"begun warm, it gives 1.000 % with 8 substeps", std::abs(stretch - 1) < 5e-4, stretch, 4,
+          "%"};
+}
+
+double restless(double stiffness, bool warm) {
+  const double h = frame / 8;
+  Hanging hanging(20, stiffness * mass / (h * h));
+  hanging.rope.warm = warm;
+  hanging.run(h, 60);
+  return hanging.restless(h);
+}
+
+Promise bursting() {
+  const double bursts = restless(1.5, true);
+  return {
+      "begun warm, with one pass, it comes to rest at a stiffness of 0.8 m/h^2 and bursts at "
+      "1.5 m/h^2, as springs do; begun cold, it comes to rest at 10^9 m/h^2",
+      restless(0.8, true) < 1e-6 && bursts > 0.01 && restless(1e9, false) < 1e-6, bursts, 2,
+      "m in a step"};
+}
+
+Promise on_the_floor() {
+  Hanging hanging(20, one_per_cent);
+  double lowest = 0;
+  for (int n = 0; n < 600; ++n) {
+    hanging.run(frame, frame / 2, -1.5);
+    lowest = std::min(lowest, *std::min_element(hanging.x.begin(), hanging.x.end()));
+  }
+  return {"no free point is below the floor after a step", lowest >= -1.5, -1.5 - lowest, 1, "m"};
+}
+
+}  // namespace
+
+ShelfCard link() {
+  return {"link",
+          {distance(), centre(), backward_euler(), next_link(), law(), warm(), bursting(),
+           on_the_floor()}};
+}
+
+}  // namespace measure::shelf_cards

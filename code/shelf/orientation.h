@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// How a thing is turned, and how it tumbles: orientation, spin and angular momentum.
+///
+/// A book of a kilogram, thrown about its middle axis, after a second: it spins on, and lies on its
+/// head. The orientation `q` and the angular momentum `L` are all that it has to remember. `L` is
+/// in the world's axes and stays what it is until something pushes: `L = L + h * torque`.
+/// @code
+/// const shelf::Vec3<double> inertia = shelf::inertia_of_box(1.0, {0.2, 0.14, 0.03});
+/// shelf::Quaternion<double> q;
+/// shelf::Vec3<double> L = shelf::angular_momentum(q, {0.2, 20, 0.2}, inertia);
+/// for (int n = 0; n < 60; ++n) shelf::spin_by_rotations(q, L, inertia, 1 / 60.0);
+/// const shelf::Vec3<double> spine = shelf::rotate(q, {0, 1, 0});
+/// const shelf::Vec3<double> w = shelf::angular_velocity(q, L, inertia);
+/// // Now spine.y is -0.9994.
+/// // Now w.y is 19.998.
+/// @endcode
+///
+/// The vectors and quaternions of your engine are copied in, turned and copied out, by their names,
+/// since half of the libraries put `w` last: `shelf::Quaternion<float> q{r.w, r.x, r.y, r.z}`, and
+/// back `r.w = q.w, r.x = q.x, r.y = q.y, r.z = q.z`. In a left-handed world the formulas are the
+/// same. Sines and cosines, where one is called, are those of the C library: their last bit differs
+/// from one machine to the next. `turn` and `spin_by_midpoint` call none.
+///
+/// Promises:
+/// - turn turns by 2*atan(h*|w|/2) instead of h*|w|: at 20 rad/s and 60 Hz it is 1.8 rad behind
+///   after ten seconds
+/// - turn_exact makes no error but rounding, from 1e-9 to 3 rad a step: 1e-12 rad in ten seconds
+/// - the length of q stays one, to 1e-15, for 100000 steps
+/// - a body with moments of 1, 2 and 3, thrown about its middle axis with 20 rad/s, has its energy
+///   by rotations within 0.1 % at 60 Hz, for a hundred seconds
+/// - that body is turned by rotations within 0.02 rad of the exact solution for a second at 60 Hz
+/// - that body keeps its energy by the midpoint rule to 1e-13, for ten seconds at 60 Hz
+/// - that body is turned by the midpoint rule within 0.22 rad of the exact solution for a second
+/// - that body loses 88 % of its energy by Bullet's step in ten seconds at 60 Hz
+/// - the rotations and the midpoint rule are of order 2
+/// - by rotations a body with two equal moments is turned without error in steps of half a second:
+///   1e-12 rad in ten seconds
+/// - a step by -h takes back a step by h of the rotations and of the midpoint rule, to 1e-14 rad
+/// - spin_damped leaves exp(-c*t) of L at any frame rate, and turns a body with two equal moments
+///   without error: 1e-13 in two seconds at 1 to 240 Hz
+#pragma once
+#include <cmath>
+#include <type_traits>
+
+namespace shelf {
+
+/// Three numbers along x, y and z; the methods of this book take it, too.
+template <class Real>
+struct Vec3 {
+  static_assert(!std::is_integral_v<Real>, "a vector must not be made of integers");
+  Real x = 0, y = 0, z = 0;
+
+  friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend constexpr Vec3 operator*(Real s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend constexpr Real dot(const Vec3& a, const Vec3& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+  }
+  friend constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+};
+
+/// An orientation, from the body's axes to the world's; as it is made, not turned at all.
+///
+/// Its length is one, and every function below leaves it so. One that is zero has no direction:
+/// turned, it is not a number.
+template <class Real>
+struct Quaternion {
+  using Number = Real;     ///< with Vec, what lets `{0, 1, 0}` and 1 / 60.0 be arguments
+  using Vec = Vec3<Real>;  ///< a vector that fits
+  Real w = 1, x = 0, y = 0, z = 0;
+
+  /// The turn by b and after it the turn by a; or, in the body's axes, by a and after it by b.
+  friend constexpr Quaternion operator*(const Quaternion& a, const Quaternion& b) {
+    return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
+            a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+            a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
+            a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x};
+  }
+  /// The same direction with length one.
+  friend Quaternion normalised(const Quaternion& q) {
+    const Real length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    return {q.w / length, q.x / length, q.y / length, q.z / length};
+  }
+};
+
+/// A vector of the body, in the world's axes.
+///
+/// @param q  orientation, of length one
+/// @param v  vector in the body's axes
+template <class Real>
+constexpr Vec3<Real> rotate(const Quaternion<Real>& q, const typename Quaternion<Real>::Vec& v) {
+  const Vec3<Real> axis{q.x, q.y, q.z};
+  const Vec3<Real> across = Real(2) * cross(axis, v);
+  return v + q.w * across + cross(axis, across);
+}
+
+/// A vector of the world, in the body's axes.
+///
+/// @param q  orientation, of length one
+/// @param v  vector in the world's axes
+template <class Real>
+constexpr Vec3<Real> rotate_back(const Quaternion<Real>& q,
+                                 const typename Quaternion<Real>::Vec& v) {
+  return rotate(Quaternion<Real>{q.w, -q.x, -q.y, -q.z}, v);
+}
+
+/// A turn as most engines do it: a step of Euler's method, and back to length one.
+///
+/// It turns about the right axis, but by 2*atan(h*|w|/2) instead of h*|w|: too little, and never by
+/// more than half a turn. No sine is called.
+///
+/// @param q  orientation, advanced in place
+/// @param w  angular velocity in the world's axes [rad/s]
+/// @param h  step size [s]; a negative step goes back
+/// @see David Baraff, Physically Based Modeling: Rigid Body Simulation (2001), section 4
+template <class Real>
+void turn(Quaternion<Real>& q, const typename Quaternion<Real>::Vec& w,
+          typename Quaternion<Real>::Number h) {
+  const Vec3<Real> half = (h / Real(2)) * w;
+  q = normalised(Quaternion<Real>{Real(1), half.x, half.y, half.z} * q);
+}
+
+/// A turn at a constant angular velocity, without error: the exponential map.
+///
+/// Calls a sine, a cosine and a square root. No turn is too slow for it.
+///
+/// @param q  orientation, advanced in place
+/// @param w  angular velocity in the world's axes [rad/s]
+/// @param h  step size [s]; a negative step goes back
+/// @see F. S. Grassia, Practical Parameterization of Rotations Using the Exponential Map (1998)
+template <class Real>
+void turn_exact(Quaternion<Real>& q, const typename Quaternion<Real>::Vec& w,
+                typename Quaternion<Real>::Number h) {
+  const Vec3<Real> half = (h / Real(2)) * w;
+  const Real angle = std::sqrt(dot(half, half));
+  const Vec3<Real> by = (angle > Real(0) ? std::sin(angle) / angle : Real(1)) * half;
+  q = normalised(Quaternion<Real>{std::cos(angle), by.x, by.y, by.z} * q);
+}
+
+/// The moments of inertia of a box about its own three axes [kg m^2].
+///
+/// @param mass  of the box, evenly spread [kg]
+/// @param size  whole edges along x, y and z, not half of them [m]
+template <class Real>
+constexpr Vec3<Real> inertia_of_box(Real mass, const typename Quaternion<Real>::Vec& size) {
+  const Real x = size.x * size.x, y = size.y * size.y, z = size.z * size.z;
+  return (mass / Real(12)) * Vec3<Real>{y + z, x + z, x + y};
+}
+
+/// The angular momentum of a body that spins [kg m^2/s], in the world's axes.
+///
+/// @param q  orientation
+/// @param w  angular velocity in the world's axes [rad/s]
+/// @param inertia  moments about the body's own three axes [kg m^2]
+template <class Real>
+constexpr Vec3<Real> angular_momentum(const Quaternion<Real>& q,
+                                      const typename Quaternion<Real>::Vec& w,
+                                      const typename Quaternion<Real>::Vec& inertia) {
+  const Vec3<Real> own = rotate_back(q, w);
+  return rotate(q, {inertia.x * own.x, inertia.y * own.y, inertia.z * own.z});
+}
+
+/// How fast a body spins that has an angular momentum [rad/s], in the world's axes.
+///
+/// @param q  orientation
+/// @param L  angular momentum in the world's axes [kg m^2/s]
+/// @param inertia  moments about the body's own three axes, above zero [kg m^2]
+template <class Real>
+constexpr Vec3<Real> angular_velocity(const Quaternion<Real>& q,
+                                      const typename Quaternion<Real>::Vec& L,
+                                      const typename Quaternion<Real>::Vec& inertia) {
+  const Vec3<Real> own = rotate_back(q, L);
+  return rotate(q, {own.x / inertia.x, own.y / inertia.y, own.z / inertia.z});
+}
+
+/// A step of a body that no torque acts on, by turns that are each exact.
+///
+/// Order 2, for every step size. The body's middle moment, were it the moment about each axis,
+/// would let the body turn about L like a ball. That turn comes first; what is then missing are
+/// turns about the body's own axes: x and y by half, z, and y and x once more. A body with two
+/// equal moments is so turned without error. Calls up to six sines and cosines and two square
+/// roots.
+///
+/// @param q  orientation, advanced in place
+/// @param L  angular momentum in the world's axes [kg m^2/s]; stays what it is
+/// @param inertia  moments about the body's own three axes, above zero [kg m^2]
+/// @param h  step size [s]; a negative step goes back
+/// @see J. Touma and J. Wisdom, Lie-Poisson integrators for rigid body dynamics in the solar system
+/// (1994)
+template <class Real>
+void spin_by_rotations(Quaternion<Real>& q, const typename Quaternion<Real>::Vec& L,
+                       const typename Quaternion<Real>::Vec& inertia,
+                       typename Quaternion<Real>::Number h) {
+  const Vec3<Real> all{Real(1) / inertia.x, Real(1) / inertia.y, Real(1) / inertia.z};
+  const Real less = all.x < all.y ? all.x : all.y, more = all.x < all.y ? all.y : all.x;
+  const Real ball = all.z < less ? less : more < all.z ? more : all.z;
+  const Vec3<Real> own = all + Real(-ball) * Vec3<Real>{Real(1), Real(1), Real(1)};
+  Vec3<Real> spin = rotate_back(q, L);
+  const auto about = [&](const Vec3<Real>& axis, Real time) {
+    const Real half = time * dot(axis, spin) * dot(axis, own) / Real(2);
+    const Vec3<Real> by = std::sin(half) * axis;
+    const Quaternion<Real> turned{std::cos(half), by.x, by.y, by.z};
+    q = q * turned;
+    spin = rotate_back(turned, spin);
+  };
+  const Vec3<Real> x{Real(1)}, y{Real(0), Real(1)}, z{Real(0), Real(0), Real(1)};
+  turn_exact(q, ball * L, h);
+  about(x, h / Real(2));
+  about(y, h / Real(2));
+  about(z, h);
+  about(y, h / Real(2));
+  about(x, h / Real(2));
+  q = normalised(q);
+}
+
+/// The same step with damping of the spin, L' = -c*L, which costs it no order and no accuracy.
+///
+/// A body that slows down runs through the orientations of one that does not, only later. Calls two
+/// exponentials, too.
+///
+/// @param q  orientation, advanced in place
+/// @param L  angular momentum in the world's axes [kg m^2/s], damped in place
+/// @param inertia  moments about the body's own three axes, above zero [kg m^2]
+/// @param h  step size [s]; a negative step goes back
+/// @param c  damping [1/s]; in a second L becomes exp(-c) of what it was
+template <class Real>
+void spin_damped(Quaternion<Real>& q, typename Quaternion<Real>::Vec& L,
+                 const typename Quaternion<Real>::Vec& inertia, typename Quaternion<Real>::Number h,
+                 typename Quaternion<Real>::Number c) {
+  spin_by_rotations(q, L, inertia, c * h == Real(0) ? h : -std::expm1(-c * h) / c);
+  L = std::exp(-c * h) * L;
+}
+
+/// One step of Newton's method towards the end of a step of backward Euler: L = start + h * L x w.
+///
+/// @param L  guess at the angular momentum at the end, in the body's axes [kg m^2/s]
+/// @param start  what it was at the start
+/// @param inertia  moments about the body's own three axes, above zero [kg m^2]
+/// @param h  step size [s]
+/// @returns  a better guess
+template <class Real>
+constexpr Vec3<Real> spin_newton(const Vec3<Real>& L, const Vec3<Real>& start,
+                                 const Vec3<Real>& inertia, Real h) {
+  const Vec3<Real> w{L.x / inertia.x, L.y / inertia.y, L.z / inertia.z};
+  const auto column = [&](const Vec3<Real>& axis, Real moment) {
+    return axis + (-h) * (cross(axis, w) + (Real(1) / moment) * cross(L, axis));
+  };
+  const Vec3<Real> x = column({Real(1), Real(0), Real(0)}, inertia.x);
+  const Vec3<Real> y = column({Real(0), Real(1), Real(0)}, inertia.y);
+  const Vec3<Real> z = column({Real(0), Real(0), Real(1)}, inertia.z);
+  const Vec3<Real> missing = start + Real(-1) * L + h * cross(L, w);
+  const Vec3<Real> change{dot(missing, cross(y, z)), dot(missing, cross(z, x)),
+                          dot(missing, cross(x, y))};
+  return L + (Real(1) / dot(x, cross(y, z))) * change;
+}
+
+/// A step of a body that no torque acts on, by the implicit midpoint rule.
+///
+/// Order 2. Keeps the energy while h*|w| is at most 2; above it Newton's method may lose its way,
+/// and the energy with it. It is less accurate than spin_by_rotations, as it turns like `turn`. No
+/// sine is called: the same bits everywhere.
+///
+/// @param q  orientation, advanced in place
+/// @param L  angular momentum in the world's axes [kg m^2/s]; stays what it is
+/// @param inertia  moments about the body's own three axes, above zero [kg m^2]
+/// @param h  step size [s]; a negative step goes back
+/// @see Hairer, Lubich and Wanner, Geometric Numerical Integration (2006), section VII.5
+template <class Real>
+void spin_by_midpoint(Quaternion<Real>& q, const typename Quaternion<Real>::Vec& L,
+                      const typename Quaternion<Real>::Vec& inertia,
+                      typename Quaternion<Real>::Number h) {
+  const Real half = h / Real(2);
+  const Vec3<Real> start = rotate_back(q, L);
+  Vec3<Real> middle = start;
+  for (int n = 0; n < 6; ++n) middle = spin_newton(middle, start, inertia, half);
+  const Vec3<Real> by{half * middle.x / inertia.x, half * middle.y / inertia.y,
+                      half * middle.z / inertia.z};
+  q = normalised(q * Quaternion<Real>{Real(1), by.x, by.y, by.z});
+}
+
+/// A step of a body that no torque acts on, as in Bullet: one step of Newton's towards backward
+/// Euler, and a turn by what comes out. To compare with; it brakes, so don't.
+///
+/// Order 1. Bullet's own turn ends at an eighth of a turn in a step; here it doesn't.
+///
+/// @param q  orientation, advanced in place
+/// @param L  angular momentum in the world's axes [kg m^2/s], which it changes
+/// @param inertia  moments about the body's own three axes, above zero [kg m^2]
+/// @param h  step size [s]
+/// @see btRigidBody::computeGyroscopicImpulseImplicit_Body, after Erin Catto, Numerical Methods
+/// (2015)
+template <class Real>
+void spin_by_bullet(Quaternion<Real>& q, typename Quaternion<Real>::Vec& L,
+                    const typename Quaternion<Real>::Vec& inertia,
+                    typename Quaternion<Real>::Number h) {
+  const Vec3<Real> start = rotate_back(q, L);
+  const Vec3<Real> end = spin_newton(start, start, inertia, h);
+  turn_exact(q, rotate(q, {end.x / inertia.x, end.y / inertia.y, end.z / inertia.z}), h);
+  L = rotate(q, end);
+}
+
+}  // namespace shelf

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT-0
+// glm::dvec3.
+#pragma once
+#include <glm/vec3.hpp>
+
+namespace kinds {
+
+struct glm_dvec3 {
+  using Vec = glm::dvec3;
+  using Real = double;
+  using Time = double;
+  static constexpr int size = 3;
+  static constexpr const char* name = "glm::dvec3";
+  static Vec make(const Real* from) { return {from[0], from[1], from[2]}; }
+  static Real read(const Vec& x, int i) { return x[i]; }
+};
+
+}  // namespace kinds

@@ -1,0 +1,29 @@
+# How many lines COMPILER reads for a header: few for one that needs no library of mathematics, and
+# not many more than <cmath> for one that does. What needs Eigen is heavy by that.
+function(lines_of text lines)
+  file(WRITE ${SCRATCH}/header.cpp "${text}\n")
+  execute_process(COMMAND ${COMPILER} -std=c++20 -E -P ${SCRATCH}/header.cpp
+                  OUTPUT_VARIABLE read COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL "\n" read "${read}")
+  list(LENGTH read count)
+  set(${lines} ${count} PARENT_SCOPE)
+endfunction()
+
+lines_of("#include <cmath>" mathematics)
+file(GLOB headers ${INTEGRATE}/*.h ${SHELF}/*.h)
+foreach(header IN LISTS headers)
+  file(STRINGS ${header} eigen REGEX "^#include <Eigen/")
+  if(eigen)
+    continue()
+  endif()
+  file(STRINGS ${header} cmath REGEX "^#include <cmath>")
+  set(limit 6000)
+  if(cmath)
+    math(EXPR limit "${mathematics} + 1000")
+  endif()
+  lines_of("#include \"${header}\"" count)
+  if(count GREATER limit)
+    message(SEND_ERROR "${header} brings ${count} lines, and at most ${limit} are allowed; "
+      "what does it include that the step does not need?")
+  endif()
+endforeach()
