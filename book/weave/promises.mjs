@@ -35,12 +35,19 @@ export function checkPromises(book) {
 
 const measured = ({ measured: found, digits, unit }) => value({ about: '', measured: found, digits, unit });
 
+// A header is plain text: powers stand in it as 10^-12, as 1e-12 and as h^2.
+const wordsHtml = words =>
+  escapeHtml(words)
+    .replace(/\b1e-(\d+)/g, '10^-$1')
+    .replace(/\b(\d[\d.]*)e-(\d+)/g, '$1 × 10^-$2')
+    .replace(/\^(-?\d+)/g, (_, power) => `<sup>${power.replace('-', '−')}</sup>`);
+
 // The list of promises that stands in a header's text becomes a card.
 export function promisesHtml(book, header, html) {
   const name = stem(header);
   const rows = book.promises.get(name);
   if (!rows) return html;
-  const lines = rows.map(row => `<div><dt>${escapeHtml(row.promise)}</dt><dd>${measured(row)}</dd></div>`);
+  const lines = rows.map(row => `<div><dt>${wordsHtml(row.promise)}</dt><dd>${measured(row)}</dd></div>`);
   const source = `${MEASURED_IN}/${name}.cpp`;
   const card = `<div class="card promises" role="note" aria-label="What ${escapeHtml(header.name)} promises">
 <div class="cardhead"><p><b>Promised</b>, and measured</p><p class="sources"><a href="data/shelf/${name}.csv">${name}.csv</a>, <a href="${sourceHref(source)}">${name}.cpp</a></p></div>
@@ -55,7 +62,7 @@ export function promisesHtml(book, header, html) {
 export function shelfTable(book, headers, about) {
   const rows = headers.map(header => {
     const promises = (book.promises.get(stem(header)) ?? []).map(
-      row => `<li>${escapeHtml(row.promise)}: <b>${measured(row)}</b></li>`,
+      row => `<li>${wordsHtml(row.promise)}: <b>${measured(row)}</b></li>`,
     );
     return (
       `<tr><th scope="row"><a href="${header.href}"><code>${escapeHtml(header.name)}</code></a> <span>${about(header)} ` +
