@@ -16,7 +16,7 @@
 /// // Now v is 0.
 /// @endcode
 ///
-/// When a stone lands that is 5 cm above the ground, and when a bullet of 2 cm meets a ball of 50 cm:
+/// When a stone lands from 5 cm above the ground, and when a bullet of 2 cm meets a ball of 50 cm:
 /// @code
 /// const auto lands = shelf::impact_plane(0.05, -6.0, -9.81, 1 / 60.0);
 /// const auto dot = [](double a, double b) { return a * b; };

@@ -21,8 +21,8 @@
 ///
 /// Of these 7 cm its links give 5.8, as springs would, and the substeps 1.2: see the promises.
 ///
-/// One link: a dog of 20 kg on a leash of 2 m, which gives by 1 cm for 100 N, held by a post at 0. It
-/// has run to 2.2 m; then again, begun with the tension that it had; then with a leash of chain.
+/// One link: a dog of 20 kg, 2.2 m from a post, on a leash of 2 m that gives by 1 cm for 100 N;
+/// the same again, begun with the tension that it had; and with a chain for a leash.
 /// @code
 /// const auto norm = [](double d) { return d < 0 ? -d : d; };
 /// double post = 0, dog = 2.2, tension = 0;
