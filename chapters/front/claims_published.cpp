@@ -24,7 +24,7 @@ using scenes::State;
 
 namespace {
 
-// The ellipse of SUNDIALS 7, examples/arkode/C_serial/ark_kepler.c: eccentricity 0.6 from its
+// The ellipse of SUNDIALS, examples/arkode/C_serial/ark_kepler.c: eccentricity 0.6 from its
 // nearest place, for a time of 50.
 struct Kepler {
   Vector2d operator()(const Vector2d& x, const Vector2d&, double) const {

@@ -4,13 +4,19 @@
 /// rate.
 ///
 /// @code
-/// double camera = 0, speed = 0;
 /// const double h = 1 / 60.0, omega = 4;  // omega = 2 / smoothTime, for who knows Unity's
-/// for (int n = 0; n < 60; ++n) shelf::smooth_damp(camera, speed, 10.0, 0.0, omega, h);
-/// double zoom = 1;
-/// for (int n = 0; n < 60; ++n) shelf::smooth(zoom, 2.0, 0.0, 3.0, h);
+/// double camera = 0, speed = 0, lift = 0, rising = 50, zoom = 1, red = 0;
+/// for (int n = 0; n < 60; ++n) {
+///   shelf::smooth_damp(camera, speed, 10.0, 0.0, omega, h);
+///   shelf::smooth_damp_no_overshoot(lift, rising, 10.0, 0.0, omega, h,
+///                                   [](double x, double y) { return x * y; });
+///   shelf::smooth(zoom, 2.0, 0.0, 3.0, h);
+///   red = red + shelf::smoothing_share(3.0, h) * (1 - red);  // in a lerp or a slerp of your own
+/// }
 /// // Now camera is 9.0842.
+/// // Now lift is 9.8168.
 /// // Now zoom is 1.9502.
+/// // Now red is 0.9502.
 /// @endcode
 ///
 /// A target that moves: hand over its velocity, and the follower catches up with it and stays. To
