@@ -135,7 +135,7 @@ constexpr void link_warm_start(Vec& x1, Vec& x2, Real tension, Real w1, Real w2,
 /// @param compliance  1 over the stiffness [m/N]; not negative, 0 gives nothing
 /// @param h  step size, the substep if there are substeps [s]; above 0
 /// @param norm  callable `(Vec) -> Real`, the length of a vector
-/// @see M. Macklin, M. Mueller and N. Chentanez, XPBD, Motion in Games (2016)
+/// @see M. Macklin, M. Müller and N. Chentanez, XPBD, Motion in Games (2016)
 template <class Vec, class Real, class Norm>
 constexpr void link(Vec& x1, Vec& x2, Real& tension, Real w1, Real w2, Real length, Real compliance,
                     Real h, Norm&& norm) {
@@ -186,7 +186,7 @@ struct Rope {
 /// @param norm  callable `(Vec) -> Real`, the length of a vector
 /// @param floor  callable `(Vec) -> Vec`: where a point may be that would be there. Called for each
 /// free point after each pass; a floor, a peg to hang over, or what it got if there is none
-/// @see Mueller, Heidelberger, Hennix and Ratcliff, Position based dynamics (2007)
+/// @see Müller, Heidelberger, Hennix and Ratcliff, Position based dynamics (2007)
 /// @see M. Macklin and others, Small steps in physics simulation (2019)
 template <class Places, class Tensions, class Masses, class Count, class Vec, class Real,
           class Norm, class Floor>
