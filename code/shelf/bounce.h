@@ -16,12 +16,31 @@
 /// // Now v is 0.
 /// @endcode
 ///
-/// When a bullet of 2 cm meets a ball of 50 cm, in a step of 1/60 s:
+/// When a stone lands that is 5 cm above the ground, and when a bullet of 2 cm meets a ball of 50 cm:
 /// @code
+/// const auto lands = shelf::impact_plane(0.05, -6.0, -9.81, 1 / 60.0);
 /// const auto dot = [](double a, double b) { return a * b; };
 /// const double from_ball = -10, speed = 900;
 /// const auto hit = shelf::impact_sphere(from_ball, speed, 0.52, 1 / 60.0, dot);
+/// // Now lands.time is 0.00828.
 /// // Now hit.time is 0.01053333.
+/// @endcode
+///
+/// In a step of your own, a crate that slides on ice. A complex number is a vector, right and up:
+/// @code
+/// #include <complex>
+/// using Flat = std::complex<double>;
+/// const auto dot = [](Flat p, Flat q) { return p.real() * q.real() + p.imag() * q.imag(); };
+/// const Flat up(0, 1);
+/// Flat x = 0, v = 2;
+/// for (int n = 0; n < 180; ++n) {
+///   v = v + 1 / 60.0 * Flat(0, -9.81);
+///   const double push = shelf::bounce(v, up, 0.5, 1.0, dot);
+///   shelf::friction(v, up, 0.1 * push, dot);
+///   x = x + 1 / 60.0 * v;
+/// }
+/// // Now x.real() is 2.02.
+/// // Now v.real() is 0.
 /// @endcode
 ///
 /// Promises:

@@ -11,6 +11,18 @@
 /// // Now trailer is 11.333333.
 /// @endcode
 ///
+/// Along a line alone, as in a strut. A complex number is a vector, right and up:
+/// @code
+/// #include <complex>
+/// using Flat = std::complex<double>;
+/// const auto dot = [](Flat p, Flat q) { return p.real() * q.real() + p.imag() * q.imag(); };
+/// Flat wheel(20, 3), car(20, 0);
+/// shelf::damper_along(wheel, car, 1 / 60.0, 3000.0, 1 / 20.0, 1 / 300.0, Flat(0, 1), dot);
+/// // Now wheel.imag() is 0.9545.
+/// // Now car.imag() is 0.1364.
+/// // Now wheel.real() is 20.
+/// @endcode
+///
 /// Promises:
 /// - the speed of parting is divided by 1 + h c (1/m1 + 1/m2), to 4 roundings of the speeds, for
 ///   masses from 1 g to 1 t

@@ -427,6 +427,18 @@ TEST_CASE("Bullet's step takes 88 per cent of a thrown book's energy in ten seco
   CHECK_THAT(double(before / first), WithinAbs(0.1153, 0.0001));
 }
 
+TEST_CASE(
+    "Turned by the angular velocity at each start, a thrown book spins up to twice its energy") {
+  // About the axis with the least moment L^2 / 2 I is the most that there can be.
+  Body<double> body;
+  const Long first = body.energy(), most = exact(body.L).squaredNorm() / 2 / 1;
+  for (int n = 0; n < 600; ++n) {
+    shelf::turn_exact(body.q, angular_velocity(body.q, body.L, body.inertia), 1 / 60.0);
+  }
+  CHECK(body.energy() > 1.9999L * first);
+  CHECK(body.energy() <= most * (1 + 4 * rounding<double>));
+}
+
 TEST_CASE("A book that is thrown about its middle axis turns over when it should") {
   const EulerTop top;
   Body<double> rotations, midpoint;

@@ -20,7 +20,8 @@ struct Hanging {
   std::vector<double> x, before, tension, w;
   shelf::Rope<double> rope;
 
-  Hanging(int links, double stiffness) : tension(links), w(links + 1, 1 / mass) {
+  Hanging(int links, double stiffness)
+      : tension(std::size_t(links)), w(std::size_t(links) + 1, 1 / mass) {
     rope.length = 2.0 / links;
     rope.compliance = 1 / stiffness;
     for (int i = 0; i <= links; ++i) x.push_back(-i * rope.length);
@@ -31,7 +32,7 @@ struct Hanging {
   void run(double h, double duration, double floor = -100) {
     const auto above = [floor](double place) { return std::max(place, floor); };
     for (int n = 0; n * h < duration; ++n) {
-      shelf::rope_step(x, before, tension, w, int(x.size()), rope, -g, h, length_of, above);
+      shelf::rope_step(x, before, tension, w, x.size(), rope, -g, h, length_of, above);
     }
   }
 
@@ -124,7 +125,7 @@ Promise next_link() {
     hanging.w[20] = 1 / tip;
     hanging.run(h, 300);
     double below = 0, weight = tip * g;
-    for (int i = 20; i > 0; --i) {
+    for (std::size_t i = 20; i > 0; --i) {
       const double wanted = 0.1 + weight / 4e3 + h * h / mass * below;
       off = std::max(off, std::abs(hanging.x[i - 1] - hanging.x[i] - wanted));
       below = weight;

@@ -45,5 +45,5 @@ void orientation_on(Numbers& found) {
   turned(q);
   out(L);
   out(shelf::angular_velocity(q, L, inertia));
-  out(shelf::spin_newton(L, w, inertia, h));
+  out(shelf::SpinEquation<Real>{w, inertia, h}.better(L));
 }
