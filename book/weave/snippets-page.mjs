@@ -64,7 +64,7 @@ function howMuch(row) {
 
 const THINGS = `<h2 id="things">Things that a game needs</h2>
 <p>Each is a function or two over your own types, and no engine. On its page stands an example, and what it promises beside what was measured of each promise; one that
-is not kept stops the build.</p>`;
+is not kept stops the build. A rounding is 2<sup>−52</sup> of what is named, or 2<sup>−23</sup> in float.</p>`;
 
 const LEFT_OUT = `<h2 id="left-out">What is left out</h2>
 <p>Many bodies that rest on each other want a solver of contacts. Look at those of Box2D and Jolt, and at Erin Catto’s <i>Iterative Dynamics with Temporal Coherence</i>
@@ -89,7 +89,7 @@ export function snippetsPage(book) {
       `<tbody>\n${own.map(card => methodRow(book, card, members.get(card.name))).join('\n')}\n</tbody></table>`,
   );
   const headers = [...book.api.headers.values()];
-  const shelf = headers.filter(onShelf);
+  const shelf = headers.filter(onShelf).sort((a, b) => a.name.localeCompare(b.name, 'en'));
   const things = shelf.length ? [THINGS, headerList(book, shelf)] : [];
   const beside = headers.filter(header => !onShelf(header) && !header.functions.some(steps));
   const systems = { id: 'linear-systems', title: 'Linear systems for the implicit methods' };
