@@ -140,7 +140,7 @@ export function headerList(book, headers) {
     const inside = [...header.functions, ...header.types].filter(
       (e, i, all) => all.findIndex(other => other.name === e.name) === i,
     );
-    return `<dt>${entry(header)}</dt><dd>${brief(book, header)}<br><span class="inside">${inside.map(entry).join(', ')}</span></dd>`;
+    return `<dt>${entry(header)}</dt><dd>${brief(book, header)} <a href="headers/${header.name}" download>${header.name}</a><br><span class="inside">${inside.map(entry).join(', ')}</span></dd>`;
   });
   return `<dl class="summary">${items.join('\n')}</dl>`;
 }

@@ -57,20 +57,3 @@ export function promisesHtml(book, header, html) {
     () => card,
   );
 }
-
-// A row of the index for each header of the shelf.
-export function shelfTable(book, headers, about) {
-  const rows = headers.map(header => {
-    const promises = (book.promises.get(stem(header)) ?? []).map(
-      row => `<li>${wordsHtml(row.promise)}: <b>${measured(row)}</b></li>`,
-    );
-    return (
-      `<tr><th scope="row"><a href="${header.href}"><code>${escapeHtml(header.name)}</code></a> <span>${about(header)} ` +
-      `<a href="headers/${header.name}" download>${header.name}</a></span></th><td><ul>${promises.join('')}</ul></td></tr>`
-    );
-  });
-  return (
-    '<table class="methods shelf"><thead><tr><th scope="col">Header</th><th scope="col">What it promises: measured</th></tr></thead>' +
-    `<tbody>\n${rows.join('\n')}\n</tbody></table>`
-  );
-}

@@ -2,7 +2,6 @@
 import { stepping, steps, value } from './cards.mjs';
 import { RAYLIB_OPERATOR, headerList } from './header-pages.mjs';
 import { onShelf } from './namespaces.mjs';
-import { shelfTable } from './promises.mjs';
 import { brief } from './reference-entries.mjs';
 import { escapeHtml, slug } from './text.mjs';
 
@@ -64,8 +63,8 @@ function howMuch(row) {
 }
 
 const THINGS = `<h2 id="things">Things that a game needs</h2>
-<p>Each is a function or two over your own types, and no engine. What it promises stands beside what was measured of the promise when this page was built; a promise
-that is not kept stops the build.</p>`;
+<p>Each is a function or two over your own types, and no engine. On its page stands an example, and what it promises beside what was measured of each promise; one that
+is not kept stops the build.</p>`;
 
 const LEFT_OUT = `<h2 id="left-out">What is left out</h2>
 <p>Many bodies that rest on each other want a solver of contacts. Look at those of Box2D and Jolt, and at Erin Catto’s <i>Iterative Dynamics with Temporal Coherence</i>
@@ -91,7 +90,7 @@ export function snippetsPage(book) {
   );
   const headers = [...book.api.headers.values()];
   const shelf = headers.filter(onShelf);
-  const things = shelf.length ? [THINGS, shelfTable(book, shelf, header => brief(book, header))] : [];
+  const things = shelf.length ? [THINGS, headerList(book, shelf)] : [];
   const beside = headers.filter(header => !onShelf(header) && !header.functions.some(steps));
   const systems = { id: 'linear-systems', title: 'Linear systems for the implicit methods' };
   if (beside.length) tables.push(`<h2 id="${systems.id}">${systems.title}</h2>\n${headerList(book, beside)}`);

@@ -16,7 +16,7 @@
 /// // Now v is 0.
 /// @endcode
 ///
-/// When a stone lands that is 5 cm above the ground, and when a bullet of 2 cm meets a ball of 50 cm:
+/// When a stone lands from 5 cm above the ground, and when a bullet of 2 cm meets a ball of 50 cm:
 /// @code
 /// const auto lands = shelf::impact_plane(0.05, -6.0, -9.81, 1 / 60.0);
 /// const auto dot = [](double a, double b) { return a * b; };
@@ -99,7 +99,7 @@ Impact<Real> impact_plane(Real height, Real speed, Real acceleration, Real h) {
 
 /// When a point on a straight way comes into a sphere.
 ///
-/// A point that is within already, and goes further in, meets it at once.
+/// A point that is within already, and goes further in, meets it at once. It calls a square root.
 ///
 /// @param x  place of the point, seen from the centre of the sphere [m]
 /// @param v  its velocity, seen from the sphere [m/s]
@@ -133,6 +133,9 @@ Impact<Real> impact_sphere(const Vec& x, const Vec& v, Real radius, Real h, Dot&
 }
 
 /// When a point that is accelerated comes into a sphere.
+///
+/// It looks for the roots of a polynomial by halving, 60 times for each of ten at most, and calls a
+/// square root. Without an acceleration the other impact_sphere says the same sooner.
 ///
 /// @param x  place of the point, seen from the centre of the sphere [m]
 /// @param v  its velocity, seen from the sphere [m/s]
@@ -222,11 +225,13 @@ constexpr Real bounce(Vec& v, const Vec& normal, Real restitution, Real threshol
 
 /// Brakes the velocity along a plane, and stops it when it can: dry friction.
 ///
+/// It calls a square root.
+///
 /// @param v  velocity, changed in place [m/s]
 /// @param normal  away from the plane, of length 1
 /// @param most  by how much at most: the coefficient of friction times the push of the plane [m/s]
 /// @param dot  callable `(Vec, Vec) -> Real`, the dot product
-/// @see C. A. Coulomb, Theorie des machines simples (1785)
+/// @see C. A. Coulomb, Théorie des machines simples (1785)
 template <class Vec, class Real, class Dot>
 void friction(Vec& v, const Vec& normal, Real most, Dot&& dot) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
@@ -257,7 +262,7 @@ struct Plane {
 ///
 /// Between bounces it is exact under a constant acceleration, so no step size changes the bounces.
 /// It may bounce often within a step, 64 times at most; then it stays down. One that is below the
-/// plane at the start is put onto it.
+/// plane at the start is put onto it. It calls square roots.
 ///
 /// @param x  place, advanced in place [m]
 /// @param v  velocity, advanced in place [m/s]

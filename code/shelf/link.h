@@ -21,8 +21,8 @@
 ///
 /// Of these 7 cm its links give 5.8, as springs would, and the substeps 1.2: see the promises.
 ///
-/// One link: a dog of 20 kg on a leash of 2 m, which gives by 1 cm for 100 N, held by a post at 0. It
-/// has run to 2.2 m; then again, begun with the tension that it had; then with a leash of chain.
+/// One link: a dog of 20 kg, 2.2 m from a post, on a leash of 2 m that gives by 1 cm for 100 N;
+/// the same again, begun with the tension that it had; and with a chain for a leash.
 /// @code
 /// const auto norm = [](double d) { return d < 0 ? -d : d; };
 /// double post = 0, dog = 2.2, tension = 0;
@@ -135,7 +135,7 @@ constexpr void link_warm_start(Vec& x1, Vec& x2, Real tension, Real w1, Real w2,
 /// @param compliance  1 over the stiffness [m/N]; not negative, 0 gives nothing
 /// @param h  step size, the substep if there are substeps [s]; above 0
 /// @param norm  callable `(Vec) -> Real`, the length of a vector
-/// @see M. Macklin, M. Mueller and N. Chentanez, XPBD, Motion in Games (2016)
+/// @see M. Macklin, M. Müller and N. Chentanez, XPBD, Motion in Games (2016)
 template <class Vec, class Real, class Norm>
 constexpr void link(Vec& x1, Vec& x2, Real& tension, Real w1, Real w2, Real length, Real compliance,
                     Real h, Norm&& norm) {
@@ -186,7 +186,7 @@ struct Rope {
 /// @param norm  callable `(Vec) -> Real`, the length of a vector
 /// @param floor  callable `(Vec) -> Vec`: where a point may be that would be there. Called for each
 /// free point after each pass; a floor, a peg to hang over, or what it got if there is none
-/// @see Mueller, Heidelberger, Hennix and Ratcliff, Position based dynamics (2007)
+/// @see Müller, Heidelberger, Hennix and Ratcliff, Position based dynamics (2007)
 /// @see M. Macklin and others, Small steps in physics simulation (2019)
 template <class Places, class Tensions, class Masses, class Count, class Vec, class Real,
           class Norm, class Floor>
