@@ -24,6 +24,7 @@
 #include "shelf/first_order.h"
 #include "shelf/fixed_step.h"
 #include "shelf/link.h"
+#include "shelf/orientation.h"
 #include "snippets/shelf_calls/bounce.h"
 #include "snippets/shelf_calls/damper.h"
 #include "snippets/shelf_calls/first_order.h"
@@ -96,6 +97,18 @@ void print(const char* header, void (*call)(Numbers&)) {
   std::printf("shelf %s %016llx\n", header, static_cast<unsigned long long>(hash.value));
 }
 
+// What of orientation.h calls no sine.
+void turns_without_sines(Numbers& found) {
+  const shelf::Vec3<double> inertia = shelf::inertia_of_box(1.0, {0.2, 0.14, 0.03});
+  shelf::Quaternion<double> q;
+  const shelf::Vec3<double> L = shelf::angular_momentum(q, {0.2, 20, 0.2}, inertia);
+  for (int n = 0; n < 1000; ++n) {
+    shelf::spin_by_midpoint(q, L, inertia, 1 / 60.0);
+    shelf::turn(q, shelf::angular_velocity(q, L, inertia), 1e-3);
+    for (const double number : {q.w, q.x, q.y, q.z}) found.add(number);
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -122,4 +135,5 @@ int main() {
   print("first_order", first_order_on<Doubles>);
   print("fixed_step", fixed_step_on<Doubles>);
   print("link", link_on<Doubles>);
+  print("orientation", turns_without_sines);
 }
