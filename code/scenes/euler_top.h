@@ -71,18 +71,19 @@ struct EulerTop {
     Real k, other_k;          // modulus and complementary modulus
 
     explicit Solution(const EulerTop& top) : inertia(top.inertia) {
-      const Vec& w = top.w;
+      const Vec& spun = top.w;
       int low = 0, high = 2;
       middle = 1;
       const auto sort = [&](int& a, int& b) {
         if (inertia[b] < inertia[a]) std::swap(a, b);
       };
       sort(low, middle), sort(middle, high), sort(low, middle);
-      momentum = inertia.cwiseProduct(w).norm();
+      momentum = inertia.cwiseProduct(spun).norm();
       // |L|^2 less 2 E times a moment, from differences that cancel as little as they can.
       const auto beyond = [&](int axis) {
         Real sum = 0;
-        for (int i = 0; i < 3; ++i) sum += inertia[i] * w[i] * w[i] * (inertia[i] - inertia[axis]);
+        for (int i = 0; i < 3; ++i)
+          sum += inertia[i] * spun[i] * spun[i] * (inertia[i] - inertia[axis]);
         return sum;
       };
       const bool about_high = beyond(middle) > 0;
@@ -91,7 +92,7 @@ struct EulerTop {
       const Real Io = inertia[out], Im = inertia[middle], Ia = inertia[around];
       size[out] = std::sqrt(-beyond(around) / (Io * (Ia - Io)));
       size[middle] = std::sqrt(-beyond(around) / (Im * (Ia - Im)));
-      size[around] = std::copysign(std::sqrt(beyond(out) / (Ia * (Ia - Io))), w[around]);
+      size[around] = std::copysign(std::sqrt(beyond(out) / (Ia * (Ia - Io))), spun[around]);
       aside = Io * size[out] < Ia * std::abs(size[around]) ? out : around;
       k = std::sqrt((Im - Io) * -beyond(around) / ((Ia - Im) * beyond(out)));
       other_k = std::sqrt((Ia - Io) * beyond(middle) / ((Ia - Im) * beyond(out)));
@@ -99,8 +100,8 @@ struct EulerTop {
       const bool forwards = cyclic == (Ia > Im);
       rate = std::sqrt((Ia - Im) * beyond(out) / inertia.prod());
       if (forwards != (size[around] > 0)) rate = -rate;
-      const Real sn = w[middle] / size[middle], cn = w[out] / size[out];
-      const Real dn = w[around] / size[around];
+      const Real sn = spun[middle] / size[middle], cn = spun[out] / size[out];
+      const Real dn = spun[around] / size[around];
       const Real first = sn * carlson(cn * cn, dn * dn);
       const Real half_period = 2 * carlson(0, other_k * other_k);
       phase = cn < 0 ? half_period - first : first;
@@ -109,20 +110,20 @@ struct EulerTop {
     Vec spin(Real t) const {
       const Real angle = amplitude(phase + rate * t);
       const Real sn = std::sin(angle), cn = std::cos(angle);
-      Vec w;
-      w[out] = size[out] * cn;
-      w[middle] = size[middle] * sn;
-      w[around] = size[around] * std::hypot(cn, other_k * sn);
-      return w;
+      Vec spun;
+      spun[out] = size[out] * cn;
+      spun[middle] = size[middle] * sn;
+      spun[around] = size[around] * std::hypot(cn, other_k * sn);
+      return spun;
     }
 
     // How far the axis that L keeps away from goes round L, by Gauss's formula of five points.
     Real precession(Real t) const {
       const auto speed = [&](Real at) {
-        Vec w = spin(at);
-        w[aside] = 0;
-        const Vec L = inertia.cwiseProduct(w);
-        return momentum * L.dot(w) / L.squaredNorm();
+        Vec spun = spin(at);
+        spun[aside] = 0;
+        const Vec L = inertia.cwiseProduct(spun);
+        return momentum * L.dot(spun) / L.squaredNorm();
       };
       const int pieces = 1 + int(8 * size.norm() * std::abs(t));  // of an eighth of a radian
       const Real root = 2 * std::sqrt(Real(10) / 7);
