@@ -11,7 +11,7 @@
 ///   shelf::smooth_damp_no_overshoot(lift, rising, 10.0, 0.0, omega, h,
 ///                                   [](double x, double y) { return x * y; });
 ///   shelf::smooth(zoom, 2.0, 0.0, 3.0, h);
-///   red = red + shelf::smoothing_share(3.0, h) * (1 - red);  // or slerp by it
+///   red = red + shelf::smoothing_share(3.0, h) * (1 - red);  // or your slerp by it
 /// }
 /// // Now camera is 9.0842.
 /// // Now lift is 9.8168.

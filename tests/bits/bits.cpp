@@ -106,6 +106,7 @@ void turns_without_sines(Numbers& found) {
     shelf::spin_by_midpoint(q, L, inertia, 1 / 60.0);
     shelf::turn(q, shelf::angular_velocity(q, L, inertia), 1e-3);
     for (const double number : {q.w, q.x, q.y, q.z}) found.add(number);
+    found.add(shelf::inverse_mass_at(q, inertia, 1.0, {0.1, -0.07, 0.015}, {0, 1, 0}));
   }
 }
 

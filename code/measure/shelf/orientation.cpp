@@ -231,13 +231,88 @@ Promise damped() {
       largest < 1e-13, largest, 1};
 }
 
+// A crate of 20 kg, in flight and somehow turned.
+struct Crate {
+  Matrix turned;
+  shelf::Quaternion<double> q;
+  shelf::Vec3<double> inertia = shelf::inertia_of_box(20.0, {0.8, 0.6, 0.6});
+  shelf::Vec3<double> v{1, -4, 0.5}, L{3, -1, 5};
+
+  explicit Crate(int n) {
+    const Eigen::Quaternion<Real> way(Eigen::AngleAxis<Real>(0.7L * n, Vec(3, -2, 6) / 7));
+    q = {double(way.w()), double(way.x()), double(way.y()), double(way.z())};
+    turned = exact(q).normalized().toRotationMatrix();
+  }
+
+  Vec momentum() const { return {L.x, L.y, L.z}; }
+  Vec velocity() const { return {v.x, v.y, v.z}; }
+  Vec spin() const {
+    const Vec moments(inertia.x, inertia.y, inertia.z);
+    return turned * (turned.transpose() * momentum()).cwiseQuotient(moments);
+  }
+  Real rises(const Vec& r) const { return (velocity() + spin().cross(r)).y(); }
+  Real energy() const { return 10 * velocity().squaredNorm() + spin().dot(momentum()) / 2; }
+  Vec momentum_about(const Vec& r) const { return momentum() - r.cross(20 * velocity()); }
+
+  // As the header says.
+  void push(const shelf::Vec3<double>& r, double e) {
+    const shelf::Vec3<double> up{0, 1, 0};
+    const double speed = -dot(v + cross(shelf::angular_velocity(q, L, inertia), r), up);
+    const double J = (1 + e) * speed / shelf::inverse_mass_at(q, inertia, 1 / 20.0, r, up);
+    v = v + (J / 20) * up;
+    L = L + cross(r, J * up);
+  }
+};
+
+// The most that `found` finds at a push at a corner.
+template <class Found>
+double at_corners(Found found) {
+  double largest = 0;
+  for (int n = 0; n < 800; ++n) {
+    const Crate crate(n / 8);
+    const shelf::Vec3<double> r =
+        shelf::rotate(crate.q, {n & 1 ? 0.4 : -0.4, n & 2 ? 0.3 : -0.3, n & 4 ? 0.3 : -0.3});
+    largest = std::max(largest, found(crate, r));
+  }
+  return largest;
+}
+
+Promise pushed() {
+  const double largest = at_corners([](Crate crate, const shelf::Vec3<double>& at) {
+    const Vec r(at.x, at.y, at.z);
+    const Real speed = -crate.rises(r);
+    crate.push(at, 0.5);
+    return double(std::abs(crate.rises(r) / speed - 0.5L));
+  });
+  return {
+      "a corner that is pushed with (1 + e) times its speed over inverse_mass_at leaves with e "
+      "times that speed, to 1e-14 of it",
+      largest < 1e-14, largest, 1};
+}
+
+Promise push_keeps() {
+  const double largest = at_corners([](Crate crate, const shelf::Vec3<double>& at) {
+    const Vec r(at.x, at.y, at.z), momentum = crate.momentum_about(r);
+    const Real energy = crate.energy();
+    Crate softer = crate;
+    crate.push(at, 1), softer.push(at, 0.3);
+    const Real off = std::max((crate.momentum_about(r) - momentum).norm(),
+                              (softer.momentum_about(r) - momentum).norm());
+    return double(std::max(off / momentum.norm(), std::abs(crate.energy() / energy - 1)));
+  });
+  return {
+      "such a push keeps the angular momentum about the corner, and with e = 1 the energy, to "
+      "1e-14",
+      largest < 1e-14, largest, 1};
+}
+
 }  // namespace
 
 ShelfCard orientation() {
   return {"orientation",
           {behind(), turns_exactly(), length(), energy_by_rotations(), accurate(),
            energy_by_midpoint(), less_accurate(), energy_by_bullet(), energy_by_velocity(), order(),
-           symmetric(), reversible(), damped()}};
+           symmetric(), reversible(), damped(), pushed(), push_keeps()}};
 }
 
 }  // namespace measure::shelf_cards

@@ -34,6 +34,7 @@ void orientation_on(Numbers& found) {
   out(shelf::rotate_back(q, w));
   out(cross(w, inertia));
   found.add(double(dot(w, inertia)));
+  found.add(double(shelf::inverse_mass_at(q, inertia, Real(0.5), w, {Real(0), Real(1), Real(0)})));
 
   shelf::Vec3<Real> L = shelf::angular_momentum(q, w, inertia);
   for (int n = 0; n < 3; ++n) {
