@@ -34,7 +34,11 @@ all that was measured of it.</p>
 Unreal’s <code>FVector</code>, Godot’s <code>Vector3</code>, a register of four floats as DirectXMath has them, <code>std::valarray</code>,
 <code>std::experimental::simd</code>, and plain structs; those of engines by stubs that have their operators. A few need a word:</p>
 <ul>
-<li>raylib lacks one operator: <code>${RAYLIB_OPERATOR}</code></li>
+<li>raylib lacks one operator: <code>${RAYLIB_OPERATOR}</code> Put it where <code>Vector3</code> is, in no namespace of your own, or the headers don’t find it.</li>
+<li>All numbers of a call are of one type. With vectors of floats write <code>1 / 60.0f</code>, and <code>shelf::FixedStep&lt;float&gt;</code>.</li>
+<li>A thing that flies, and that nothing but gravity moves, takes <a href="integrate-constant-acceleration.html"><code>constant_acceleration.h</code></a>, which is exact there. What pulls it
+back to a place takes <a href="integrate-velocity-verlet.html"><code>velocity_verlet.h</code></a> or <a href="integrate-symplectic-euler.html"><code>symplectic_euler.h</code></a>.
+<a href="wall.html">Pick a method</a> asks what else there is.</li>
 <li>Columns of an Eigen matrix, and <code>Map</code>s, are copied out, moved and copied back: <code>Vector3f x = X.col(i), v = V.col(i);</code>, then the step, then
 <code>X.col(i) = x; V.col(i) = v;</code></li>
 <li>MSVC was not tried. The headers are standard C++ but for one attribute, which only clang is shown.</li>
@@ -47,7 +51,9 @@ const METHODS = `<h2 id="methods">Methods</h2>
 <p>All of this is measured when the book is built. The order is that of the position; where the velocity has another, it stands behind. Evaluations
 of the acceleration are counted per step. A step of <i>h</i> seconds explodes above its limit: on drag, where the speed falls at the rate <i>c</i>, and
 on a spring that swings with <i>ω</i>, without a damper and with the damping ratio <i>ζ</i>. The last column is what becomes of the energy of an undamped
-spring, in steps of <i>hω</i> = 0.1: by how much it is off at most where it is kept, and else what a step does to it. Limits are rounded down.</p>
+spring, in steps of <i>hω</i> = 0.1: “kept” stands beside how far it strays at most, “grows” and “falls” beside what one step adds or takes. Limits are rounded down.</p>
+<p>On a page, “on poses, order 2” is for who moves a thing and turns it in one go: <code>x</code> is then a place with a quaternion, and <code>v</code> a velocity with a spin.
+Turns don’t commute, and that costs most methods their order.</p>
 <p>A mass <i>m</i> on one spring of stiffness <i>k</i> swings with <i>ω</i> = √(<i>k</i>/<i>m</i>). In a rope of many, count with 2√(<i>k</i>/<i>m</i>), that of
 its shortest wave. All of this holds for forces that are linear. A rope that swings explodes under the trapezoid rule with one solve, whatever its row says,
 and one that is struck hard gains some energy under backward Euler with one solve.</p>
@@ -63,12 +69,12 @@ function howMuch(row) {
 }
 
 const THINGS = `<h2 id="things">Things that a game needs</h2>
-<p>Each is a function or two over your own types, and no engine. On its page stands an example, and what it promises beside what was measured of each promise; one that
+<p>Each is a function or two over your own types, and no engine: one body at a time, each contact at a point. On its page stands an example, and what it promises beside what was measured of each promise; one that
 is not kept stops the build. A rounding is 2<sup>−52</sup> of what is named, or 2<sup>−23</sup> in float.</p>`;
 
 const LEFT_OUT = `<h2 id="left-out">What is left out</h2>
 <p>Many bodies that rest on each other want a solver of contacts. Look at those of Box2D and Jolt, and at Erin Catto’s <i>Iterative Dynamics with Temporal Coherence</i>
-(2005), from which most of them come. Friction that is right in all directions at once, in a cone, is in Stewart and Trinkle’s <i>An Implicit Time-Stepping Scheme for
+(2005), from which most of them come. A crate that tumbles and hits the floor is here, a crate that comes to rest on its side is not. Friction that is right in all directions at once, in a cone, is in Stewart and Trinkle’s <i>An Implicit Time-Stepping Scheme for
 Rigid Body Dynamics</i> (1996). For soft bodies whose stiffness is that of a material, there are finite elements: Sifakis and Barbič, <i>FEM Simulation of 3D Deformable
 Solids</i> (2012). For those that only have to look right, and fast, projective dynamics: Bouaziz and others, <i>Projective Dynamics</i> (2014).</p>`;
 

@@ -18,6 +18,10 @@
 /// // Now shown is 0.31766.
 /// @endcode
 ///
+/// All of its times are in Real: take `FixedStep<float>` with `1 / 60.0f`. Ten seconds of frames
+/// may make 599 steps, with nearly a whole one saved, since a sixtieth is no binary number. To draw
+/// between two steps, keep a copy of what was before the last, as here.
+///
 /// Promises:
 /// - the same steps, to the last bit, from even frames and from 600 recorded ones
 /// - steps and saved time add up to the time that the frames took, to 1e-12 of it

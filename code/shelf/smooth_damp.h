@@ -19,7 +19,9 @@
 /// // Now red is 0.9502.
 /// @endcode
 ///
-/// A target that moves: hand over its velocity, and the follower catches up with it and stays. To
+/// A target that moves: hand over its velocity. The follower catches up with one that moves evenly
+/// and stays with it; behind one that accelerates by a it stays about a/omega^2 back, less
+/// where the steps are long, since it takes the velocity for constant within a step. To
 /// trail behind it, aim as far behind: at `target + (-2 / omega) * target_velocity` with
 /// smooth_damp, at `target + (-1 / rate) * target_velocity` with smooth. With a velocity of zero it
 /// trails as well, but, like Unity's SmoothDamp, by half a frame less: by another way at each frame

@@ -1,7 +1,9 @@
 // The cards of the methods: everywhere the same, where a reader looks for them, and the only place for times.
 import assert from 'node:assert/strict';
+import { join } from 'node:path';
 import { test } from 'node:test';
-import { kind, pages, parse } from './book.mjs';
+import { readRecords } from '../../book/weave/csv.mjs';
+import { folder, kind, pages, parse } from './book.mjs';
 
 const text = e => e.text().replace(/\s+/g, ' ').trim();
 const headers = pages.filter(page => kind(page) === 'api' && parse(page)('h1 .kicker').text() === 'code/integrate');
@@ -9,7 +11,7 @@ const headers = pages.filter(page => kind(page) === 'api' && parse(page)('h1 .ki
 // Every card of the book: the page, the method, what it says.
 const cards = pages.flatMap(page => {
   const $ = parse(page);
-  return $('.card')
+  return $('.card:not(.promises)')
     .map((_, card) => ({
       page,
       method: $(card).find('.sources a').first().text().replace('.csv', ''),
@@ -79,9 +81,35 @@ test('the list of methods leads to each card and agrees with it', () => {
   }
 });
 
+const shelf = pages.filter(page => kind(page) === 'api' && parse(page)('h1 .kicker').text() === 'code/shelf');
+
+test('each header of the shelf stands in the index, and its page says what was measured of each promise', () => {
+  const $ = parse('snippets.html');
+  const listed = $('#things')
+    .nextAll('dl')
+    .first()
+    .find('dt a')
+    .get()
+    .map(e => $(e).attr('href'));
+  assert.deepEqual([...listed].sort(), [...shelf].sort());
+  assert.ok(shelf.length >= 8);
+  for (const page of shelf) {
+    const $ = parse(page);
+    const name = $('h1 > code').text().replace('.h', '');
+    const rows = readRecords(join(folder, 'data/shelf', `${name}.csv`));
+    assert.equal($('.card.promises').length, 1, page);
+    assert.equal($('.card.promises dt').length, rows.length, page);
+    assert.ok(
+      rows.every(({ kept }) => kept === 'yes'),
+      page,
+    );
+    assert.doesNotMatch($('main').text(), /Promises:/, page);
+  }
+});
+
 test('the page of a header begins with the file to take and an example that includes it', () => {
   assert.ok(headers.length > 15);
-  for (const page of headers) {
+  for (const page of [...headers, ...shelf]) {
     const $ = parse(page);
     const header = $('h1 > code').text();
     assert.equal($('.take a[download]').attr('href'), `headers/${header}`, page);

@@ -230,6 +230,24 @@ TEST_CASE("To trail, a target may be given as the sum that it is") {
   CHECK((smoothed - (10 - 0.125) * wind).norm() < 1e-12);
 }
 
+// On a circle at omega_0 the spring's answer to the acceleration a is a/(omega^2 + omega_0^2).
+TEST_CASE("Behind a target that circles it stays as far back as its acceleration asks for") {
+  const auto behind = [](int rate) {
+    Vector2d x(5, 0), v(0, 5), place;
+    for (int n = 1; n <= 20 * rate; ++n) {
+      const double t = double(n) / rate;
+      place = 5 * Vector2d(std::cos(t), std::sin(t));
+      const Vector2d along = 5 * Vector2d(-std::sin(t), std::cos(t));
+      shelf::smooth_damp(x, v, place, along, 4.0, 1.0 / rate);
+    }
+    return (x - place).norm();
+  };
+  const double right = 5 / (4.0 * 4.0 + 1);
+  CHECK_THAT(behind(1000), WithinRel(right, 0.005));
+  CHECK_THAT(behind(240), WithinRel(right, 0.02));
+  CHECK(behind(15) < 0.8 * right);
+}
+
 TEST_CASE("The same steps give the same bits") {
   const auto run = [] {
     double x = 0.1, v = 3;

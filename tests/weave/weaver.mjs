@@ -88,6 +88,7 @@ function weave(folder, chapters, doxygen) {
       work: join(folder, 'work'),
       live: existsSync(join(folder, MODULE)) ? join(folder, MODULE) : '',
       cards: join(folder, 'built/cards'),
+      shelf: existsSync(join(folder, 'code/shelf')) ? join(folder, 'built/shelf') : '',
       doxygen,
       times:
         existsSync(join(folder, 'built/recorded.csv')) || existsSync(join(folder, 'built/here.csv'))
