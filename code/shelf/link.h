@@ -18,9 +18,9 @@
 ///   }
 /// }
 /// // Now x[20] is -2.070.
-/// before[20] = before[20] - h * 3;                // a kick: 3 m/s more, upwards
-/// const double speed = (x[20] - before[20]) / h;  // its velocity
-/// // Now speed is 3.000.
+/// before[20] = before[20] - h * 3;                // a kick of 3 m/s upwards
+/// const double speed = (x[20] - before[20]) / h;  // with the 0.008 of its bobbing
+/// // Now speed is 3.008.
 /// @endcode
 ///
 /// Of these 7 cm its links give 5.8, as springs would, and the substeps 1.2: see the promises.
