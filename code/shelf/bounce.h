@@ -26,7 +26,8 @@
 /// // Now hit.time is 0.01053333.
 /// @endcode
 ///
-/// In a step of your own, a crate that slides on ice. A complex number is a vector, right and up:
+/// In a step of your own, a puck that slides on ice: a point, which does not turn. A complex number
+/// is a vector, right and up:
 /// @code
 /// #include <complex>
 /// using Flat = std::complex<double>;
@@ -42,6 +43,9 @@
 /// // Now x.real() is 2.02.
 /// // Now v.real() is 0.
 /// @endcode
+///
+/// The pushes here are speeds, those of a point. What a push at the corner of a body does, which
+/// turns it, see in orientation.h.
 ///
 /// Promises:
 /// - a plane is met where the height is 0, to 10^-14 m in falls of some metres, and never later
@@ -113,7 +117,7 @@ Impact<Real> impact_sphere(const Vec& x, const Vec& v, Real radius, Real h, Dot&
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales && dots) {
@@ -150,7 +154,7 @@ Impact<Real> impact_sphere(const Vec& x, const Vec& v, const Vec& a, Real radius
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales && dots) {
@@ -211,7 +215,8 @@ constexpr Real bounce(Vec& v, const Vec& normal, Real restitution, Real threshol
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "restitution * v must be a Vec");
+  static_assert(
+      scales, "restitution * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   static_assert(!std::is_integral_v<Real>, "restitution must be no integer");
   if constexpr (scales && dots) {
@@ -237,7 +242,8 @@ void friction(Vec& v, const Vec& normal, Real most, Dot&& dot) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "most * v must be a Vec");
+  static_assert(scales,
+                "most * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   static_assert(!std::is_integral_v<Real>, "most must be no integer");
   if constexpr (scales && dots) {
@@ -248,7 +254,8 @@ void friction(Vec& v, const Vec& normal, Real most, Dot&& dot) {
   }
 }
 
-/// A plane to bounce off, and what it is like. See bounce_step.
+/// A plane to bounce off, and what it is like. See bounce_step. C++17 finds no types for it: write
+/// Plane<Vec, Real>{...}.
 template <class Vec, class Real>
 struct Plane {
   Vec normal;        ///< away from it, of length 1
@@ -276,7 +283,7 @@ int bounce_step(Vec& x, Vec& v, const Vec& a, Real h, const Plane<Vec, Real>& pl
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales && dots) {

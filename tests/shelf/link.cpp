@@ -316,6 +316,92 @@ TEMPLATE_TEST_CASE("No free point of a rope is below its floor, and a held one m
   }
 }
 
+namespace {
+
+// Where the end of a rope is in half a second that nobody holds, or that swings from a hook, seen
+// from its first point at the start. It lies level, at a height.
+template <class Real>
+Long end_of_rope(double height, double gravity, bool hook) {
+  using Vec = Three<Real>;
+  std::vector<Vec> x;
+  std::vector<Real> tension(5), w(6, Real(100));
+  for (int i = 0; i < 6; ++i) x.push_back({Real(0.1 * i), 0, Real(height)});
+  if (hook) w[0] = 0;
+  auto before = x;
+  const Vec first = x[0];
+  const auto free = [](const Vec& p) { return p; };
+  const shelf::Rope<Real> rope{Real(0.1), Real(1e-4)};
+  for (int n = 0; n < 240; ++n) {
+    shelf::rope_step(x, before, tension, w, x.size(), rope, Vec{0, 0, Real(gravity)}, Real(1) / 480,
+                     norm, free);
+  }
+  return exactly(x[5]) + -1.0L * exactly(first);
+}
+
+}  // namespace
+
+TEST_CASE("In float a rope near the origin falls and swings as in double, and far away it stays") {
+  const double added = 9.81 / 480 / 480;
+  for (const bool hook : {false, true}) {
+    for (const double share : {0.51, 0.6, 0.77, 0.93, 1.0}) {
+      CAPTURE(hook, share);
+      // Towards the origin, so that it stays within the bound.
+      const double height = share * std::ldexp(added, 17);
+      const Long in_double = end_of_rope<double>(height, -g, hook);
+      const Long in_float = end_of_rope<float>(height, -g, hook);
+      CHECK(apart(in_float, in_double) < 0.01 * apart(in_double, {0.5, 0, 0}));
+    }
+    const double far = std::ldexp(added, 25);
+    CHECK(end_of_rope<float>(far, -g, hook).z == 0);
+    CHECK(end_of_rope<double>(far, -g, hook).z < -0.2);
+    // An eighth of that way off gravity is still there, but wrong by more than a per cent.
+    CHECK(apart(end_of_rope<float>(far / 8 * 0.9, -g, hook),
+                end_of_rope<double>(far / 8 * 0.9, -g, hook)) > 0.01);
+  }
+}
+
+TEST_CASE("A point is kicked by what is taken off its last place, and slowed by a share of it") {
+  const double h = 1 / 240.0;
+  const double w[1] = {2};
+  double x[1] = {0.5}, before[1] = {0.5}, tension[1] = {};
+  const shelf::Rope<double> rope{1.0};
+  before[0] = before[0] + (-h) * 3.0;
+  const auto step = [&] {
+    shelf::rope_step(x, before, tension, w, 1, rope, 0.0, h, length_of, anywhere);
+  };
+  for (int n = 0; n < 240; ++n) step();
+  CHECK_THAT(x[0], WithinAbs(3.5, 1e-12));
+  for (int n = 0; n < 240; ++n) {
+    before[0] = before[0] + (0.7 * h) * (x[0] - before[0]);
+    step();
+  }
+  CHECK_THAT((x[0] - before[0]) / h, WithinRel(3 * std::exp(-0.7), 2e-3));
+}
+
+TEST_CASE("The rope of the example bobs by 6.4 cm after ten seconds, and not if it is damped") {
+  const double h = 1 / 960.0;
+  for (const double share : {0.0, 2.0}) {
+    Hanging hanging(20, 2000);
+    hanging.w[20] = 1 / 0.5;
+    double lowest = 0, highest = -9;
+    for (int n = 0; n < 11 * 960; ++n) {
+      for (std::size_t i = 0; i < hanging.x.size(); ++i) {
+        hanging.before[i] =
+            hanging.before[i] + (share * h) * (hanging.x[i] + -1.0 * hanging.before[i]);
+      }
+      hanging.run(h, h / 2);
+      if (n < 10 * 960) continue;
+      lowest = std::min(lowest, hanging.x[20]);
+      highest = std::max(highest, hanging.x[20]);
+    }
+    if (share > 0) {
+      CHECK(highest - lowest < 0.001);
+    } else {
+      CHECK_THAT(highest - lowest, WithinAbs(0.064, 0.0005));
+    }
+  }
+}
+
 TEST_CASE("A point that is not a number stays alone with it") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   double x1 = nan, x2 = 2, tension = 1;
