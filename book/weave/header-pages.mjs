@@ -33,9 +33,9 @@ function checkExample(book, header) {
     [...source.matchAll(/^\/\/\/ @code\n([\s\S]*?)@endcode/gm)].flatMap(([, code]) => code.match(/\w+/g)),
   );
   const { functions, types } = header;
-  const shown = functions.filter(({ name }) => words.has(name)).map(argumentsOf);
+  const shown = functions.filter(({ name }) => words.has(name) || isOperator(name)).map(argumentsOf);
   const missing = (functions.length ? functions : types).filter(
-    entry => !words.has(entry.name) && !shown.includes(argumentsOf(entry)),
+    entry => !words.has(entry.name) && !isOperator(entry.name) && !shown.includes(argumentsOf(entry)),
   );
   for (const { name, file, line } of missing)
     book.problems.add(
@@ -44,6 +44,8 @@ function checkExample(book, header) {
       `no example shows how ${name} is used; put one between @code and @endcode into the first comment of ${header.name}`,
     );
 }
+
+const isOperator = name => /^operator\W/.test(name); // stands in an example by its sign
 
 const argumentsOf = ({ parameters = [{}] }) => parameters.map(({ type, name }) => `${type} ${name}`).join(', ');
 

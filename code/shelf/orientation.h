@@ -20,6 +20,7 @@
 /// @code
 /// shelf::Quaternion<float> q;
 /// for (int n = 0; n < 60; ++n) shelf::turn_exact(q, {0, 1.5707963f, 0}, 1 / 60.0f);
+/// q = shelf::normalised(q);  // needed where one was blended or sent, and not here
 /// const shelf::Vec3<float> nose = shelf::rotate(q, {0, 0, 1});
 /// // Now nose.x is 1.0000.
 /// @endcode
