@@ -36,9 +36,9 @@ Unreal’s <code>FVector</code>, Godot’s <code>Vector3</code>, a register of f
 <ul>
 <li>raylib lacks one operator: <code>${RAYLIB_OPERATOR}</code> Put it where <code>Vector3</code> is, in no namespace of your own, or the headers don’t find it.</li>
 <li>All numbers of a call are of one type. With vectors of floats write <code>1 / 60.0f</code>, and <code>shelf::FixedStep&lt;float&gt;</code>.</li>
-<li>A thing that flies, and that nothing but gravity moves, takes <a href="integrate-constant-acceleration.html"><code>constant_acceleration.h</code></a>, which is exact there. What pulls it
-back to a place takes <a href="integrate-velocity-verlet.html"><code>velocity_verlet.h</code></a> or <a href="integrate-symplectic-euler.html"><code>symplectic_euler.h</code></a>.
-<a href="wall.html">Pick a method</a> asks what else there is.</li>
+<li>A thing that flies, and that nothing but gravity moves, takes <code>constant_acceleration.h</code>, which is exact there. What pulls it
+back to a place takes <code>velocity_verlet.h</code> or <code>symplectic_euler.h</code>.
+<i>Pick a method</i> asks what else there is.</li>
 <li>Columns of an Eigen matrix, and <code>Map</code>s, are copied out, moved and copied back: <code>Vector3f x = X.col(i), v = V.col(i);</code>, then the step, then
 <code>X.col(i) = x; V.col(i) = v;</code></li>
 <li>MSVC was not tried. The headers are standard C++ but for one attribute, which only clang is shown.</li>
@@ -80,6 +80,13 @@ Solids</i> (2012). For those that only have to look right, and fast, projective 
 
 const NONE = '–';
 
+// The headers that a text names, each with a link to its page.
+const withLinks = (text, headers) =>
+  text.replace(/<code>(\w+\.h)<\/code>/g, (code, name) => {
+    const found = headers.find(header => header.name === name);
+    return found ? `<a href="${found.href}">${code}</a>` : code;
+  });
+
 // Each function that steps with what its card says, one table for each kind of thing that they are for.
 export function snippetsPage(book) {
   const members = new Map(stepping(book.api).map(member => [member.name, member]));
@@ -104,7 +111,7 @@ export function snippetsPage(book) {
     href: 'snippets.html',
     title: 'Snippets',
     kind: 'snippets',
-    body: [ABOUT, ...things, METHODS, ...tables, LEFT_OUT].join('\n'),
+    body: [withLinks(ABOUT, headers), ...things, METHODS, ...tables, LEFT_OUT].join('\n'),
     sections: [],
   };
 }
