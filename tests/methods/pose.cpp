@@ -42,6 +42,23 @@ Twist operator*(double s, const Twist& p) {
   return {s * p.along, s * p.about};
 }
 
+// Lengths that no length can be added to, and speeds: a step must not mix them up.
+struct Speed {
+  double metres_a_second;
+};
+constexpr Speed operator+(Speed p, Speed q) {
+  return {p.metres_a_second + q.metres_a_second};
+}
+constexpr Speed operator*(double s, Speed p) {
+  return {s * p.metres_a_second};
+}
+struct Length {
+  double metres;
+};
+constexpr Length operator+(Length p, Speed way) {
+  return {p.metres + way.metres_a_second};
+}
+
 // Where a thing is, and how it is turned. No two of them can be added.
 struct Pose {
   Vector3d at;
@@ -186,6 +203,31 @@ TEST_CASE("A pose that only turns comes round in sixty steps of a sixtieth of a 
   for (int n = 0; n < 60; ++n) integrate::symplectic_euler(x, v, n / 60.0, 1 / 60.0, free);
   CHECK((x.at - Vector3d(1, 0, 1)).norm() < 1e-14);
   CHECK(std::abs(x.turned.w() + 1) < 1e-14);  // once round is minus one
+}
+
+TEST_CASE("Strong lengths and speeds take the steps of numbers") {
+  const auto number = [](double x, double v, double) { return -9 * x - v; };
+  const auto strong = [](Length x, Speed v, double) {
+    return Speed{-9 * x.metres - v.metres_a_second};
+  };
+  const auto same = [&](auto step) {
+    double x = 1, v = 0.5;
+    Length length{1};
+    Speed speed{0.5};
+    for (int n = 0; n < 60; ++n) {
+      step(x, v, n / 60.0, number);
+      step(length, speed, n / 60.0, strong);
+    }
+    return x != 1 && length.metres == x && speed.metres_a_second == v;
+  };
+  const double h = 1 / 60.0;
+  CHECK(same(
+      [h](auto& x, auto& v, double t, auto& a) { integrate::symplectic_euler(x, v, t, h, a); }));
+  CHECK(same([h](auto& x, auto& v, double t, auto& a) { integrate::rk4(x, v, t, h, a); }));
+  CHECK(same([h](auto& x, auto& v, double t, auto& a) {
+    auto kept = integrate::yoshida4_start(x, v, t, a);
+    integrate::yoshida4(x, v, kept, t, h, a);
+  }));
 }
 
 TEST_CASE("Far from the origin a place of doubles keeps what a velocity of floats adds") {
