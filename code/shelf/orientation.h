@@ -40,7 +40,8 @@
 ///
 /// A crate of 20 kg that lands on one of its corners and bounces, with half of the corner's speed:
 /// @code
-/// const shelf::Vec3<double> inertia = shelf::inertia_of_box(20.0, {0.8, 0.6, 0.6}), up{0, 1, 0};
+/// const shelf::Vec3<double> inertia = shelf::inertia_of_box(20.0, {0.8, 0.6, 0.6});
+/// const shelf::Vec3<double> up{0, 1, 0};
 /// shelf::Quaternion<double> q;
 /// shelf::turn_exact(q, {0.4, 0, 0.7}, 1);
 /// shelf::Vec3<double> v{1, -4, 0}, L = shelf::angular_momentum(q, {0, 0, 2}, inertia);
@@ -50,7 +51,8 @@
 /// };
 /// const double before = rises();
 /// if (before < 0) {
-///   const double J = (1 + 0.5) * -before / shelf::inverse_mass_at(q, inertia, 1 / 20.0, r, up);
+///   const double heft = 1 / shelf::inverse_mass_at(q, inertia, 1 / 20.0, r, up);
+///   const double J = (1 + 0.5) * -before * heft;
 ///   v = v + (J / 20) * up;
 ///   L = L + cross(r, J * up);
 /// }
