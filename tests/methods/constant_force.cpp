@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // Under a constant force, where every error can be worked out by hand.
+#include <algorithm>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

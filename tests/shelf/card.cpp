@@ -2,6 +2,7 @@
 // What each header of the shelf promises is what its card measured.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iterator>

@@ -2,6 +2,7 @@
 #include "shelf/first_order.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>

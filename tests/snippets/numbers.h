@@ -66,7 +66,7 @@ int differences(const char* header, Call call) {
   const double rounding = 256 * double(std::numeric_limits<typename Kind::Real>::epsilon());
   int wrong = wanted.all.empty() || wanted.all.size() != found.all.size();
   for (std::size_t i = 0; i < wanted.all.size() && !wrong; ++i) {
-    const double allowed = rounding * std::fmax(1, std::abs(wanted.all[i]));
+    const double size = std::abs(wanted.all[i]), allowed = rounding * (size > 1 ? size : 1);
     if (std::abs(wanted.all[i] - found.all[i]) <= allowed) continue;
     ++wrong;
     std::printf("%s.h on %s, number %d: %.17g; on doubles %.17g\n", header, Kind::name, int(i) + 1,

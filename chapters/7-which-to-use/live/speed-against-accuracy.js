@@ -70,7 +70,7 @@
         ? `spring ${option('zeta')}`
         : known('eccentricity')
           ? `orbit ${option('eccentricity')}`
-          : known('drag')
+          : now.drag > 0
             ? `drag --drag ${now.drag}`
             : 'ball';
     return (

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // std::experimental::simd, of four floats.
 #pragma once
+#include <cstddef>
 #include <experimental/simd>
 
 namespace kinds {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // std::valarray, whose sums are expressions.
 #pragma once
+#include <cstddef>
 #include <valarray>
 
 namespace kinds {
