@@ -30,7 +30,7 @@ export function copyAssets(book, out) {
   copyKatex(join(out, 'katex'));
   for (const chapter of book.programs.values()) copyData(chapter.data, join(out, 'data', chapter.name));
   copyData(book.config.cards, join(out, 'data', 'cards'));
-  if (book.config.shelf) copyData(book.config.shelf, join(out, 'data', 'shelf'));
+  copyData(book.config.shelf, join(out, 'data', 'shelf'));
   copyHeaders(book, join(out, 'headers'));
 }
 

@@ -8,12 +8,13 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <type_traits>
 
 #include "integrate/dopri5.h"
 #include "measure/energy.h"
+#include "measure/length.h"
 #include "measure/methods.h"
 #include "measure/run.h"
+#include "scenes/orbit.h"
 #include "scenes/outer_solar_system.h"
 #include "scenes/state.h"
 
@@ -26,15 +27,7 @@ namespace {
 
 // The ellipse of SUNDIALS, examples/arkode/C_serial/ark_kepler.c: eccentricity 0.6 from its
 // nearest place, for a time of 50.
-struct Kepler {
-  Vector2d operator()(const Vector2d& x, const Vector2d&, double) const {
-    return -1 / (x.squaredNorm() * x.norm()) * x;
-  }
-  static State<Vector2d> start() { return {{0.4, 0}, {0, 2}}; }
-  static double energy(const Vector2d& x, const Vector2d& v) {
-    return v.squaredNorm() / 2 - 1 / x.norm();
-  }
-};
+constexpr scenes::Orbit<> ellipse{.eccentricity = 0.6, .semi_major = 1, .mu = 1};
 
 // What it prints of the energy at the end, less that of the start, with steps of 1/1000, 1/2000,
 // 1/4000 and 1/8000: the files ark_kepler_*.out beside it.
@@ -51,8 +44,9 @@ FourSteps energies(Method method) {
   FourSteps found;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const long steps = 50'000L << i;
-    const auto end = measure::after(method, Kepler(), Kepler::start(), 50.0 / double(steps), steps);
-    found[i] = Kepler::energy(end.x, end.v) - Kepler::energy({0.4, 0}, {0, 2});
+    const auto end = measure::after(method, ellipse, State<Vector2d>{{0.4, 0}, {0, 2}},
+                                    50.0 / double(steps), steps);
+    found[i] = ellipse.energy(end.x, end.v) - ellipse.energy({0.4, 0}, {0, 2});
   }
   return found;
 }
@@ -61,12 +55,7 @@ FourSteps energies(Method method) {
 template <class Vec, class Acceleration>
 State<Vec> moved(State<Vec> s, double t, double duration, const Acceleration& acceleration) {
   double h = 1e-3;
-  const auto length = [](const Vec& x) {
-    if constexpr (std::is_same_v<Vec, double>)
-      return std::abs(x);
-    else
-      return x.norm();
-  };
+  const auto length = [](const Vec& x) { return measure::length(x); };
   REQUIRE(integrate::dopri5_adaptive(s.x, s.v, t, duration, h, acceleration, length, 1e-13));
   return s;
 }
@@ -166,7 +155,7 @@ TEST_CASE("The ellipses of DETEST end where Enright and Pryce have them") {
   for (const auto& end : ends) {
     CAPTURE(e);
     const State<Vector2d> start{{1 - e, 0}, {0, std::sqrt((1 + e) / (1 - e))}};
-    const auto found = moved(start, 0, 20.0, Kepler());
+    const auto found = moved(start, 0, 20.0, ellipse);
     CHECK((found.x - end.x).norm() < 1e-9);
     CHECK((found.v - end.v).norm() < 1e-9);
     e += 0.2;
@@ -227,13 +216,9 @@ TEST_CASE("Euler loses the outer planets; symplectic Euler keeps them at steps t
 }
 
 TEST_CASE("On an ellipse drift, kick, drift errs by about a sixth of what kick, drift, kick does") {
-  const auto largest = [](auto method, double h) {
-    double error = 0;
-    auto s = Kepler::start();
-    measure::run(method, Kepler(), s, h, std::lround(50 / h), [&](double, const auto& now) {
-      error = std::max(error, std::abs(Kepler::energy(now.x, now.v) + 0.5));
-    });
-    return error;
+  const auto energy = [](const auto& x, const auto& v) { return ellipse.energy(x, v); };
+  const auto largest = [&](auto method, double h) {
+    return measure::drift(method, ellipse, h, std::lround(50 / h), energy).largest;
   };
   for (const double h : {1e-3, 1e-2, 2e-2}) {
     const double ratio = largest(measure::velocity_verlet, h) / largest(measure::leapfrog_drift, h);

@@ -3,6 +3,7 @@
 /// A body that spins freely, and where it exactly goes.
 #pragma once
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -59,6 +60,16 @@ struct EulerTop {
     const Real angle = exact.precession(t);
     const Matrix turned = Eigen::AngleAxis<Real>(angle, Vec::UnitX()).toRotationMatrix();
     return frame(momentum(0), axis) * turned * frame(momentum(t), axis).transpose();
+  }
+
+  /// The matrix that takes a vector v to w x v.
+  static Matrix crossing(const Vec& w) {
+    return (Matrix() << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0).finished();
+  }
+
+  /// By what angle one orientation is turned against another [rad].
+  static Real angle_between(const Matrix& a, const Matrix& b) {
+    return 2 * std::asin(std::min(Real(1), (a - b).norm() / std::sqrt(Real(8))));
   }
 
  private:

@@ -35,10 +35,6 @@ std::vector<EulerTop> tops() {
   return all;
 }
 
-Matrix cross(const Vec& w) {
-  return (Matrix() << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0).finished();
-}
-
 }  // namespace
 
 TEST_CASE("A top's exact spin begins at its start and obeys Euler's equations") {
@@ -59,7 +55,7 @@ TEST_CASE("A top's exact orientation begins at its start and turns as its spin s
     for (const Real t : {-2.0L, 0.1L, 1.7L}) {
       const Matrix R = top.orientation(t);
       const auto turned = [&](Real at) -> Matrix { return top.orientation(at); };
-      const Matrix slope = R * cross(top.spin(t));
+      const Matrix slope = R * EulerTop::crossing(top.spin(t));
       CHECK((equation::slope(turned, t) - slope).norm() < 2e-12L * slope.norm());
     }
   }

@@ -1,9 +1,9 @@
 # Compiles a program that calls every function of HEADERS on the vectors of VECTORS, or on the one
 # KIND of tests/snippets/kinds, and runs it.
-# Its folder holds these headers, and those that they are used WITH, and no other. Without EIGEN,
-# Eigen is not to be found. With MACROS, a file of macros, the headers are read after them, and after
-# all that they include, which would not survive. FLAGS are the compiler's.
+# Its folder holds these headers, and those that they are used WITH, and no other. EIGEN, MACROS and
+# FLAGS are those of program.cmake.
 include(${CMAKE_CURRENT_LIST_DIR}/functions.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/program.cmake)
 string(REPLACE "," ";" HEADERS "${HEADERS}")
 string(REPLACE "," ";" WITH "${WITH}")
 string(REPLACE "," ";" FLAGS "${FLAGS}")
@@ -21,24 +21,10 @@ foreach(header IN LISTS HEADERS)
   string(APPEND calls "  call_${header}(attempt);\n")
 endforeach()
 
-if(MACROS)
-  set(needed "")
-  foreach(header IN LISTS WITH HEADERS)
-    cmake_path(ABSOLUTE_PATH header BASE_DIRECTORY ${SCRATCH})
-    if(NOT header MATCHES "\\.h$")
-      string(APPEND header ".h")
-    endif()
-    file(STRINGS ${header} lines REGEX "^#include <")
-    list(APPEND needed ${lines})
-  endforeach()
-  list(REMOVE_DUPLICATES needed)
-  list(JOIN needed "\n" needed)
-  file(READ ${MACROS} macros)
-  string(REGEX MATCHALL "#define [A-Za-z0-9]+" undone "${macros}")
-  list(TRANSFORM undone REPLACE "#define" "#undef")
-  list(JOIN undone "\n" undone)
-  set(includes "${needed}\n#include \"${MACROS}\"\n${includes}${undone}\n")
-endif()
+set(paths ${WITH} ${HEADERS})
+list(TRANSFORM paths PREPEND ${SCRATCH}/)
+list(TRANSFORM paths APPEND .h)
+read_after_macros("${paths}")
 
 set(vectors "#include \"${VECTORS}.h\"")
 if(KIND)
@@ -64,20 +50,5 @@ ${calls}  return attempt.wrong > 0;
 }
 ")
 
-set(eigen)
-if(EIGEN)
-  set(eigen -isystem ${EIGEN})
-endif()
 # No fused operations, which would round a vector in another way than its coordinates.
-execute_process(
-  COMMAND ${COMPILER} -std=c++${STANDARD} -I${CMAKE_CURRENT_LIST_DIR} ${eigen} -Wall -Wextra
-          -Wpedantic -Wconversion -Wshadow -Werror -fno-exceptions -fno-rtti -ffp-contract=off
-          ${FLAGS} program.cpp -o program
-  WORKING_DIRECTORY ${SCRATCH} RESULT_VARIABLE result ERROR_VARIABLE errors)
-if(result)
-  message(FATAL_ERROR "${SCRATCH}/program.cpp does not compile:\n${errors}")
-endif()
-execute_process(COMMAND ${SCRATCH}/program RESULT_VARIABLE result OUTPUT_VARIABLE output)
-if(result)
-  message(FATAL_ERROR "${SCRATCH}/program.cpp: not the same steps (${result})\n${output}")
-endif()
+compile_and_run("steps" -ffp-contract=off)

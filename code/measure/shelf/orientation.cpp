@@ -30,8 +30,7 @@ Eigen::Quaternion<Real> exact(const shelf::Quaternion<double>& q) {
 
 // By what angle an orientation is turned against the truth [rad].
 double off(const shelf::Quaternion<double>& q, const Matrix& truth) {
-  const Matrix found = exact(q).normalized().toRotationMatrix();
-  return double(2 * std::asin(std::min(Real(1), (found - truth).norm() / std::sqrt(Real(8)))));
+  return double(EulerTop::angle_between(exact(q).normalized().toRotationMatrix(), truth));
 }
 
 // A body and where it is turned, to begin with as the exact one.
