@@ -2,9 +2,9 @@
 // The vectors that readers bring from libraries.
 #pragma once
 #include <complex>
-#include <glm/vec3.hpp>
 
 #include "eigen_vectors.h"
+#include "kinds/glm_vec3.h"
 #include "same_steps.h"
 
 struct Complexes {
@@ -17,16 +17,6 @@ struct Complexes {
   static Real read(const Vec& x, int i) { return i == 0 ? x.real() : x.imag(); }
 };
 
-struct GlmVectors {
-  using Vec = glm::vec3;
-  using Real = float;
-  using Time = double;
-  static constexpr int size = 3;
-  static constexpr const char* name = "glm::vec3";
-  static Vec make(const Real* from) { return {from[0], from[1], from[2]}; }
-  static Real read(const Vec& x, int i) { return x[i]; }
-};
-
 struct Attempt {
   int wrong = 0;
 
@@ -34,6 +24,6 @@ struct Attempt {
   void operator()(const char* name, Method method) {
     wrong += differences<EigenVectors<Eigen::Vector3d>>(name, method);
     wrong += differences<EigenVectors<Eigen::ArrayXf>>(name, method);
-    wrong += differences<GlmVectors>(name, method) + differences<Complexes>(name, method);
+    wrong += differences<kinds::glm_vec3>(name, method) + differences<Complexes>(name, method);
   }
 };
