@@ -55,7 +55,7 @@ export function promisesHtml(book, header, html) {
   const lines = rows.map(row => `<div><dt>${wordsHtml(row.promise)}</dt><dd>${measured(row)}</dd></div>`);
   const source = `${MEASURED_IN}/${name}.cpp`;
   const card = `<div class="card promises" role="note" aria-label="What ${escapeHtml(header.name)} promises">
-<div class="cardhead"><p><b>Promised</b>, and measured</p><p class="sources"><a href="data/shelf/${name}.csv">${name}.csv</a>, <a href="${sourceHref(source)}">${name}.cpp</a></p></div>
+<div class="cardhead"><p><b>Promised</b> and measured</p><p class="sources"><a href="data/shelf/${name}.csv">${name}.csv</a>, <a href="${sourceHref(source)}">${name}.cpp</a></p></div>
 <dl>${lines.join('\n')}</dl></div>`;
   return html.replace(
     /<p>Promises:\s*<\/p>\s*<ul>[\s\S]*?<\/ul>|<p>Promises:\s*<ul>[\s\S]*?<\/ul>\s*(<\/p>)?/,
