@@ -19,6 +19,13 @@
     });
   }
 
+  // A film is a page of its own, and doesn't see what the reader chose here.
+  const tellFilms = () => {
+    for (const film of all('.film iframe')) film.src = `${film.src.split('#')[0]}#${root.dataset.theme ?? ''}`;
+  };
+  if (root.dataset.theme) tellFilms();
+  document.addEventListener('themechange', tellFilms);
+
   for (const button of all('.menu')) {
     button.addEventListener('click', () =>
       button.setAttribute('aria-expanded', button.closest('.side').classList.toggle('open')),

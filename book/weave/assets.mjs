@@ -4,6 +4,7 @@ import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
+import { copyFilms } from './films.mjs';
 import { LIVE_SCRIPTS, colourRules } from './live.mjs';
 import { isMark } from './snippets.mjs';
 
@@ -26,6 +27,7 @@ export function copyAssets(book, out) {
   for (const file of ['book.css', 'book.js', 'search.js', 'wall.js']) copyFileSync(join(theme, file), join(out, file));
   copyFileSync(join(dirname(require.resolve('minisearch')), '../umd/index.js'), join(out, 'minisearch.js'));
   if (book.config.live) copyLive(book, join(out, 'live'));
+  copyFilms(book, out);
   copyFonts(join(out, 'fonts'));
   copyKatex(join(out, 'katex'));
   for (const chapter of book.programs.values()) copyData(chapter.data, join(out, 'data', chapter.name));

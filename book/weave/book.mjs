@@ -4,6 +4,7 @@ import { dirname, join, relative } from 'node:path';
 import { readCards } from './cards.mjs';
 import { readPromises } from './promises.mjs';
 import { readClaims } from './claims.mjs';
+import { readFilms } from './films.mjs';
 import { readLive } from './live.mjs';
 import { readAllTimes } from './measured-times.mjs';
 import { readNumbers } from './numbers.mjs';
@@ -63,7 +64,8 @@ function findSources({ source, chapters }) {
       else if (only ? only.includes(entry.name) : /\.(h|hpp|cpp|gp)$/.test(entry.name)) found.add(path);
     }
   };
-  for (const folder of ['code', ...chapters.map(chapter => chapter.folder), 'book/theme', 'book/live']) walk(folder);
+  for (const folder of ['code', ...chapters.map(chapter => chapter.folder), 'chapters/play', 'book/theme', 'book/live'])
+    walk(folder);
   for (const entry of readdirSync(join(source, 'chapters'), { withFileTypes: true })) {
     if (/\.(h|cpp)$/.test(entry.name)) found.add(`chapters/${entry.name}`); // what the chapters share
   }
@@ -105,6 +107,7 @@ function readChapter(book, { name, folder, build }) {
     program: `${folder}/program.cpp`,
     command: book.short(program),
     data: join(build, 'data'),
+    films: readFilms(source, folder, build),
     numbers: readNumbers(numbersFile),
     tables: readTables(join(build, 'data')),
     tests: claims.tests,

@@ -2,6 +2,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { inlineText } from './inline.mjs';
+import { filmHtml, filmSources } from './films.mjs';
 import { liveHtml } from './live.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { adoptSvg } from './svg.mjs';
@@ -40,10 +41,12 @@ const BOXES = {
     const caption = at < 0 ? html : html.slice(0, at);
     return `<figure class="tablebox" id="${id}"><figcaption>${startWith(`<b>Table ${number}.</b> `, caption)}</figcaption>${at < 0 ? '' : html.slice(at)}</figure>`;
   },
+  change: (html, { args: [title] }) =>
+    `<div class="change"><p class="label">${escapeHtml(smarten(title))}</p>${html}</div>`,
   figure: (html, piece, { book, page, hold }) => {
+    if (piece.film) return filmBox(html, piece, page);
     const {
       id,
-      number,
       figure,
       args: [, title],
     } = piece;
@@ -61,11 +64,17 @@ const BOXES = {
     const caption = live ? html : onPaper;
     const still = live ? `<div class="still">${svgs}</div>\n${liveHtml({ book }, live)}` : svgs;
     return (
-      `<figure class="plot" id="${id}"${stage}>${hold(still)}\n<figcaption>${startWith(`<b>Figure ${number}. ${escapeHtml(words.replace(/\.$/, ''))}.</b> `, caption)}` +
+      `<figure class="plot" id="${id}"${stage}>${hold(still)}\n<figcaption>${figureLabel(piece, caption)}` +
       `${figureLinks(book.programs.get(page.owner), figure, book, live)}</figcaption></figure>`
     );
   },
 };
+
+const filmBox = (html, piece, page) =>
+  `<figure class="plot" id="${piece.id}">${filmHtml(page, piece)}\n<figcaption>${figureLabel(piece, html)}${filmSources(page, piece)}</figcaption></figure>`;
+
+const figureLabel = ({ number, args: [, title] }, caption) =>
+  startWith(`<b>Figure ${number}. ${escapeHtml(smarten(title).replace(/\.$/, ''))}.</b> `, caption);
 
 const aroundTask = (html, task, context) => (task ? `${taskHead(task)}${html}\n${taskFoot(context, task)}` : html);
 

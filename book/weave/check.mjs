@@ -2,6 +2,7 @@
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { checkWhole } from './check-whole.mjs';
+import { checkFilm } from './films.mjs';
 import { findChapter, findNumber } from './look_up.mjs';
 import { liveFolder, methodsOf } from './live.mjs';
 import { MARKS, NUMBERED, REFERS } from './marks.mjs';
@@ -129,6 +130,7 @@ const CHECKS = {
   },
   figure({ book, page, piece, report }) {
     const [name, title] = piece.args;
+    if (piece.program) return (plainTitle(title, report), checkFilm({ book, page, piece, report }));
     const { folder = '', figures = new Map() } = book.programs.get(page.owner) ?? {};
     piece.figure = figures.get(name);
     plainTitle(title, report);
@@ -154,6 +156,7 @@ const CHECKS = {
   },
   take: checkTake,
   choice: ({ piece, report }) => plainTitle(piece.args[1], report),
+  change: ({ piece, report }) => plainTitle(piece.args[0], report),
   rows({ book, page, piece, report }) {
     const [name] = piece.args;
     const tables = book.programs.get(page.owner)?.tables ?? new Map();

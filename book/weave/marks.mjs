@@ -24,6 +24,8 @@ export const MARKS = {
   contents: { takes: [0, 0], kind: 'block', usage: '\\contents' },
   figure: { takes: [2, 2], kind: 'box', usage: '\\figure{name, Title}' },
   live: { takes: [2, 2], kind: 'box', usage: '\\live{name, Title}' },
+  film: { takes: [2, 2], kind: 'box', usage: '\\film{play, Title}' },
+  change: { takes: [1, 1], kind: 'box', usage: '\\change{What to change}' },
   paper: { takes: [0, 0], kind: 'box', within: 'live', usage: '\\paper' },
   screen: { takes: [0, 0], kind: 'box', within: 'live', usage: '\\screen' },
   table: { takes: [1, 1], kind: 'box', usage: '\\table{name}' },

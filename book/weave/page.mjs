@@ -94,10 +94,15 @@ function closeBox(page, open, piece, problems) {
   open.splice(at, 1);
 }
 
-// A live figure is a figure, numbered and referred to as one, with something built on it.
+// A live figure is a figure, numbered and referred to as one, with something built on it. So is a film, whose program has the
+// same name in every chapter.
 function takeLiveForFigures(page) {
   for (const piece of page.pieces) {
-    if (piece.type === 'open' && piece.name === 'live') Object.assign(piece, { name: 'figure', live: true });
+    if (piece.type !== 'open' || piece.incomplete) continue;
+    if (piece.name === 'live') Object.assign(piece, { name: 'figure', live: true });
+    if (piece.name !== 'film') continue;
+    const [program, title] = piece.args;
+    Object.assign(piece, { name: 'figure', program, args: [`${program}-${page.name}`, title] });
   }
 }
 

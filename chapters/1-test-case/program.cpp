@@ -56,26 +56,13 @@ void cannon(Record& record) {
   });
   air.add({down.t, down.x, 0.0});
   record.number("cannon-range-in-air", down.x, 3, "m");
-}
 
-void burning_rocket(Record& record) {
-  auto& table = record.table("rocket", {{"t", "s"}, {"exact", "m"}, {"as if constant", "m"}});
-  auto& dots = record.table("rocket-euler", {{"t", "s"}, {"height", "m"}});
-  for (int i = 0; i <= 100; ++i) {
-    const double t = rocket.burn_time * i / 100;
-    auto s = rocket.start();
-    integrate::constant_acceleration(s.x, s.v, 0.0, t, rocket);
-    table.add({t, rocket.exact(t).x, s.x});
-  }
-  auto s = rocket.start();
-  measure::run(euler, rocket, s, rocket.burn_time / 10, 10,
-               [&](double t, const auto& now) { dots.add({t, now.x}); });
-  record.number("rocket-exact", rocket.exact(rocket.burn_time).x, 4, "m");
-  record.number("rocket-constant", table.rows.back()[2].value, 4, "m");
-  record.number("rocket-euler", s.x, 4, "m");
-  const auto curved = measure::after(measure::constant_acceleration, rocket, rocket.start(),
-                                     rocket.burn_time / 10, 10);
-  record.number("rocket-ten-constant", curved.x, 4, "m");
+  const auto once =
+      measure::after(measure::constant_acceleration, heavy_air, cannonball.start(), down.t, 1);
+  record.number("air-behind", -once.x.x(), 2, "m");
+  record.number("air-below", -once.x.y(), 3, "m");
+  record.number("air-euler", off_landing(euler, down), 2, "m");
+  record.number("air-galileo", off_landing(measure::constant_acceleration, down), 2, "m");
 }
 
 void throws(Record& record) {
@@ -197,7 +184,6 @@ int main(int argc, char** argv) {
   return measure::record(argc, argv, [](Record& record) {
     jumps(record);
     cannon(record);
-    burning_rocket(record);
     throws(record);
     order(record);
     uneven_frames(record);

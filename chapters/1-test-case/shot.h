@@ -4,7 +4,9 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "../cast.h"
 #include "integrate/euler.h"
+#include "measure/run.h"
 #include "scenes/quadratic_drag.h"
 #include "scenes/state.h"
 
@@ -33,4 +35,11 @@ Landing land_in_air(scenes::State<Eigen::Vector2d> s, Observe observe) {
       return {t + part * h, above.x() + part * (s.x.x() - above.x())};
     }
   }
+}
+
+/// How far from its true landing ten steps of a method put a cannonball shot in air [m].
+template <class Step>
+double off_landing(Step step, const Landing& down) {
+  const auto s = measure::after(step, heavy_air, cannonball.start(), down.t / 10, 10);
+  return (s.x - Eigen::Vector2d(down.x, 0)).norm();
 }

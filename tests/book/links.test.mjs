@@ -69,6 +69,13 @@ test('each figure leads to its script and to the data that the script reads', ()
         .find('figcaption a')
         .map((_, a) => a.attribs.href)
         .get();
+      if ($(figure).find('iframe').length) {
+        assert.ok(
+          addresses.some(address => /^source-.*-cpp\.html$/.test(address)),
+          `${figure.attribs.id} in ${page} names no program`,
+        );
+        return;
+      }
       const script = addresses.find(address => /^source-.*-gp\.html$/.test(address));
       assert.ok(script, `${figure.attribs.id} in ${page} names no script`);
       if (!/\bfile\(|\.csv/.test(parse(script)('pre').text())) return;

@@ -1,0 +1,73 @@
+// The films: node films.test.mjs BUILD SOURCE. Each plays, stops, and can be moved by hand; and their colours are the book's.
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { folder } from './book.mjs';
+import { openTab, visit } from './browser.mjs';
+
+const source = process.argv[3];
+const films = readdirSync(join(folder, 'films'));
+const time = tab => tab.locator('input').inputValue().then(Number);
+const picture = tab => tab.locator('canvas').evaluate(canvas => canvas.toDataURL());
+
+test('there is a film for each chapter', () => assert.ok(films.length > 0));
+
+for (const film of films) {
+  test(`${film} plays, stops, and goes where the slider is put`, async () => {
+    const tab = await openTab('light', { reducedMotion: 'no-preference' });
+    await visit(tab, `films/${film}`);
+    await tab.locator('input').fill('0'); // which stops it
+    const start = await picture(tab);
+    await tab.locator('button').click();
+    await tab.waitForFunction(() => document.querySelector('input').value > 0.3);
+    assert.ok((await picture(tab)) !== start, 'nothing moves');
+    await tab.locator('button').click();
+    const at = await time(tab);
+    await tab.waitForTimeout(300);
+    assert.equal(await time(tab), at, 'it goes on after Stop');
+    await tab.locator('input').fill('0');
+    assert.ok((await picture(tab)) === start, 'the slider at its start shows another picture');
+    assert.deepEqual(tab.faults, []);
+    await tab.context().close();
+  });
+}
+
+test('who wants no motion sees the last picture, and may play it', async () => {
+  const tab = await openTab('dark');
+  await visit(tab, `films/${films[0]}`);
+  const at = await time(tab);
+  assert.ok(at > 0.999 * Number(await tab.locator('input').getAttribute('max')));
+  await tab.waitForTimeout(300);
+  assert.equal(await time(tab), at);
+  await tab.locator('button').click();
+  await tab.waitForFunction(end => document.querySelector('input').value < end, at);
+  assert.deepEqual(tab.faults, []);
+  await tab.context().close();
+});
+
+test('a film has the colours that the book has', async () => {
+  const css = readFileSync(join(source, 'book/theme/book.css'), 'utf8');
+  const at = css.indexOf('prefers-color-scheme: dark');
+  const colour = (scheme, name) =>
+    new RegExp(`--${name}: (#[0-9a-f]{6})`).exec(scheme === 'light' ? css.slice(0, at) : css.slice(at))[1];
+  const styles = [
+    ...readFileSync(join(source, 'book/theme/figure.gp'), 'utf8').matchAll(
+      /^eval method\("([^"]*)", "\w+", "lc rgb '#0000([0-9a-f]{2})'/gm,
+    ),
+  ].map(([, name, number]) => [name, `plot-${parseInt(number, 16)}`]);
+  const names = Object.fromEntries([
+    ...styles,
+    ['true', 'plot-7'],
+    ['scenery', 'plot-9'],
+    ['paper', 'paper'],
+    ['ink', 'ink'],
+  ]);
+  const tab = await openTab();
+  await visit(tab, `films/${films[0]}`);
+  const colours = await tab.evaluate('colours');
+  for (const [scheme, table] of Object.entries(colours))
+    for (const [name, value] of Object.entries(table))
+      assert.equal(value, colour(scheme, names[name]), `${scheme}: ${name}`);
+  await tab.context().close();
+});
