@@ -37,9 +37,19 @@ export function renderPage(book, page, xml) {
   findLeftovers(page, raw, report);
   const expand = html => html.replace(/\ue002(\d+)\ue003/g, (_, n) => held[n]);
   return {
-    html: expand(keepTogether(raw, n => inlineHtml(context, piece(n)), piece)),
+    html: expand(countClaims(keepTogether(raw, n => inlineHtml(context, piece(n)), piece))),
     sections: sectionsOf(page, raw, n => inlineText(piece(n))),
   };
+}
+
+// A phone shows the check marks of a paragraph below it, one beside the other: each has to know how many come before it.
+function countClaims(html) {
+  let n = 0;
+  return html.replace(/<(?:p|li|td|dd|div)\b|<a class="claim"/g, tag => {
+    if (tag.startsWith('<a')) return `${tag} style="--n:${n++}"`;
+    n = 0;
+    return tag;
+  });
 }
 
 function link(book, refid, html) {

@@ -7,44 +7,49 @@ using play::Jumper;
 using play::Vec;
 
 struct Machine {
-  int frames_per_second;
+  int rate;  // frames a second
   Jumper before, now;
   shelf::FixedStep<> clock{.h = 1.0 / 60};
   double highest = 0;
 
   void frame() {
-    clock.frame(1.0 / frames_per_second, [&](double) {
+    clock.frame(1.0 / rate, [&](double) {
       before = now;
       now.step(clock.h);
     });
     highest = drawn().y > highest ? drawn().y : highest;
   }
+
   Vec drawn() const { return before.x + clock.blend() * (now.x - before.x); }
 };
 // [machine]
 
 // [main]
+Machine at(double x, int rate) {
+  const Jumper start{.x = {x, 0}};
+  return {.rate = rate, .before = start, .now = start};
+}
+
+void draw(const Machine& machine, play::Film& film) {
+  const double x = machine.now.x.x;
+  film.circle(machine.drawn(), 0.12, "Euler");
+  film.line({x - 0.2, machine.highest}, {x + 0.2, machine.highest}, "Euler");
+  film.label({x - 0.15, -0.33}, std::to_string(machine.rate) + " Hz");
+}
+
 int main() {
-  Machine machines[4];
-  int rates[] = {20, 30, 60, 144};
-  for (int i = 0; i < 4; ++i)
-    machines[i] = {.frames_per_second = rates[i], .before = {{1.0 * i, 0}}, .now = {{1.0 * i, 0}}};
+  Machine machines[] = {at(0, 20), at(1, 30), at(2, 60), at(3, 144)};
   play::Film film({-0.6, -0.4}, {3.8, 1.8});
   for (int tick = 0; tick < 792; ++tick) {
     for (Machine& machine : machines)
-      if (tick % (720 / machine.frames_per_second) == 0) machine.frame();
+      if (tick % (720 / machine.rate) == 0) machine.frame();
     if (tick % 3 != 0) continue;
     film.picture(1 / 60.0);
     film.line({-0.6, 1.33}, {3.8, 1.33}, "scenery");
-    for (const Machine& machine : machines) {
-      film.circle(machine.drawn(), 0.12, "Euler");
-      const double x = machine.now.x.x;
-      film.line({x - 0.2, machine.highest}, {x + 0.2, machine.highest}, "Euler");
-      film.label({x - 0.15, -0.33}, std::to_string(machine.frames_per_second) + " Hz");
-    }
+    for (const Machine& machine : machines) draw(machine, film);
   }
   for (const Machine& machine : machines)
-    std::cout << machine.frames_per_second << " frames a second: " << machine.highest << " m\n";
+    std::cout << machine.rate << " Hz: " << machine.highest << " m\n";
   return film.write("play.html");
 }
 // [main]

@@ -5,36 +5,38 @@
 using play::Vec;
 
 struct Jumper {
-  int frames_per_second;
+  int rate;  // frames a second
   Vec x, v{0, 5};
   double highest = 0;
 
   void frame() {
     const Vec gravity{0, -9.81};
-    const double h = 1.0 / frames_per_second;
+    const double h = 1.0 / rate;
     x = x + h * v;
     v = v + h * gravity;
     highest = x.y > highest ? x.y : highest;
+  }
+
+  void draw(play::Film& film) const {
+    film.circle(x, 0.12, "Euler");
+    film.line({x.x - 0.2, highest}, {x.x + 0.2, highest}, "Euler");
+    film.label({x.x - 0.15, -0.33}, std::to_string(rate) + " Hz");
   }
 };
 
 int main() {
   Jumper jumpers[] = {{20, {0, 0}}, {30, {1, 0}}, {60, {2, 0}}, {144, {3, 0}}};
   play::Film film({-0.6, -0.4}, {3.8, 1.8});
-  for (int tick = 0; tick < 792; ++tick) {  // 720 to a second: every frame begins at one
+  for (int tick = 0; tick < 792; ++tick) {  // 720 of them make a second
     for (Jumper& jumper : jumpers)
-      if (tick % (720 / jumper.frames_per_second) == 0 && jumper.x.y >= 0) jumper.frame();
+      if (tick % (720 / jumper.rate) == 0 && jumper.x.y >= 0) jumper.frame();
     if (tick % 3 != 0) continue;
-    film.picture(1 / 60.0);  // three ticks: the film is four times slower than the jump
+    film.picture(1 / 60.0);  // four times slower than the jump
     film.line({-0.6, 1.33}, {3.8, 1.33}, "scenery");
-    for (const Jumper& jumper : jumpers) {
-      film.circle(jumper.x, 0.12, "Euler");
-      film.line({jumper.x.x - 0.2, jumper.highest}, {jumper.x.x + 0.2, jumper.highest}, "Euler");
-      film.label({jumper.x.x - 0.15, -0.33}, std::to_string(jumper.frames_per_second) + " Hz");
-    }
+    for (const Jumper& jumper : jumpers) jumper.draw(film);
   }
   for (const Jumper& jumper : jumpers)
-    std::cout << jumper.frames_per_second << " frames a second: " << jumper.highest << " m\n";
+    std::cout << jumper.rate << " Hz: " << jumper.highest << " m\n";
   return film.write("play_first.html");
 }
 // [first]
