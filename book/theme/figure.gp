@@ -1,8 +1,8 @@
 # The look of every figure in the book. gnuplot runs this file, then the figure's own script, then
 # axes.gp. Before it, the build sets NAME, DATA, OUT, WIDTH, HEIGHT and NARROW (1 for a phone).
 #
-# Colours are stand-ins: the weaver turns #000001 to #00000e into the style sheet's --plot-1 to
-# --plot-14, so that a figure follows the page from light to dark. Black becomes the text's colour.
+# Colours are stand-ins: the weaver turns #000001 to #000011 into the style sheet's --plot-1 to
+# --plot-17, so that a figure follows the page from light to dark. Black becomes the text's colour.
 
 set datafile separator ","
 set datafile missing NaN
@@ -39,16 +39,17 @@ eval method("BDF2", "BDF2", "lc rgb '#00000c' lw 2.2 pt 12 ps 0.8")
 eval method("trapezoid", "TRAPEZOID", "lc rgb '#00000b' lw 2.2 dt (6,4) pt 14 ps 0.7")
 eval method("Dormand-Prince", "DOPRI5", "lc rgb '#000004' lw 2.2 dt (6,4) pt 12 ps 0.8")
 eval method("predicted Euler", "PREDICTED_EULER", "lc rgb '#000005' lw 2.2 dt (2,3) pt 3 ps 0.8")
-eval method("constant acceleration", "CONSTANT_ACCELERATION", "lc rgb '#00000b' lw 2.2 pt 5 ps 0.55")
+eval method("constant acceleration", "CONSTANT_ACCELERATION", "lc rgb '#000001' lw 2.2 dt (6,4) pt 5 ps 0.55")
 eval method("symplectic Euler, drag divided", "LINEAR_DAMPING_IMPLICIT_LAST", "lc rgb '#000002' lw 2.2 dt (6,4) pt 4 ps 0.55")
 eval method("exact step of a spring", "SPRING_EXACT", "lc rgb '#000007' lw 1.4 pt 6 ps 0.6")
 # What is no method.
 eval line_style("EXACT", "lc rgb '#000007' lw 1.4 dt (7,5) pt 6 ps 0.6")  # what the motion really is
 eval line_style("LIMIT", "lc rgb '#000008' lw 1.6 dt (3,4) pt 7 ps 0.6")  # where something ends
 eval line_style("CONTEXT", "lc rgb '#000009' lw 1.1 pt 7 ps 0.4")         # what only helps the eye
-eval line_style("FIRST", "lc rgb '#00000a' lw 2.2 pt 7 ps 0.6")
-eval line_style("SECOND", "lc rgb '#00000b' lw 2.2 pt 5 ps 0.55")
-eval line_style("THIRD", "lc rgb '#00000c' lw 2.2 pt 9 ps 0.7")
+# Things, scenes and settings, which have the colour of no method.
+eval line_style("FIRST", "lc rgb '#00000f' lw 2.2 pt 7 ps 0.6")
+eval line_style("SECOND", "lc rgb '#000010' lw 2.2 pt 5 ps 0.55")
+eval line_style("THIRD", "lc rgb '#000011' lw 2.2 pt 9 ps 0.7")
 eval line_style("AREA", "lc rgb '#00000d' lw 1")                          # a faint fill
 eval line_style("GRID", "lc rgb '#00000e' lw 1")
 

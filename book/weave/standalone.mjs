@@ -9,7 +9,8 @@ const dark = css.search(/@media [^{]*prefers-color-scheme: dark/);
 
 const colours = theme => {
   const value = name => theme.match(new RegExp(`--${name}: (#[0-9a-f]+);`))[1];
-  const plots = Array.from({ length: 14 }, (_, i) => `--plot-${i + 1}: ${value(`plot-${i + 1}`)};`);
+  const once = new Set(theme.match(/--plot-\d+(?=: )/g)); // for dark, they stand in the style sheet twice
+  const plots = [...once].map(name => `${name}: ${value(name.slice(2))};`);
   return `svg { color: ${value('ink')}; font-family: Inter, system-ui, sans-serif; ${plots.join(' ')} }`;
 };
 const style = `<style>${colours(css.slice(0, dark))} @media (prefers-color-scheme: dark) { ${colours(css.slice(dark))} }</style>`;

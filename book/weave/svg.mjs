@@ -103,7 +103,7 @@ function tidyAttributes(e) {
     if (!COLOURS[name]) continue;
     const plot = value.match(/^rgb\(\s*0,\s*0,\s*(\d+)\)$|^#0000([0-9a-f]{2})$/i);
     const n = plot && (plot[1] ? Number(plot[1]) : parseInt(plot[2], 16));
-    if (n >= 1 && n <= 14) {
+    if (n >= 1) {
       styles.push(`${name}:var(--plot-${n})`);
       delete e.attribs[name];
     } else if (value === 'black' || n === 0) {

@@ -8,7 +8,7 @@ set ytics ("1 mm" 0.001, "1 cm" 0.01, "10 cm" 0.1)
 set lmargin 7.5
 unset mxtics
 set label 1 "Euler" at 1/20.,0.028 left tc ls EULER
-set label 2 "with  {/:Italic a h}^2/2" at 1/45.,0.15 right tc ls SECOND
+set label 2 "with  {/:Italic a h}^2/2" at 1/45.,0.15 right tc ls CONSTANT_ACCELERATION
 set label 3 "slope 1" at 1/560.,0.02 left tc ls EXACT
 plot 4.9*x with lines ls CONTEXT, \
      file("order") using (1/val("steps per second")):col("Euler") with linespoints ls EULER, \

@@ -7,7 +7,7 @@ set ytics 0,5
 set label 1 "no air" at 13,6.6 left tc ls EXACT
 set label 2 "in air" at 8.4,1.4 left tc ls EXACT
 set label 3 "Euler" at 5.5,6.8 right tc ls EULER
-set label 4 "with  {/:Italic a h}^2/2" at 1.6,-1.6 left tc ls SECOND
+set label 4 "with  {/:Italic a h}^2/2" at 1.6,-1.6 left tc ls CONSTANT_ACCELERATION
 set arrow 4 from 4.4,-1.1 to 8.1,-0.6 nohead ls CONTEXT
 vacuum = file("throw-in-a-vacuum")
 air = file("throw-in-air")

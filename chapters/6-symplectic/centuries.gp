@@ -18,8 +18,8 @@ plot file("centuries") using col("year"):col("Euler") with lines ls EULER, \
      file("centuries") using col("year"):col("symplectic Euler") with lines ls SYMPLECTIC_EULER, \
      file("centuries") using col("year"):col("velocity Verlet") with lines ls VELOCITY_VERLET, \
      file("centuries") using col("year"):col("RK4") with lines ls RK4, \
-     file("centuries") using col("year"):col("Yoshida 4") with lines ls FIRST, \
+     file("centuries") using col("year"):col("Yoshida 4") with lines ls YOSHIDA4, \
      file("centuries") every 10 using col("year"):col("symplectic Euler"):(sprintf(tip, val("year"), val("symplectic Euler"))) with labels hypertext point ls SYMPLECTIC_EULER ps 0.3, \
      file("centuries") every 10 using col("year"):col("velocity Verlet"):(sprintf(tip, val("year"), val("velocity Verlet"))) with labels hypertext point ls VELOCITY_VERLET ps 0.3, \
      file("centuries") every 10 using col("year"):col("RK4"):(sprintf(tip, val("year"), val("RK4"))) with labels hypertext point ls RK4 ps 0.3, \
-     file("centuries") every 10 using col("year"):col("Yoshida 4"):(sprintf(tip, val("year"), val("Yoshida 4"))) with labels hypertext point ls FIRST ps 0.3
+     file("centuries") every 10 using col("year"):col("Yoshida 4"):(sprintf(tip, val("year"), val("Yoshida 4"))) with labels hypertext point ls YOSHIDA4 ps 0.3

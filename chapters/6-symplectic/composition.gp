@@ -16,13 +16,13 @@ set label 5 "RK4" at 8800,2e-10 left tc ls RK4
 tip = "%d evaluations: %.2g m"
 plot file("composition") using col("evaluations per second"):col("symplectic Euler") with linespoints ls SYMPLECTIC_EULER, \
      file("composition") using col("evaluations per second"):col("velocity Verlet") with linespoints ls VELOCITY_VERLET, \
-     file("composition") using col("evaluations per second"):col("Yoshida 4") with linespoints ls FIRST, \
+     file("composition") using col("evaluations per second"):col("Yoshida 4") with linespoints ls YOSHIDA4, \
      file("composition") using col("evaluations per second"):col("RK4") with linespoints ls RK4, \
      file("composition") using col("evaluations per second"):col("velocity Verlet damped") with linespoints ls VELOCITY_VERLET dt (5,4) pt 8, \
-     file("composition") using col("evaluations per second"):col("Yoshida 4 damped") with linespoints ls FIRST dt (5,4) pt 6, \
+     file("composition") using col("evaluations per second"):col("Yoshida 4 damped") with linespoints ls YOSHIDA4 dt (5,4) pt 6, \
      file("composition") using col("evaluations per second"):col("symplectic Euler"):(sprintf(tip, val("evaluations per second"), val("symplectic Euler"))) with labels hypertext point ls SYMPLECTIC_EULER, \
      file("composition") using col("evaluations per second"):col("velocity Verlet"):(sprintf(tip, val("evaluations per second"), val("velocity Verlet"))) with labels hypertext point ls VELOCITY_VERLET, \
-     file("composition") using col("evaluations per second"):col("Yoshida 4"):(sprintf(tip, val("evaluations per second"), val("Yoshida 4"))) with labels hypertext point ls FIRST, \
+     file("composition") using col("evaluations per second"):col("Yoshida 4"):(sprintf(tip, val("evaluations per second"), val("Yoshida 4"))) with labels hypertext point ls YOSHIDA4, \
      file("composition") using col("evaluations per second"):col("RK4"):(sprintf(tip, val("evaluations per second"), val("RK4"))) with labels hypertext point ls RK4, \
      file("composition") using col("evaluations per second"):col("velocity Verlet damped"):(sprintf(tip, val("evaluations per second"), val("velocity Verlet damped"))) with labels hypertext point ls VELOCITY_VERLET, \
-     file("composition") using col("evaluations per second"):col("Yoshida 4 damped"):(sprintf(tip, val("evaluations per second"), val("Yoshida 4 damped"))) with labels hypertext point ls FIRST
+     file("composition") using col("evaluations per second"):col("Yoshida 4 damped"):(sprintf(tip, val("evaluations per second"), val("Yoshida 4 damped"))) with labels hypertext point ls YOSHIDA4

@@ -27,15 +27,15 @@ output { min-width: 4rem; text-align: right; font-variant-numeric: tabular-nums 
 inline constexpr char player_tail[] = R"html(
 const colours = {
   light: {
-    'Euler': '#c8420a', 'symplectic Euler': '#0b63b0', 'velocity Verlet': '#00784f', 'RK4': '#8436b0',
-    'backward Euler': '#6f4a10', 'midpoint': '#1690a6', 'Störmer–Verlet': '#00784f', 'leapfrog': '#00784f',
-    'Yoshida 4': '#5f6b00', 'BDF2': '#465c92', 'trapezoid': '#b8457e', 'true': '#3a3835',
+    'Euler': '#ca3e00', 'symplectic Euler': '#0063b2', 'velocity Verlet': '#30613b', 'RK4': '#6e009c',
+    'backward Euler': '#622a00', 'midpoint': '#168a9a', 'Störmer–Verlet': '#30613b', 'leapfrog': '#30613b',
+    'Yoshida 4': '#748043', 'BDF2': '#6a7adf', 'trapezoid': '#a53065', 'true': '#3a3835',
     'scenery': '#938c81', 'paper': '#fffefb', 'ink': '#22211f',
   },
   dark: {
-    'Euler': '#ff8a5c', 'symplectic Euler': '#66b0f5', 'velocity Verlet': '#4cc38a', 'RK4': '#cf9bf2',
-    'backward Euler': '#d8b26a', 'midpoint': '#58d0e0', 'Störmer–Verlet': '#4cc38a', 'leapfrog': '#4cc38a',
-    'Yoshida 4': '#c3cc58', 'BDF2': '#9fb2e8', 'trapezoid': '#f09ac4', 'true': '#e4e0d8',
+    'Euler': '#ff5a00', 'symplectic Euler': '#0089d9', 'velocity Verlet': '#00b68a', 'RK4': '#c392f5',
+    'backward Euler': '#c5a872', 'midpoint': '#7adff0', 'Störmer–Verlet': '#00b68a', 'leapfrog': '#00b68a',
+    'Yoshida 4': '#c3cc58', 'BDF2': '#7a8db3', 'trapezoid': '#f89fc6', 'true': '#e4e0d8',
     'scenery': '#77747a', 'paper': '#17171a', 'ink': '#dedad2',
   },
 };
