@@ -111,6 +111,8 @@ function tidyAttributes(e) {
       else e.attribs[name] = 'currentColor';
     }
   }
+  // A formula looks as it does in the text.
+  if (e.attribs['font-style'] === 'italic') styles.push('font-family:KaTeX_Math,serif;font-size:1.1em');
   if (styles.length) e.attribs.style = styles.join(';');
 }
 

@@ -112,6 +112,7 @@ void order(Record& record) {
 
 void uneven_frames(Record& record) {
   auto& table = record.table("uneven", {{"jump", "", whole}, {"t", "s"}, {"height", "m"}});
+  auto& tops = record.table("uneven-tops", {{"jump", "", whole}, {"top", "m"}});
   double lowest = INFINITY, highest = 0;
   for (std::size_t jumps = 0; jumps < 10; ++jumps) {
     // [uneven]
@@ -125,6 +126,7 @@ void uneven_frames(Record& record) {
       integrate::euler(s.x, s.v, t, length, jump);
     }
     // [uneven]
+    tops.add({double(jumps + 1), top});
     lowest = std::min(lowest, top);
     highest = std::max(highest, top);
   }
@@ -146,16 +148,13 @@ void display(Record& record) {
   // [blend]
   shelf::FixedStep<> clock{.h = 1.0 / 60};
   double before = 0, now = 0;
-  double now_before = 0, shown_before = 0;
   for (int shows = 0; shows < 48; ++shows) {
     clock.frame(1.0 / 144, [&](double) {
       before = now;
       now += 3 * clock.h;
     });
     const double shown = before + clock.blend() * (now - before);
-    table.add({double(shows), 100 * (now - now_before), 100 * (shown - shown_before)});
-    now_before = now;
-    shown_before = shown;
+    table.add({double(shows), 100 * now, 100 * shown});
   }
   // [blend]
 }
