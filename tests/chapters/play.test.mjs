@@ -1,4 +1,4 @@
-// The programs that make films: node play.test.mjs SOURCE BUILD COMPILER EIGEN CHAPTER
+// The programs that make films: node play.test.mjs SOURCE BUILD COMPILER EIGEN CHAPTER [OTHER COMPILER]
 //
 // They are short and stand in their chapter; they print what the chapter quotes; and each "Change it" does what the chapter says,
 // since the change is made, compiled and run.
@@ -9,7 +9,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
-const [source, build, compiler, eigen, chapter] = process.argv.slice(2);
+const [source, build, compiler, eigen, chapter, other] = process.argv.slice(2);
 const MOST_LINES = 60;
 const folder = join(source, 'chapters', chapter);
 const prose = readFileSync(join(folder, 'chapter.md'), 'utf8');
@@ -67,6 +67,21 @@ function changed(text, diff) {
   return at.length === 1 ? [...lines.slice(0, at[0]), ...put, ...lines.slice(at[0] + out.length)].join('\n') : null;
 }
 
+// Compiles a program of the chapter, and runs it: what it says, and its film.
+function run(code, by, name = 'play') {
+  const scratch = mkdtempSync(join(tmpdir(), 'play-'));
+  try {
+    const [file, binary] = [join(scratch, 'play.cpp'), join(scratch, 'play')];
+    writeFileSync(file, code.replace(/#include "\.\.\//g, `#include "${join(source, 'chapters')}/`));
+    const flags = ['-std=c++20', '-O1', '-ffp-contract=off', '-DEIGEN_DONT_VECTORIZE', '-Wall', '-Wextra', '-Werror'];
+    execFileSync(by, [...flags, `-I${join(source, 'code')}`, '-isystem', eigen, `-I${folder}`, file, '-o', binary]);
+    const output = execFileSync(binary, { cwd: scratch, encoding: 'utf8' });
+    return { said: said(output), film: readFileSync(join(scratch, `${name}.html`), 'utf8') };
+  } finally {
+    rmSync(scratch, { recursive: true });
+  }
+}
+
 for (const { title, text } of changes) {
   test(`change it: ${title}`, () => {
     const diffs = fences(text, 'diff'),
@@ -79,24 +94,13 @@ for (const { title, text } of changes) {
       assert.ok(next, `the lines stand not once: ${diff}`);
       return next;
     }, read(fits[0]));
-    const scratch = mkdtempSync(join(tmpdir(), 'play-'));
-    try {
-      const [code, binary] = [join(scratch, 'play.cpp'), join(scratch, 'play')];
-      writeFileSync(code, program.replace(/#include "\.\.\//g, `#include "${join(source, 'chapters')}/`));
-      const flags = ['-std=c++20', '-O1', '-ffp-contract=off', '-DEIGEN_DONT_VECTORIZE', '-Wall', '-Wextra', '-Werror'];
-      execFileSync(compiler, [
-        ...flags,
-        `-I${join(source, 'code')}`,
-        '-isystem',
-        eigen,
-        `-I${folder}`,
-        code,
-        '-o',
-        binary,
-      ]);
-      assert.equal(said(execFileSync(binary, { cwd: scratch, encoding: 'utf8' })), expected[0]);
-    } finally {
-      rmSync(scratch, { recursive: true });
-    }
+    assert.equal(run(program, compiler, fits[0]).said, expected[0]);
+  });
+}
+
+for (const name of other ? names : []) {
+  test(`${name} makes the same film by another compiler`, () => {
+    const film = readFileSync(join(build, 'chapters', chapter, 'films', `${name}.html`), 'utf8');
+    assert.ok(run(read(name), other, name).film === film, 'the films differ');
   });
 }

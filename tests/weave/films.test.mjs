@@ -1,0 +1,53 @@
+// Films: what the chapter shows of a program that makes one, and what is missing.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { CHAPTER, paragraph, refuses, weaves } from './weaver.mjs';
+
+const PROGRAM = 'chapters/2-euler/play.cpp';
+const code = [
+  PROGRAM,
+  '// SPDX-License-Identifier: MIT-0\n// Chapter 2: a drone.\n// [main]\nint main() {\n  return 0;\n}\n// [main]\n',
+];
+const page = ['built/2-euler/films/play.html', '<script>const view = [0, 0, 4, 2], pictures = [];</script>\n'];
+const listing = `\\listing{${PROGRAM}, main, A drone}\n\n`;
+const film = '\\film{play, A drone flies}\nLook at the dots. \\look\n\\endfilm';
+
+test('a film: its page within the figure, as high as its pictures want, and its program', () => {
+  const read = weaves(code, page, paragraph(listing + film));
+  const html = read('2-euler.html');
+  assert.match(html, /<figure class="plot" id="figure-play-2-euler">/);
+  assert.match(html, /style="--shape:2\.000"><iframe src="films\/2-euler-play\.html" title="A drone flies"/);
+  assert.match(html, /Made by <a href="source-chapters-2-euler-play-cpp\.html">play\.cpp<\/a>/);
+  assert.match(read('films/2-euler-play.html'), /const view/);
+});
+
+test('a film that no program makes', () =>
+  refuses(
+    [code, page, paragraph(listing + film), paragraph('\\film{fly, It flies}\nLook. \\look\n\\endfilm')],
+    [CHAPTER, '\\film{fly', 'there is no chapters/2-euler/fly.cpp that makes the film "fly". Did you mean "play"?'],
+  ));
+
+test('a film that is not made yet', () =>
+  refuses(
+    [code, paragraph(listing + film)],
+    [CHAPTER, '\\film{play', `${PROGRAM} has not made its film; is the chapter built?`],
+  ));
+
+test('a film that no chapter shows', () =>
+  refuses(
+    [code, page, paragraph(listing)],
+    [PROGRAM, '', 'no \\film{play, Title} in chapters/2-euler/chapter.md shows this film'],
+  ));
+
+test('a line of the program that no listing shows', () =>
+  refuses(
+    [[PROGRAM, `${code[1]}int left_out;\n`], page, paragraph(listing + film)],
+    [PROGRAM, 'int left_out', 'no \\listing of chapters/2-euler/chapter.md shows this line'],
+  ));
+
+test('what to change in a program: lines that go, and lines that come', () => {
+  const change = '\\change{Fly faster}\n```diff\n- h = 1;\n+ h = 2;\n```\nIt flies away.\n\n\\endchange';
+  const html = weaves(code, page, paragraph(listing + film), paragraph(change))('2-euler.html');
+  assert.match(html, /<div class="change"><p class="label">Fly faster<\/p>/);
+  assert.match(html, /<del>- h = 1;<\/del>\n<ins>\+ h = 2;<\/ins>/);
+});
