@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "../cast.h"
+#include "blob.h"
+#include "hitch.h"
 #include "measure/energy.h"
 #include "measure/error.h"
 #include "measure/evaluations.h"
@@ -14,6 +16,7 @@
 #include "measure/stability.h"
 #include "planets.h"
 #include "scenes/friction.h"
+#include "shelf/smooth_damp.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -320,4 +323,65 @@ TEST_CASE(
     }
   }
   CHECK_THAT(least({.omega = 8, .zeta = 1, .v0 = -20}), WithinAbs(-0.283, 5e-4));
+}
+
+TEST_CASE("Each step of Euler multiplies the area of a blob of starts by the determinant") {
+  for (const double step : {0.002, 0.005, 0.015, 0.05}) {
+    const double homega = step * suspension.omega;
+    const double determinant = 1 - 2 * suspension.zeta * homega + homega * homega;
+    for (const long steps : {1L, 20L}) {
+      // A lopsided blob as well, far from the place of rest.
+      for (Blob blob : {round_blob(), Blob{{1, 2}, {3, 1}, {2, 5}, {0, 4}}}) {
+        CHECK_THAT(area(stepped(blob, step, steps)) / area(blob),
+                   WithinRel(std::pow(determinant, double(steps)), 1e-9));
+      }
+    }
+  }
+}
+
+TEST_CASE("After one swing a blob has 0.53 of its area in steps of 5 ms, 1.86 in steps of 15 ms") {
+  const double before = area(round_blob());
+  CHECK_THAT(area(stepped(round_blob(), 0.005, 63)) / before, WithinAbs(0.531, 0.001));
+  CHECK_THAT(area(stepped(round_blob(), 0.015, 21)) / before, WithinAbs(1.860, 0.001));
+  const auto swing = [](double x, double v) {
+    return Spring<>{.omega = 20, .zeta = 0.1, .x0 = x, .v0 = v}.exact(0.3158);
+  };
+  const auto right = swing(1, 0), up = swing(0, 1);
+  CHECK_THAT(right.x * up.v - up.x * right.v, WithinAbs(0.283, 0.001));
+}
+
+TEST_CASE("After a hitch Euler's camera flies more than a metre past its target") {
+  double farthest = 0, exact_farthest = 0;
+  hitch(60, [&](const Hitch& now) {
+    farthest = std::max(farthest, now.euler);
+    exact_farthest = std::max(exact_farthest, now.exact);
+    // The exact camera is where a camera without frames would be.
+    const double left = (1 + camera.omega * now.t) * std::exp(-camera.omega * now.t);
+    CHECK_THAT(now.exact, WithinAbs(1 - left, 1e-12));
+  });
+  CHECK_THAT(farthest, WithinAbs(2.22, 0.01));
+  CHECK(exact_farthest < 1 + 1e-12);
+}
+
+TEST_CASE(
+    "A tenth of the way in every frame is another motion at every frame rate, smoothing one") {
+  CHECK_THAT(left_by_lerp(30), WithinAbs(2.06, 0.01));
+  CHECK_THAT(left_by_lerp(144), WithinAbs(0.005, 0.0005));
+  for (const int rate : {30, 60, 144}) {
+    double x = 0;
+    for (int n = 0; n < rate / 2; ++n) shelf::smooth(x, 10.0, 0.0, -60 * std::log(0.9), 1.0 / rate);
+    CHECK_THAT(10 - x, WithinRel(left_by_lerp(60), 1e-12));
+  }
+}
+
+TEST_CASE("A damper of c = h omega^2 takes what Euler's method gives, and the drone stays") {
+  const double c = frame * drone.omega * drone.omega;
+  const auto in_air = [&](const auto& x, const auto& v, double t) {
+    return scenes::Circle<>::Vec(drone(x, v, t) - c * v);
+  };
+  auto s = drone.start(), truth = s;
+  measure::run(euler, in_air, s, frame, 10 * turn,
+               [](double, const auto& now) { CHECK_THAT(now.x.norm(), WithinAbs(10, 0.08)); });
+  truth = measure::after(measure::rk4, in_air, truth, frame, 10 * turn);
+  CHECK_THAT(truth.x.norm(), WithinAbs(6.63, 0.01));
 }

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "../cast.h"
+#include "blob.h"
+#include "hitch.h"
 #include "measure/energy.h"
 #include "measure/fewest_steps.h"
 #include "measure/methods.h"
@@ -22,7 +24,6 @@ namespace {
 
 void spiral(Record& record) {
   auto& path = record.table("spiral", {{"t", "s"}, {"x", "m"}, {"y", "m"}, {"distance", "m", 4}});
-  // [spiral]
   auto s = drone.start();
   measure::run(euler, drone, s, frame, 10 * turn, [&](double t, const auto& now) {
     path.add({t, now.x.x(), now.x.y(), now.x.norm()});
@@ -30,7 +31,6 @@ void spiral(Record& record) {
   const auto once = measure::after(euler, drone, drone.start(), frame, turn);
   record.number("distance-1", once.x.norm(), 4, "m");
   record.number("distance-10", s.x.norm(), 4, "m");
-  // [spiral]
   record.number("circle", drone.radius, 2, "m");
   record.number("fence", fence, 2, "m");
 
@@ -77,12 +77,10 @@ void order(Record& record) {
                                        {"order"},
                                        {"velocity error", "m/s"},
                                        {"velocity order"}});
-  // [order]
   for (const auto& row : measure::halvings(euler, drone, 1.0 / 15, 8.0, 8)) {
     table.add({1 / row.h, row.error.position, row.position_order, row.error.velocity,
                row.velocity_order});
   }
-  // [order]
   record.number("error-60", table.rows[2][1].value, 3, "m");
   const auto rate_for_a_centimetre = [](double seconds) {
     return double(measure::fewest_steps(euler, drone, seconds, 0.01)) / seconds;
@@ -96,13 +94,11 @@ void springs(Record& record) {
   const double gain = measure::drift(euler, undamped_suspension, frame, 60, energy).last;
   record.number("swing-after-a-second", std::sqrt(1 + gain), 3);
 
-  // [limit]
   const double limit = measure::stability_limit(euler, suspension, 0.001, 0.1);
   record.number("suspension-limit", 1000 * limit, 4, "ms");
   const double inside = 0.9 * limit, outside = 1.1 * limit;
   measure::path(record, "suspension-inside", euler, suspension, inside, 1.5);
   measure::path(record, "suspension-outside", euler, suspension, outside, 1.5);
-  // [limit]
   record.number("suspension-inside", 1000 * inside, 1, "ms");
   record.number("suspension-outside", 1000 * outside, 2, "ms");
   record.number("suspension-rate", 1 / limit, 4, "Hz");
@@ -155,14 +151,9 @@ void drag(Record& record) {
 }
 
 void constant_force(Record& record) {
-  auto& table = record.table("jump", {{"h", "s"}, {"t", "s"}, {"error", "m"}});
   for (const int rate : {15, 30, 60}) {
-    auto s = jump.start();
-    measure::run(euler, jump, s, 1.0 / rate, rate, [&](double t, const auto& now) {
-      table.add({1.0 / rate, t, now.x.y() - jump.exact(t).x.y()});
-    });
-    const double error = table.rows.back()[2].value;
-    record.number("jump-error-" + std::to_string(rate), 100 * error, 3, "cm");
+    const double top = measure::after(euler, jump, jump.start(), 1.0 / rate, rate).x.y();
+    record.number("jump-error-" + std::to_string(rate), 100 * (top - jump.exact(1).x.y()), 3, "cm");
   }
 }
 
@@ -174,8 +165,10 @@ int main(int argc, char** argv) {
     energy(record);
     order(record);
     springs(record);
+    blobs(record);
     stiffness(record);
     drag(record);
+    cameras(record);
     constant_force(record);
     planets(record);
   });

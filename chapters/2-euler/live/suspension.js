@@ -23,7 +23,7 @@ globalThis.Live.figure('suspension', {
     pen.dot(-0.16, x, 9, method);
   },
   tell({ x, energy }) {
-    return `stretch ${globalThis.Live.fixed(100 * x, 1)}\u202fcm, energy ${this.howMuch(energy)} that of the start.`;
+    return `stretch ${globalThis.Live.fixed(100 * x, 1)}\u202fcm, energy ${this.howMuch(energy)} what it was at the start.`;
   },
   howMuch(energy) {
     if (energy > 1000) return 'over a thousand times';

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// A drone on a leash: chapter 2 builds it, and the level keeps it.
+#pragma once
+#include <string>
+
+#include "../play.h"
+#include "integrate/euler.h"
+
+namespace play {
+
+// [drone]
+/// Circles its tower on an elastic leash, ten metres out, once in eight seconds.
+struct Drone {
+  Vec at{-5, 11};                      // where the tower stands
+  Vec x{10, 0}, v{0, 7.853981633974};  // of the drone, from the tower
+  std::string method = "Euler";
+
+  /// The leash pulls inwards, by 0.617 m/s^2 for every metre of its length: (2 pi / 8 s)^2.
+  static Vec pull(Vec x, Vec, double) { return -0.616850275068 * x; }
+
+  void step(double h) { integrate::euler(x, v, 0.0, h, pull); }
+
+  void draw(Film& film) const {
+    film.circle(at, 0.3, "scenery");
+    film.line(at, at + x, "scenery");
+    film.trail(at + x, method);
+    film.circle(at + x, 0.5, method);
+  }
+};
+// [drone]
+
+}  // namespace play
