@@ -50,6 +50,8 @@ pictures.forEach(([seconds, ...shapes], n) => {
   shapes.filter(([kind]) => kind === 'trail').forEach(([, , x, y], k) => (trails[k] ??= []).push({ n, x, y }));
 });
 slider.max = length;
+slider.value = still.matches ? length : 0;
+const ended = () => slider.value > length - 0.001;  // the slider rounds
 canvas.style.aspectRatio = (right - left) / (top_ - bottom);
 
 // The book says by #light or #dark which of them its reader chose.
@@ -85,13 +87,13 @@ function frame(now) {
   if (!playing) return;
   slider.value = Number(slider.value) + Math.min(now - before, 100) / 1000;
   before = now;
-  if (slider.value >= length) play(false);
+  if (ended()) play(false);
   draw();
   requestAnimationFrame(frame);
 }
 
 function play(on) {
-  if (on && slider.value >= length) slider.value = 0;
+  if (on && ended()) slider.value = 0;
   button.textContent = on ? 'Stop' : 'Play';
   if (on && !playing) requestAnimationFrame(now => frame((before = now)));
   playing = on;
@@ -105,8 +107,8 @@ onresize = () => {
   canvas.height = canvas.width * (top_ - bottom) / (right - left);
   draw();
 };
-if (still.matches) slider.value = length;
-else new IntersectionObserver(([{ isIntersecting }], seen) => isIntersecting && (play(true), seen.disconnect()), { threshold: 0.6 }).observe(canvas);
+if (!still.matches)
+  new IntersectionObserver(([{ isIntersecting }], seen) => isIntersecting && (play(true), seen.disconnect()), { threshold: 0.6 }).observe(canvas);
 onresize();
 </script>
 </html>
