@@ -19,6 +19,7 @@
 #include "planets.h"
 #include "precession.h"
 #include "shadow.h"
+#include "tumbling.h"
 #include "uneven.h"
 
 using measure::euler;
@@ -32,7 +33,6 @@ void an_hour(Record& record) {
   auto& table = record.table("hour", {{"minute"}, {"Euler", "m"}, {"symplectic Euler", "m"}});
   auto s = drone.start(), swapped = drone.start();
   double nearest = INFINITY, farthest = 0;
-  // [hour]
   constexpr long hour = 3600 * 60;  // steps
   for (long n = 0; n <= hour; ++n) {
     nearest = std::min(nearest, swapped.x.norm());
@@ -41,7 +41,6 @@ void an_hour(Record& record) {
     euler(s.x, s.v, 0.0, frame, drone);
     symplectic_euler(swapped.x, swapped.v, 0.0, frame, drone);
   }
-  // [hour]
   constexpr double moon = 384'400'000;  // m
   record.number("moon", moon, 4, "m");
   record.number("hour-euler", table.rows.back()[1].value / 1e9, 3, "million km");
@@ -161,6 +160,7 @@ int main(int argc, char** argv) {
     damped_limits(record);
     six_ways(record);
     thrown_pair(record);
+    tumbling(record);
     composition(record);
     planets(record);
   });

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The drop that tells one step from another.
+#pragma once
+#include "../cast.h"
+#include "measure/run.h"
+#include "scenes/linear_drag.h"
+
+// [drop]
+/// How far a thing falls from rest in ten steps, in units of g h^2.
+template <class Step>
+double fallen(Step step) {
+  constexpr scenes::LinearDrag<> fall{.c = 0};
+  return -measure::after(step, fall, fall.start(), frame, 10).x / (fall.g * frame * frame);
+}
+// [drop]
