@@ -9,7 +9,7 @@ set label 3 "target" at 0.385,NARROW ? 1.2 : 1.14 right tc ls LIMIT
 late = cell("hitch", 3, "t")
 again = cell("hitch", 4, "t")
 set arrow 1 from late,0 to again,0 heads ls CONTEXT
-set label 4 "the late frame" at (late + again)/2,0.13 center tc ls EXACT
+set label 4 "the late frame" at again + 0.006,0.1 left tc ls EXACT
 omega = exact("hitch-omega")
 plot 1 with lines ls LIMIT, \
      1 - (1 + omega*x)*exp(-omega*x) with lines ls CONTEXT, \

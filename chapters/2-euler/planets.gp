@@ -27,7 +27,7 @@ do for [p=0:2] {
 }
 array name = ["Jupiter", "Saturn", "Uranus", "Neptune", "Pluto"]
 array once = [26, 56, 156, 304, 456]  # rows that make one turn
-set label 11 "Jupiter" at across(1) - 30,up(1) - 14 left tc ls EULER
+set label 11 "Jupiter" at across(1) + 10,up(1) + 26 left tc ls EULER
 set label 12 "Saturn" at across(1) + 6,up(1) + 33 left tc ls EULER
 x(body) = name[body]." x"
 y(body) = name[body]." y"

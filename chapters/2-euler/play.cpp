@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: MIT-0
 // Chapter 2: a drone on a leash, stepped by Euler's method.
-// [hand]
+// [main]
 #include "../play/drone.h"
 using play::Drone;
 using play::Vec;
 
-struct Hand {
-  Vec tip{1, 0};
-
-  void turn() {  // by six degrees, from one picture to the next
-    const double cosine = 0.994521895368273, sine = 0.104528463267653;
-    tip = {cosine * tip.x - sine * tip.y, sine * tip.x + cosine * tip.y};
-  }
-};
-// [hand]
-
-// [main]
 int main() {
   const double h = 1 / 60.0;
   Drone drone;
-  Hand hand;
+  play::Hand hand;
   bool outside = false;
   play::Film film({-25, -5}, {15, 27});
   for (int picture = -60; picture <= 600; ++picture) {
@@ -28,7 +17,7 @@ int main() {
     film.trail(drone.at + 10 * hand.tip, "true");
     film.circle(drone.at + 10 * hand.tip, 0.5, "true");
     drone.draw(film);
-    hand.turn();
+    hand.turn(8);
     if (picture < 0) continue;
     // [main]
 

@@ -85,6 +85,18 @@ std::vector<double> braking_slopes(double ch) {
 
 }  // namespace
 
+TEST_CASE(
+    "At ten evaluations a second RK4 ends two turns a centimetre off, midpoint half a metre and "
+    "Euler six") {
+  const auto off = [](auto step, double rate) {
+    const auto end = measure::after(step, drone, drone.start(), 1 / rate, std::lround(16 * rate));
+    return (end.x - drone.exact(16).x).norm();
+  };
+  CHECK_THAT(off(rk4, 2.5), WithinAbs(0.0102, 1e-4));
+  CHECK_THAT(off(midpoint, 5), WithinAbs(0.518, 0.001));
+  CHECK_THAT(off(euler, 10), WithinAbs(6.36, 0.01));
+}
+
 TEST_CASE("A midpoint step that moves with the old velocity has order one") {
   check_order(old_velocity, drone, 1.0 / 30, 8, 1);
   CHECK_THAT(order_in_position(old_velocity, parachute, 1.0 / 64, 2), WithinAbs(1, 0.1));
@@ -645,4 +657,46 @@ TEST_CASE("At rest the same steps take longer") {
   const measure::Times& times = measure::recorded_times();
   for (const std::string step : {"spring/RK4", "spring/RK4 folded"})
     CHECK(times.at(step + " at rest").lower > 1.1 * times.at(step).upper);
+}
+
+TEST_CASE("In a braking step of c h = 1 the four slopes are 1, 1/2, 3/4 and 1/4, their mean 5/8") {
+  const auto slopes = braking_slopes(1);
+  CHECK(slopes == std::vector<double>{1, 0.5, 0.75, 0.25});
+  double x = 0, v = 1;
+  integrate::rk4(x, v, 0.0, 1.0, [](double, double velocity, double) { return -velocity; });
+  CHECK_THAT(v, WithinRel(1 - 5.0 / 8, 1e-14));
+}
+
+TEST_CASE("On a spring a step of RK4 adds four terms, each a quarter turn on from the one before") {
+  for (const double z : {0.3, 1.5, 2.5}) {
+    const Spring<> spring{.omega = 7, .x0 = 1};
+    const auto end = measure::after(rk4, spring, spring.start(), z / 7, 1);
+    CHECK_THAT(end.x, WithinRel(1 - z * z / 2 + z * z * z * z / 24, 1e-12));
+    CHECK_THAT(end.v / 7, WithinRel(-z + z * z * z / 6, 1e-12));
+  }
+  const auto end = measure::after(rk4, Spring<>{}, State<double>{1, 0}, 1.5, 1);
+  CHECK_THAT(std::hypot(end.x, end.v), WithinAbs(0.941, 5e-4));
+  CHECK(std::atan2(-end.v, end.x) < 1.5);
+}
+
+TEST_CASE("The estimate of Dormand-Prince falls with the fifth power of the step") {
+  const auto estimate = [](double step) {
+    auto s = shuttle.start();
+    auto a = integrate::dopri5_start(s.x, s.v, 0.0, shuttle);
+    return integrate::dopri5(s.x, s.v, a, 0.0, step, shuttle).v.norm();
+  };
+  for (const double step : {0.04, 0.02, 0.01}) {
+    CHECK_THAT(std::log2(estimate(step) / estimate(step / 2)), WithinAbs(5, 0.2));
+  }
+}
+
+TEST_CASE("An estimate 32 times the tolerance makes the next try 0.45 times as long") {
+  const integrate::Dopri5Verdict<double> wrong(32, 1), right(1.0 / 32, 0), lucky(0, 0);
+  CHECK(!wrong.good);
+  CHECK_THAT(wrong.change, WithinRel(0.45, 1e-12));
+  CHECK(right.good);
+  CHECK_THAT(right.change, WithinRel(1.8, 1e-12));
+  CHECK(lucky.change == 5);
+  CHECK((!integrate::Dopri5Verdict<double>(1e9, 0).good));
+  CHECK((integrate::Dopri5Verdict<double>(1e9, 0).change == 0.2));
 }

@@ -8,9 +8,9 @@ set label 2 "second" at 0.47,0.455 right tc ls RK4
 set label 3 "third" at 0.53,0.8 left tc ls RK4
 set label 4 "fourth" at 0.97,0.2 right tc ls RK4
 set label 5 "true slope" at NARROW ? 0.79 : 0.72,NARROW ? 0.51 : 0.53 left tc ls EXACT
-set label 6 "mean of the two" at 0.53,0.64 left tc ls SECOND
+set label 6 "mean of the two" at 0.53,0.64 left tc ls RK4
 set arrow 1 from 0.5,0.5 to 0.5,0.75 nohead ls CONTEXT
 plot x >= 0 && x <= 1 ? exp(-x) : NaN with lines ls EXACT, \
      file("slopes") using col("t"):col("braking") with points ls RK4 ps 1.1, \
-     "+" every 1000 using (0.5):(0.625) with points ls SECOND ps 0.8, \
+     "+" every 1000 using (0.5):(0.625) with points ls RK4 pt 12 ps 1.1, \
      file("slopes") using col("t"):col("braking"):(sprintf("slope %.3f; true: %.3f", val("braking"), exp(-val("t")))) with labels hypertext point ls RK4 ps 1.1

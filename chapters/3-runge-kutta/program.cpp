@@ -75,6 +75,15 @@ void one_step(Record& record) {
     slopes.add({t, velocity});
     return -velocity;
   });
+  for (std::size_t i = 0; i < 4; ++i) {
+    record.number("slope-" + std::to_string(i + 1), slopes.rows[i][1].value, 3);
+  }
+  const double once = slopes.rows[0][1].value, twice = slopes.rows[1][1].value;
+  const double thrice = slopes.rows[2][1].value, last = slopes.rows[3][1].value;
+  record.number("slope-mean", (once + 2 * twice + 2 * thrice + last) / 6, 3);
+  record.number("slope-true-middle", std::exp(-0.5), 3);
+  record.number("slope-true-end", std::exp(-1.0), 3);
+  record.number("slope-true-mean", 1 - std::exp(-1.0), 3);
 
   const auto around = [&](const char* name, auto step, double h, long steps) {
     auto& path = record.table(name, {{"t", "s"}, {"x", "m"}, {"y", "m"}});
@@ -88,28 +97,19 @@ void one_step(Record& record) {
 }
 
 void work(Record& record) {
-  auto& orders = record.table(
-      "order",
-      {{"steps per second", "", whole}, {"midpoint", "m"}, {"order"}, {"RK4", "m"}, {"its order"}});
-  const auto two = measure::halvings(midpoint, drone, 1.0, 8.0, 8);
-  const auto four = measure::halvings(rk4, drone, 1.0, 8.0, 8);
-  for (std::size_t i = 0; i < two.size(); ++i) {
-    orders.add({1 / two[i].h, two[i].error.position, two[i].position_order, four[i].error.position,
-                four[i].position_order});
-  }
-
-  auto& table = record.table(
-      "work", {{"evaluations", "1/s", whole}, {"Euler", "m"}, {"midpoint", "m"}, {"RK4", "m"}});
-  // [work]
+  auto& table = record.table("work", {{"evaluations", "1/s", whole},
+                                      {"Euler", "m"},
+                                      {"midpoint", "m"},
+                                      {"RK4", "m"},
+                                      {"RK4 in float", "m"}});
   const auto error = [](auto step, double rate) {
     const long steps = std::lround(8 * rate);
     return measure::largest_error(step, drone, 1 / rate, steps).position;
   };
   for (double questions = 4; questions <= 4096; questions *= 2) {
     table.add({questions, error(euler, questions), error(midpoint, questions / 2),
-               error(rk4, questions / 4)});
+               error(rk4, questions / 4), error_in_float(rk4, int(questions) / 4)});
   }
-  // [work]
   record.number("at-240-euler", 100 * error(euler, 240), 2, "cm");
   record.number("at-240-midpoint", 1000 * error(midpoint, 120), 2, "mm");
   record.number("at-240-rk4", 1e9 * error(rk4, 60), 2, "nm");
@@ -117,21 +117,14 @@ void work(Record& record) {
     return double(measure::fewest_steps(step, drone, 8.0, 0.01)) / 8;
   };
   record.number("centimetre-euler", steps(euler), 3);
-  record.number("centimetre-midpoint", 2 * steps(midpoint), 3);
-  record.number("centimetre-rk4", 4 * steps(rk4), 3);
+  record.number("centimetre-midpoint", 2 * steps(midpoint), 2);
+  record.number("centimetre-rk4", 4 * steps(rk4), 2);
 }
 
 void large_steps(Record& record) {
-  auto& table = record.table("suspension", {{"steps per second", "", whole},
-                                            {"Euler", "cm", 2},
-                                            {"midpoint", "cm", 2},
-                                            {"RK4", "cm", 2}});
   const auto error = [](auto step, int rate) {
     return 100 * measure::largest_error(step, suspension, 1.0 / rate, rate).position;
   };
-  for (const int rate : {60, 30, 20}) {
-    table.add({double(rate), error(euler, rate), error(midpoint, rate), error(rk4, rate)});
-  }
   record.number("at-80-euler", error(euler, 80), 2, "cm");
   record.number("at-80-midpoint", error(midpoint, 40), 2, "cm");
   record.number("at-80-rk4", error(rk4, 20), 2, "cm");
@@ -148,6 +141,10 @@ void matrix(Record& record) {
   for (int n = 0; n < 60; ++n) integrate::rk4_linear(x, v, folded);
   // [matrix]
   const auto plain = measure::after(rk4, suspension, suspension.start(), frame, 60);
+  record.number("matrix-xx", folded.xx, 4);
+  record.number("matrix-xv", folded.xv, 4);
+  record.number("matrix-vx", folded.vx, 4);
+  record.number("matrix-vv", folded.vv, 4);
   record.number("matrix-apart", std::abs(x - plain.x), 1, "m");
 
   auto& speed = record.table("speed", {{"a step of"}, {"swinging", "ns"}, {"at rest", "ns"}});

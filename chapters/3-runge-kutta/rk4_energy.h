@@ -11,6 +11,7 @@
 #include "measure/energy.h"
 #include "measure/methods.h"
 #include "measure/record.h"
+#include "measure/run.h"
 #include "measure/stability.h"
 #include "toys.h"
 
@@ -20,8 +21,35 @@ inline double left_after(long steps, double homega) {
                   2.0 * double(steps));
 }
 
+inline constexpr double wide_turn = 1.5;  ///< h omega of the step that is drawn term by term
+
+/// A step of RK4 on a spring, taken apart: the arrow at the start, with one term added after the
+/// other, and where the arrow should be.
+inline void arrow(measure::Record& record) {
+  auto& table = record.table("arrow", {{"stretch"}, {"velocity"}});
+  double stretch = 1, velocity = 0, across = 1, up = 0;
+  table.add({stretch, velocity});
+  for (int term = 1; term <= 4; ++term) {
+    // A quarter turn clockwise, and shorter or longer by h omega over the number of the term.
+    const double before = across;
+    across = wide_turn / term * up;
+    up = -wide_turn / term * before;
+    stretch += across;
+    velocity += up;
+    table.add({stretch, velocity});
+  }
+  table.add({std::cos(wide_turn), -std::sin(wide_turn)});
+  const scenes::Spring<> unit;
+  const auto end = measure::after(measure::rk4, unit, unit.start(), wide_turn, 1);
+  record.number("arrow-length", std::hypot(end.x, end.v), 3);
+  record.number("arrow-turn", std::atan2(-end.v, end.x) * 180 / std::numbers::pi, 3, "°");
+  record.number("arrow-right", wide_turn * 180 / std::numbers::pi, 3, "°");
+  record.number("arrow-angle", wide_turn, 2);
+}
+
 /// What becomes of the energy: in a step, in a minute, in a day and in a swing.
 inline void energy(measure::Record& record) {
+  arrow(record);
   auto& factors = record.table("factors", {{"hω"}, {"Euler"}, {"midpoint"}, {"RK4"}});
   const auto factor = [](auto step, double homega) {
     return std::pow(measure::spectral_radius(step, scenes::Spring<>{}, homega), 2);

@@ -54,6 +54,4 @@ inline void limits(measure::Record& record) {
   record.number("door-euler", steps_for_door(measure::euler), measure::whole);
   record.number("door-rk4", steps_for_door(measure::rk4), measure::whole);
   record.number("door-rk4-evaluations", 4 * steps_for_door(measure::rk4), measure::whole);
-  const double strongest = measure::stability_limit(measure::rk4, swinging(1), 1e-3, 10) * 60;
-  record.number("strongest", strongest, 2, "Hz");
 }

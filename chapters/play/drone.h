@@ -30,4 +30,17 @@ struct Drone {
 };
 // [drone]
 
+// [hand]
+/// Points from the tower to where the drone should be.
+struct Hand {
+  Vec tip{1, 0};
+
+  void turn(int frames) {  // a frame of 1/60 s turns it by 0.75 degrees
+    const double cosine = 0.999914327574007, sine = 0.013089595571344;
+    for (int n = 0; n < frames; ++n)
+      tip = {cosine * tip.x - sine * tip.y, sine * tip.x + cosine * tip.y};
+  }
+};
+// [hand]
+
 }  // namespace play

@@ -109,10 +109,12 @@ struct Dopri5Verdict {
   /// @param in_v  the same in velocity
   Dopri5Verdict(Real in_x, Real in_v) {
     if (!finite(in_x) || !finite(in_v)) return;
+    // [rule]
     const Real size = in_v < in_x ? in_x : in_v;
     const Real wish = size > Real(0) ? Real(0.9) * std::pow(size, Real(-0.2)) : Real(5);
     good = size <= Real(1);
     change = wish < Real(0.2) ? Real(0.2) : wish > Real(5) ? Real(5) : wish;
+    // [rule]
   }
 
   /// By an integer, since -ffast-math takes every comparison for one of finite numbers.
