@@ -47,7 +47,7 @@ class Film {
 
  public:
   /// @param from, to  opposite corners of what the pictures show, the lower left one first [m]
-  Film(Vec from, Vec to) : low(from), high(to) {}
+  Film(Vec from, Vec to) : low(from), high(to) { pictures.precision(4); }
 
   /// Begins a picture, which is shown for so many seconds.
   void picture(double seconds) { pictures << "],\n[" << seconds; }

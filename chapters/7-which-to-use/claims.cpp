@@ -496,6 +496,31 @@ TEST_CASE("Sixteen steps in one visit are the sixteen steps, bit for bit") {
   CHECK(same);
 }
 
+TEST_CASE(
+    "With compensated sums RK4 in float stays within 10 micrometres up to 7680 steps a second") {
+  for (long rate = 120; rate <= 7680; rate *= 2) {
+    CHECK(compensated_error(rate) < 1e-5);
+    if (rate >= 240)
+      CHECK(error_of_a_turn<float>(measure::rk4, rate) > 10 * compensated_error(rate));
+  }
+  // Before the sums matter the method's own error is what it was.
+  CHECK(compensated_error(30) > 0.9 * error_of_a_turn<double>(measure::rk4, 30));
+}
+
+TEST_CASE(
+    "For the pendulum of the exercise choose takes Verlet in one step, in two, then Yoshida") {
+  const scenes::Pendulum<> pendulum{.length = 9.81 / 9, .angle = 2.5};
+  const auto first = [&](double error) {
+    return contest(pendulum, Bounds{.hz = 30, .seconds = 10, .error = error}).methods[0];
+  };
+  CHECK(first(1e-2).method == &velocity_verlet);
+  CHECK(first(1e-2).last.substeps == 1);
+  CHECK(first(1e-3).method == &velocity_verlet);
+  CHECK(first(1e-3).last.substeps == 2);
+  CHECK(first(1e-4).method == &method::yoshida4);
+  CHECK(first(1e-4).last.substeps == 1);
+}
+
 TEST_CASE("Far from the origin float's floor is a hundred times higher or more") {
   for (const long rate : {60L, 240L, 480L}) {
     const double far = error_far_away(measure::rk4, rate);

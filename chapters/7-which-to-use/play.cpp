@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT-0
+// Chapter 7: the whole level, and for each thing the method that it needs.
+// [things]
+#include "../play/crate.h"
+#include "../play/drone.h"
+#include "../play/hatch.h"
+#include "../play/jumper.h"
+#include "../play/moon.h"
+#include "../play/rope.h"
+#include "integrate/constant_acceleration.h"
+#include "integrate/rk4.h"
+#include "integrate/spring_exact.h"
+#include "integrate/velocity_verlet.h"
+using play::Vec;
+
+struct Level {
+  play::Jumper jumper{.x = {-17, 0}};
+  play::Drone drone{.method = "RK4"};
+  play::Hatch hatch;
+  play::Rope rope{{11, 6}};
+  play::Moon moon{.at = {14, 15}};
+  play::Crate crate{.at = {17, 3}};
+  Vec pull = moon(moon.x, moon.v, 0);
+  // [things]
+
+  // [step]
+  void step(double h) {
+    const auto gravity = [](Vec, Vec, double) { return Vec{0, -9.81}; };
+    integrate::constant_acceleration(jumper.x, jumper.v, 0.0, h, gravity);
+    if (jumper.x.y < 0) jumper.x.y = 0, jumper.v = {0, 5};
+    integrate::rk4(drone.x, drone.v, 0.0, h, play::Drone::pull);
+    integrate::spring_exact(hatch.open, hatch.speed, h, 60.0, 2.0);
+    for (int substep = 0; substep < 8; ++substep) rope.step(h / 8);
+    integrate::velocity_verlet(moon.x, moon.v, pull, 0.0, h, moon);
+    crate.step(h);
+  }
+  // [step]
+
+  // [draw]
+  void draw(play::Film& film) const {
+    film.picture(1 / 30.0);
+    film.line({-20, 0}, {20, 0}, "scenery");
+    film.line({-16, 1.33}, {-14, 1.33}, "scenery");
+    film.circle(jumper.x + Vec{0, 0.4}, 0.4, "true");
+    drone.draw(film);
+    hatch.draw(film, "true");
+    rope.draw(film);
+    moon.draw(film, "velocity Verlet");
+    crate.draw(film);
+  }
+};
+// [draw]
+
+// [main]
+int main() {
+  Level level;
+  const double thrown = level.crate.energy();
+  play::Film film({-20, -1}, {20, 22});
+  for (int n = 0; n < 8 * 60; ++n) {
+    if (n % 2 == 0) level.draw(film);
+    level.step(1 / 60.0);
+  }
+  const Vec weight = level.rope.x[20] - level.rope.at;
+  std::cout << "drone " << length(level.drone.x) << " m out, moon "
+            << length(level.moon.x - level.moon.at) << " m\nweight " << length(weight)
+            << " m from its nail, crate at " << 100 * level.crate.energy() / thrown
+            << " % of its energy\n";
+  return film.write("play.html");
+}
+// [main]
