@@ -22,6 +22,8 @@
 #include "parachute.h"
 #include "scenes/linear_drag.h"
 #include "scenes/pendulum.h"
+#include "shelf/link.h"
+#include "shelf/soft_constraint.h"
 #include "slide.h"
 #include "soft.h"
 #include "thrown.h"
@@ -404,6 +406,27 @@ TEST_CASE("The soft constraint of Box2D is backward Euler on a spring") {
       CHECK_THAT(rate, WithinAbs(v, 10 * rounding * size));
       CHECK_THAT(stretch, WithinAbs(x, 10 * rounding * (0.3 + frame * size)));
     }
+  }
+}
+
+TEST_CASE("XPBD's link, Box2D's soft constraint and backward_euler_spring take one step") {
+  const auto norm = [](double d) { return std::abs(d); };
+  const auto dot = [](double a, double b) { return a * b; };
+  for (const double omega : {1.0, 30.0, 600.0}) {
+    const double w = 0.5, length = 1, x = 0.3, v = -2;
+    double spring = x, speed = v;
+    integrate::backward_euler_spring(spring, speed, frame, omega, 0.0);
+
+    double post = 0, link = length + x + frame * v, tension = 0;
+    shelf::link(post, link, tension, 0.0, w, length, w / (omega * omega), frame, norm);
+    CHECK_THAT(link - length, WithinAbs(spring, 10 * rounding));
+
+    double wall = 0, rate = v, impulse = 0;
+    const auto soft = shelf::softness(frame, omega, 0.0);
+    shelf::soft_constraint(wall, rate, impulse, 1.0, x, 0.0, w, soft, dot);
+    const double size = 2 + omega * 0.3;
+    CHECK_THAT(rate, WithinAbs(speed, 10 * rounding * size));
+    CHECK_THAT(x + frame * rate, WithinAbs(spring, 10 * rounding * (0.3 + frame * size)));
   }
 }
 

@@ -87,6 +87,18 @@ TEST_CASE("One solve ends where the slope of the end leads back to the start, on
   CHECK((back - start.v).cwiseAbs().maxCoeff() < 1e4 * rounding * gentle);
 }
 
+TEST_CASE("A pull at the last of three masses changes their velocities by 1, 3 and 8") {
+  scenes::Chain<> chain{.count = 3, .mass = 2, .k = 2 / (frame * frame)};  // kappa is 1
+  auto system = system_of(chain);
+  const auto s = chain.start();
+  Eigen::VectorXd change(3);
+  change << 0, 0, 13;
+  REQUIRE(system(s.x, s.v, 0.0, -frame * frame, -frame, change));
+  CHECK_THAT(change[0], WithinRel(1, 10 * rounding));
+  CHECK_THAT(change[1], WithinRel(3, 10 * rounding));
+  CHECK_THAT(change[2], WithinRel(8, 10 * rounding));
+}
+
 TEST_CASE("Of the matrix of a chain three diagonals are not zero, and of its inverse all") {
   const Sparse matrix = step_matrix_of(steel_chain);
   CHECK(matrix.nonZeros() == 3 * steel_chain.count - 2);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT-0
 // Chapter 4: implicit methods, from a bar that cannot be held to a body thrown into the air.
 #include <cmath>
+#include <stdexcept>
 
 #include "../cast.h"
 #include "blows.h"
+#include "integrate/backward_euler.h"
+#include "integrate/band_system.h"
 #include "iterated.h"
 #include "matrix_costs.h"
 #include "measure/error.h"
@@ -13,6 +16,7 @@
 #include "measure/stability.h"
 #include "parachute.h"
 #include "scenes/linear_drag.h"
+#include "scenes/rope.h"
 #include "seen.h"
 #include "slide.h"
 #include "soft.h"
@@ -78,6 +82,24 @@ void derived(Record& record) {
                 "m/s");
 }
 
+void called(Record& record) {
+  // [rope]
+  const scenes::Rope<> rope{.count = 20, .k = 1e4};
+  const auto jacobian = [&](const auto& x, const auto& v, double t, auto&& add) {
+    rope.jacobian(x, v, t, add);
+  };
+  integrate::BandSystem<5, decltype(jacobian)> system(jacobian);
+  auto [x, v] = rope.start();
+  bool solved = true;
+  for (int n = 0; n < 60 && solved; ++n) {
+    solved = integrate::backward_euler(x, v, n / 60.0, 1 / 60.0, rope, system);
+  }
+  // [rope]
+  if (!solved) throw std::runtime_error("the rope on its nail could not be solved");
+  record.number("called-tip", -x[x.size() - 2], 2, "m");
+  record.number("called-angle", frame * std::sqrt(rope.k / rope.mass), 2);
+}
+
 void predictors(Record& record) {
   auto& table =
       record.table("corrections", {{"corrections", "", whole}, {"drag"}, {"undamped spring"}});
@@ -115,6 +137,7 @@ int main(int argc, char** argv) {
     opening(record);
     from_the_end(record);
     derived(record);
+    called(record);
     matrices(record);
     costs(record);
     fairer(record);

@@ -16,8 +16,8 @@ using play::Vec;
 struct Level {
   play::Jumper jumper{.x = {-17, 0}};
   play::Drone drone{.method = "RK4"};
-  play::Hatch hatch;
-  play::Rope rope{{11, 6}};
+  play::Hatch hatch{.at = {7, 0.4}};
+  play::Rope rope{{11, 6}, {1, 0}, {11.5, 5.5}};
   play::Moon moon{.at = {14, 15}};
   play::Crate crate{.at = {17, 3}};
   Vec pull = moon(moon.x, moon.v, 0);
@@ -29,7 +29,7 @@ struct Level {
     integrate::constant_acceleration(jumper.x, jumper.v, 0.0, h, gravity);
     if (jumper.x.y < 0) jumper.x.y = 0, jumper.v = {0, 5};
     integrate::rk4(drone.x, drone.v, 0.0, h, play::Drone::pull);
-    integrate::spring_exact(hatch.open, hatch.speed, h, 60.0, 2.0);
+    integrate::spring_exact(hatch.x, hatch.v, h, hatch.omega, hatch.zeta);
     for (int substep = 0; substep < 8; ++substep) rope.step(h / 8);
     integrate::velocity_verlet(moon.x, moon.v, pull, 0.0, h, moon);
     crate.step(h);
@@ -45,6 +45,7 @@ struct Level {
     drone.draw(film);
     hatch.draw(film, "true");
     rope.draw(film);
+    film.circle(rope.x[20], 0.3, "Störmer–Verlet");
     moon.draw(film, "velocity Verlet");
     crate.draw(film);
   }

@@ -1,25 +1,29 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// A hatch with a hard spring, for the level.
+/// A lid on a hard spring: chapter 4 builds it, and the level keeps it.
 #pragma once
+#include <string>
+
 #include "../play.h"
 #include "integrate/backward_euler_spring.h"
 
 namespace play {
 
 // [hatch]
-/// A stiff spring shuts it from a metre, and a damper twice too strong slows it.
+/// A lid over a shaft. A hard spring and a damper pull it down to where it shuts.
 struct Hatch {
-  Vec at{7, 0};
-  double open = 1, speed = 0;
   static constexpr double omega = 60, zeta = 2;
+  Vec at;          // where it shuts
+  Vec x{0, 1}, v;  // from there: open by a metre, and at rest
 
-  void step(double h) { integrate::backward_euler_spring(open, speed, h, omega, zeta); }
+  static Vec pull(Vec x, Vec v, double) { return (-omega * omega) * x + (-2 * zeta * omega) * v; }
+  void step(double h) { integrate::backward_euler_spring(x, v, h, omega, zeta); }
 
-  void draw(Film& film, const char* method = "backward Euler") const {
-    film.line(at + Vec{-1, 0}, at + Vec{-1, 1}, "scenery");
-    film.line(at + Vec{1, 0}, at + Vec{1, 1}, "scenery");
-    film.line(at + Vec{-1, open}, at + Vec{1, open}, method);
+  void draw(Film& film, const std::string& colour = "backward Euler") const {
+    film.line(at + Vec{-0.6, -0.4}, at + Vec{-0.6, 0}, "scenery");
+    film.line(at + Vec{0.6, -0.4}, at + Vec{0.6, 0}, "scenery");
+    for (const double up : {0.0, 0.03, 0.06})
+      film.line(at + x + Vec{-0.5, up}, at + x + Vec{0.5, up}, colour);
   }
 };
 // [hatch]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// A rope with a weight, for the level.
+/// A rope with a weight: chapter 5 builds it, and the level keeps it.
 #pragma once
 #include "../play.h"
 #include "shelf/link.h"
@@ -8,29 +8,30 @@
 namespace play {
 
 // [rope]
-/// Twenty links of ten centimetres that hang from a nail, and half a kilogram at the end.
+/// Twenty links of ten centimetres between points of ten grams, and a weight at the lower end.
 struct Rope {
-  static constexpr int count = 21;
-  Vec at, x[count], before[count];
-  double tension[count - 1] = {}, w[count];
+  Vec at, peg;  // what it hangs from, and what it may lie on
+  double radius = 0.12;
+  Vec x[21], before[21];
+  double tension[20] = {}, w[21];  // w is 1/m, and 0 for what is held
 
-  /// Begins level, to the right of the nail.
-  explicit Rope(Vec nail) : at(nail) {
-    for (int i = 0; i < count; ++i) {
-      x[i] = before[i] = at + Vec{0.1 * i, 0};
-      w[i] = i == 0 ? 0 : i == count - 1 ? 1 / 0.5 : 1 / 0.01;
-    }
+  Rope(Vec hook, Vec along, Vec round) : at(hook), peg(round) {
+    for (int i = 0; i <= 20; ++i) x[i] = before[i] = at + (0.1 * i) * along, w[i] = 1 / 0.01;
+    w[0] = 0, w[20] = 1 / 0.1;
   }
-
+  Vec outside(Vec place) const {
+    const Vec away = place - peg;
+    const double distance = length(away);
+    return distance < radius ? peg + (radius / distance) * away : place;
+  }
   void step(double h) {
-    const shelf::Rope<double> links{.length = 0.1};
-    const auto free = [](Vec place) { return place; };
-    shelf::rope_step(x, before, tension, w, count, links, Vec{0, -9.81}, h, length, free);
+    shelf::rope_step(x, before, tension, w, 21, shelf::Rope<double>{0.1}, Vec{0, -9.81}, h, length,
+                     [this](Vec place) { return outside(place); });
   }
-
-  void draw(Film& film, const char* method = "Störmer–Verlet") const {
-    for (int i = 2; i < count; i += 2) film.line(x[i - 2], x[i], method);
-    film.circle(x[count - 1], 0.3, method);
+  void draw(Film& film) const {
+    film.circle(peg, radius, "scenery");
+    for (int i = 2; i <= 20; i += 2) film.line(x[i - 2], x[i], "Störmer–Verlet");
+    film.circle(x[20], 0.08, "Störmer–Verlet");
   }
 };
 // [rope]
