@@ -17,7 +17,7 @@ struct Level {
   play::Jumper jumper{.x = {-17, 0}};
   play::Drone drone{.method = "RK4"};
   play::Hatch hatch{.at = {7, 0.4}};
-  play::Rope rope{{11, 6}, {1, 0}, {11.5, 5.5}};
+  play::Rope rope{{11, 6}, {1, 0}, {8, 6}};
   play::Moon moon{.at = {14, 15}};
   play::Crate crate{.at = {17, 3}};
   Vec pull = moon(moon.x, moon.v, 0);

@@ -13,8 +13,8 @@ namespace play {
 /// A lid over a shaft. A hard spring and a damper pull it down to where it shuts.
 struct Hatch {
   static constexpr double omega = 60, zeta = 2;
-  Vec at;          // where it shuts
-  Vec x{0, 1}, v;  // from there: open by a metre, and at rest
+  Vec at;            // where it shuts
+  Vec x{0, 1}, v{};  // from there: open by a metre, and at rest
 
   static Vec pull(Vec x, Vec v, double) { return (-omega * omega) * x + (-2 * zeta * omega) * v; }
   void step(double h) { integrate::backward_euler_spring(x, v, h, omega, zeta); }
