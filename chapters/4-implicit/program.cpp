@@ -85,14 +85,15 @@ void derived(Record& record) {
 void called(Record& record) {
   // [rope]
   const scenes::Rope<> rope{.count = 20, .k = 1e4};
-  const auto jacobian = [&](const auto& x, const auto& v, double t, auto&& add) {
+  const auto jacobian = [&](const auto& x, const auto& v, double t, auto add) {
     rope.jacobian(x, v, t, add);
   };
   integrate::BandSystem<5, decltype(jacobian)> system(jacobian);
   auto [x, v] = rope.start();
+  const double h = 1 / 60.0;
   bool solved = true;
   for (int n = 0; n < 60 && solved; ++n) {
-    solved = integrate::backward_euler(x, v, n / 60.0, 1 / 60.0, rope, system);
+    solved = integrate::backward_euler(x, v, n * h, h, rope, system);
   }
   // [rope]
   if (!solved) throw std::runtime_error("the rope on its nail could not be solved");

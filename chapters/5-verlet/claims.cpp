@@ -427,6 +427,31 @@ TEST_CASE("Position-based dynamics moves a rope as position Verlet does") {
   }
 }
 
+TEST_CASE("With one iteration a hanging rope of n links is stretched by n (n - 1) g h^2 / 2") {
+  for (const int links : {1, 2, 10, 20}) {
+    for (const double h : {frame, frame / 2}) {
+      const double predicted = links * (links - 1) * 9.81 * h * h / 2;
+      CHECK_THAT(2 * hanging(links, h, 1), WithinAbs(predicted, 2e-5));
+    }
+  }
+}
+
+TEST_CASE("XPBD stretches a rope by what was asked for plus the stretch of stiff links") {
+  for (const int substeps : {1, 4, 8, 16, 32}) {
+    CHECK_THAT(hangs_longer(substeps, true), WithinAbs(1 + hangs_longer(substeps, false), 1e-3));
+  }
+}
+
+TEST_CASE("Position Verlet without a velocity takes the steps of its header") {
+  double x = 1, x_previous = 0.98, y = x, y_previous = x_previous;
+  for (int n = 0; n < 600; ++n) {
+    without_velocity(x, x_previous, frame, [](double place) { return -9 * place; });
+    integrate::stormer_verlet(y, y_previous, 0.0, frame,
+                              [](double place, double, double) { return -9 * place; });
+    CHECK_THAT(x, WithinAbs(y, 1e-9));
+  }
+}
+
 TEST_CASE("A hanging rope of n links is stretched by about n^2 g h^2 / (2 q)") {
   for (const int links : {10, 20}) {
     for (const double h : {frame, frame / 2}) {

@@ -11,6 +11,7 @@
 #include "measure/record.h"
 #include "measure/run.h"
 #include "rope_in_frames.h"
+#include "shelf/link.h"
 #include "toys.h"
 
 /// The length of the rope of springs [m].
@@ -61,6 +62,22 @@ inline void burst(measure::Record& record) {
                });
 }
 
+/// How far a rope of XPBD hangs longer, whose springs should let it hang one per cent longer [%].
+/// @param compliant  false for links that give nothing
+inline double hangs_longer(int substeps, bool compliant) {
+  constexpr double m = 0.01, k = m * 9.81 * 20 * 21 / 2 / 0.02, h_frame = 1 / 60.0;
+  double x[21], before[21], tension[20] = {}, w[21];
+  for (int i = 0; i <= 20; ++i) x[i] = before[i] = -0.1 * i, w[i] = i > 0 ? 1 / m : 0;
+  const shelf::Rope<double> links{0.1, compliant ? 1 / k : 0};
+  const double h = h_frame / substeps;
+  for (int n = 0; n < 3600 * substeps; ++n) {
+    shelf::rope_step(
+        x, before, tension, w, 21, links, -9.81, h, [](double d) { return std::abs(d); },
+        [](double place) { return place; });
+  }
+  return 100 * (-x[20] / 2 - 1);
+}
+
 inline void ropes(measure::Record& record) {
   using measure::whole;
   auto& shapes = record.table("shapes", {{"iterations", "", whole}, {"x", "m"}, {"y", "m"}});
@@ -88,6 +105,15 @@ inline void ropes(measure::Record& record) {
   record.number("hangs-recorded", recorded(plain), 2, "%");
   record.number("hangs-corrected", recorded(corrected), 2, "%");
   record.number("falls-8", 100 * falling(20, frame, 8), 2, "%");
+
+  auto& asked = record.table(
+      "asked",
+      {{"substeps", "", whole}, {"XPBD", "%", 4}, {"stiff links", "%", 4}, {"sum", "%", 4}});
+  for (const int substeps : {1, 4, 8, 16, 32}) {
+    const double h = frame / substeps, law = 100 * 20 * 19 * 9.81 * h * h / 2 / 2;
+    asked.add(
+        {double(substeps), hangs_longer(substeps, true), hangs_longer(substeps, false), 1 + law});
+  }
 
   auto& pendulum = record.table("pendulum", {{"t", "s"}, {"one step", "m"}, {"eight", "m"}});
   Rope once = two_metres(1, {1, 0}), often = once;
