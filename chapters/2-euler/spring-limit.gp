@@ -1,5 +1,5 @@
-eval axis_names("damping ratio  {/Symbol z}", "largest stable step, {/:Italic h}ω")
-set xlabel "damping ratio  ζ"
+eval axis_names("damping ratio  {/:Italic ζ}", "largest stable step, {/:Italic hω}")
+set xlabel "damping ratio  {/:Italic ζ}"
 set xrange [0:3.1]
 set yrange [0:2.2]
 set xtics 0.5

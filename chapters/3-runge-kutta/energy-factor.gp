@@ -1,5 +1,5 @@
 eval axis_names("", "energy after one step, relative to before")
-set xlabel "{/:Italic h}ω" offset 0,0.3
+set xlabel "{/:Italic hω}" offset 0,0.3
 set xrange [0:3.05]
 set yrange [0:2.05]
 set xtics 0.5

@@ -1,5 +1,5 @@
-eval axis_names("", "largest stable step, {/:Italic h}ω")
-set xlabel "damping ratio  ζ" offset 0,0.3
+eval axis_names("", "largest stable step, {/:Italic hω}")
+set xlabel "damping ratio  {/:Italic ζ}" offset 0,0.3
 set xrange [0:3.1]
 set yrange [0:3.3]
 set xtics 0.5

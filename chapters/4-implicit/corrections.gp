@@ -1,4 +1,4 @@
-eval axis_names("corrections", "largest stable step,  {/:Italic c h} or {/:Italic h}ω")
+eval axis_names("corrections", "largest stable step,  {/:Italic c h} or {/:Italic hω}")
 set xrange [0.4:20.6]
 set yrange [0:2.2]
 set xtics (1, 5, 10, 15, 20)

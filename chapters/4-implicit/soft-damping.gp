@@ -1,4 +1,4 @@
-eval axis_names("{/:Italic h}ω asked for", "damping ratio that you get")
+eval axis_names("{/:Italic hω} asked for", "damping ratio that you get")
 set xrange [0:3.05]
 set yrange [0:1]
 set xtics 0.5
@@ -8,7 +8,7 @@ damping(i) = sprintf("%g", asked[i])
 set label 1 "asked for ζ = ".damping(3) at 1.2,0.95 left tc ls THIRD
 set label 2 damping(2) at 1.9,NARROW ? 0.745 : 0.72 center tc ls SECOND
 set label 3 damping(1) at 1.9,NARROW ? 0.49 : 0.5 center tc ls BACKWARD_EULER
-set label 4 "½ {/:Italic h}ω" at 0.62,0.22 left tc ls EXACT
+set label 4 "½ {/:Italic hω}" at 0.62,0.22 left tc ls EXACT
 tip(i) = sprintf("hω = %.1f, asked for %s: %.3f", val("hω"), damping(i), val("asked ".damping(i)))
 half(x) = x < 0.95 ? x/2 : NaN
 plot half(x) with lines ls EXACT, \

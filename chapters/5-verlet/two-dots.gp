@@ -12,11 +12,11 @@ set parametric
 set trange [0:0.8]
 set arrow 1 from X(1),Y(1) to X(2),Y(2) nohead lc rgb "#000003" lw 1.6
 set arrow 2 from X(2),Y(2) to X(3),2*Y(2)-Y(1) lc rgb "#000003" lw 1.6 dt (6,4) size 0.12,20
-set arrow 3 from X(3),2*Y(2)-Y(1) to X(3),Y(3)+0.03 lc rgb "#000008" lw 1.8 size 0.12,20
-set label 1 "x_{n–1}" at X(1)+0.08,Y(1)-0.14 left
-set label 2 "x_n" at X(2)-0.05,Y(2)-0.16 left
-set label 3 "x_{n+1}" at X(3)-0.1,Y(3)-0.12 right
-set label 4 "h^2 a" at X(3)+0.08,1.35 left tc ls LIMIT
+set arrow 3 from X(3),2*Y(2)-Y(1) to X(3),Y(3)+0.03 lc rgb "#000011" lw 1.8 size 0.12,20
+set label 1 "{/:Italic x_{n–1}}" at X(1)+0.08,Y(1)-0.14 left
+set label 2 "{/:Italic x_n}" at X(2)-0.05,Y(2)-0.16 left
+set label 3 "{/:Italic x_{n+1}}" at X(3)-0.1,Y(3)-0.12 right
+set label 4 "{/:Italic h^2 a}" at X(3)+0.08,1.35 left tc ls THIRD
 set label 5 "the last step again" at X(2)+0.42,1.72 right tc ls VELOCITY_VERLET
 plot 4*t, 5*t - 9.81*t*t/2 with lines ls EXACT, \
      file("two-dots") every ::2::4 using col("x"):col("y") with points ls VELOCITY_VERLET ps 1

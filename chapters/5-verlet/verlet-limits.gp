@@ -1,4 +1,4 @@
-eval axis_names("damping ratio ζ", "longest step times ω")
+eval axis_names("damping ratio {/:Italic ζ}", "longest step times {/:Italic ω}")
 set xrange [0:2]
 set yrange [0:2.15]
 set xtics 0.5

@@ -1,4 +1,4 @@
-eval axis_names("damping ratio  ζ", "largest stable step, {/:Italic h}ω")
+eval axis_names("damping ratio  {/:Italic ζ}", "largest stable step, {/:Italic hω}")
 set xrange [0:2]
 set yrange [0:5]
 set xtics 0.5

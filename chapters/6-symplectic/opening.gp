@@ -13,7 +13,7 @@ near(k) = 0.1/sqrt(2 + k)
 array k = [0.67, 1.5, 1.9, 2.1]
 swing(i) = sprintf("opening-%.0f", 100*k[i])
 homega(i) = sprintf("%g", k[i])
-set label 1 "{/:Italic h}ω = ".homega(1) at -0.07,0.19 right tc ls SYMPLECTIC_EULER
+set label 1 "{/:Italic hω} = ".homega(1) at -0.07,0.19 right tc ls SYMPLECTIC_EULER
 set label 2 homega(2) at 0.26,-0.05 left tc ls SYMPLECTIC_EULER
 set arrow 1 from 0.25,-0.03 to 0.155,0.095 nohead ls CONTEXT
 set label 3 homega(3) at 0.32,0.13 left tc ls SYMPLECTIC_EULER

@@ -20,12 +20,12 @@ do for [k=0:11] {
 }
 do for [k=12-across:11] {
   set label 20+k "0" at left(k),low(k)-0.24 left tc ls EXACT
-  set label 40+k "{/:Italic h}ω" at left(k)+2,low(k)-0.24 center tc ls EXACT
+  set label 40+k "{/:Italic hω}" at left(k)+2,low(k)-0.24 center tc ls EXACT
   set label 60+k "4" at left(k)+4,low(k)-0.24 right tc ls EXACT
 }
 do for [r=0:down-1] {
   k = r*across
-  set label 80+r "ζ" at left(k)-0.38,low(k)+1 left tc ls EXACT
+  set label 80+r "{/:Italic ζ}" at left(k)-0.38,low(k)+1 left tc ls EXACT
   set label 100+r "0" at left(k)-0.38,low(k)+0.12 left tc ls EXACT
   set label 120+r "2" at left(k)-0.38,low(k)+1.88 left tc ls EXACT
 }
