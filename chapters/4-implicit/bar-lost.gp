@@ -10,7 +10,7 @@ set label 1 "RK4" at 5.6,NARROW ? 1e16 : 5e15 right tc ls RK4
 set label 2 NARROW ? "symplectic" : "symplectic Euler" at 10.1,1e9 right tc ls SYMPLECTIC_EULER
 set label 3 "Euler" at 10.1,NARROW ? 1 : 1e2 right tc ls EULER
 set label 4 NARROW ? "backward" : "backward Euler" at NARROW ? 1.2 : 0.4,NARROW ? 1e-11 : 1e-9 left tc ls BACKWARD_EULER
-set label 5 "how far the true one swings" at 6.2,1e-4 left tc ls EXACT
+set label 5 NARROW ? "true" : "how far the true one swings" at 6.2,1e-4 left tc ls EXACT
 plot 1e-3*exp(-x) with lines ls EXACT, \
      file("bar") using col("frame"):col("Euler") with linespoints ls EULER, \
      file("bar") using col("frame"):col("symplectic Euler") with linespoints ls SYMPLECTIC_EULER, \
