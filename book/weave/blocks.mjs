@@ -34,21 +34,18 @@ function listing({ book, hold }, piece) {
 }
 
 function fence({ hold }, { language, code }) {
-  const kind =
-    languageOf(language) === 'bash' ? ' terminal' : ['diff', 'prints'].includes(language) ? ` ${language}` : '';
-  if (language === 'diff') return `<div class="codebox${kind}"><pre><code>${hold(diffLines(code))}</code></pre></div>`;
-  return `<div class="codebox${kind}"><pre><code>${hold(highlightLines(code, language).join('\n'))}</code></pre></div>`;
+  const diff = language === 'diff';
+  const kind = languageOf(language) === 'bash' ? ' terminal' : diff ? ' diff' : '';
+  const lines = diff ? diffLines(code) : highlightLines(code, language);
+  return `<div class="codebox${kind}"><pre><code>${hold(lines.join('\n'))}</code></pre></div>`;
 }
 
 // What a reader takes out of a program and puts in.
 const diffLines = code =>
-  code
-    .split('\n')
-    .map(line => {
-      const as = { '-': 'del', '+': 'ins' }[line[0]];
-      return as ? `<${as}>${escapeHtml(line)}</${as}>` : escapeHtml(line);
-    })
-    .join('\n');
+  code.split('\n').map(line => {
+    const as = { '-': 'del', '+': 'ins' }[line[0]];
+    return as ? `<${as}>${escapeHtml(line)}</${as}>` : escapeHtml(line);
+  });
 
 const display = ({ hold }, piece) => `<div class="math-block">${hold(piece.html)}</div>`;
 

@@ -54,7 +54,7 @@ export function readBook(config) {
 }
 
 // Files that get a page of their own: what is compiled, and what draws.
-function findSources({ source, chapters }) {
+function findSources({ source }) {
   const found = new Set();
   const walk = (folder, only) => {
     const entries = existsSync(join(source, folder)) ? readdirSync(join(source, folder), { withFileTypes: true }) : [];
@@ -64,11 +64,7 @@ function findSources({ source, chapters }) {
       else if (only ? only.includes(entry.name) : /\.(h|hpp|cpp|gp)$/.test(entry.name)) found.add(path);
     }
   };
-  for (const folder of ['code', ...chapters.map(chapter => chapter.folder), 'chapters/play', 'book/theme', 'book/live'])
-    walk(folder);
-  for (const entry of readdirSync(join(source, 'chapters'), { withFileTypes: true })) {
-    if (/\.(h|cpp)$/.test(entry.name)) found.add(`chapters/${entry.name}`); // what the chapters share
-  }
+  for (const folder of ['code', 'chapters', 'book/theme', 'book/live']) walk(folder);
   walk('exercises', ['starter.h', 'given.h']); // the tests work out what a student is asked for
   return found;
 }

@@ -43,6 +43,12 @@ inline Blob stepped(Blob blob, double step, long steps) {
   return blob;
 }
 
+/// How long the suspension takes for one swing, damped as it is [s].
+inline double one_swing() {
+  return 2 * std::numbers::pi /
+         (suspension.omega * std::sqrt(1 - suspension.zeta * suspension.zeta));
+}
+
 /// The blob at eight moments of one swing, and its area at the end of it.
 /// @param milliseconds  the step
 inline void blob_of(measure::Record& record, int milliseconds) {
@@ -50,8 +56,7 @@ inline void blob_of(measure::Record& record, int milliseconds) {
   auto& table = record.table(
       "blob-" + name, {{"moment", "", measure::whole}, {"stretch", "cm"}, {"velocity", "cm"}});
   const double step = milliseconds / 1000.0;
-  const double swing = 2 * std::numbers::pi / (suspension.omega * std::sqrt(1 - 0.01));
-  const long steps = std::lround(swing / step);
+  const long steps = std::lround(one_swing() / step);
   for (int moment = 0; moment <= 8; ++moment) {
     const Blob now = stepped(round_blob(), step, std::lround(double(steps) * moment / 8));
     for (std::size_t n = 0; n <= now.size(); ++n) {
@@ -69,6 +74,5 @@ inline void blob_of(measure::Record& record, int milliseconds) {
 inline void blobs(measure::Record& record) {
   blob_of(record, 5);
   blob_of(record, 15);
-  const double swing = 2 * std::numbers::pi / (suspension.omega * std::sqrt(1 - 0.01));
-  record.number("blob-true", std::exp(-suspension.damping() * swing), 3);
+  record.number("blob-true", std::exp(-suspension.damping() * one_swing()), 3);
 }

@@ -12,7 +12,7 @@ int main() {
   Hatch hatches[5];
   for (int i = 0; i < 5; ++i) hatches[i].at = {7 + 1.7 * i, 0};
   const double h = 1 / 60.0;
-  play::Film film({6, -0.9}, {14.8, 3.1});
+  play::Film film({6, -1.2}, {14.8, 3.1});
   // [hatches]
 
   // [frames]
@@ -20,7 +20,7 @@ int main() {
     film.picture(0.12);
     for (int i = 0; i < 5; ++i) {
       hatches[i].draw(film, names[i]);
-      film.label(hatches[i].at + play::Vec{-0.6, -0.7}, names[i]);
+      film.label(hatches[i].at + play::Vec{-0.6, i % 2 ? -0.95 : -0.6}, names[i]);
     }
     if (frame % 10 == 0) {
       std::cout << "After " << frame << " frames:";

@@ -93,7 +93,6 @@ inline void spins(measure::Record& record) {
                                   [](const auto& row) { return !(row[1].value < 1e6); });
   record.number("spin-euler", blown->at(0).value, 2, "s");
   record.number("spin-second", 100 * spin.rows[60][2].value, 2, "%");
-  record.number("spin-five", 100 * spin.rows[300][2].value, 2, "%");
   record.number("spin-ten", 100 * spin.rows[600][2].value, 2, "%");
   record.number("spin-rk4", 100 * (1 - spin.rows[600][4].value), 2, "%");
   record.number("spin-over", first_over(measure::backward_euler, 1), 2, "s");

@@ -62,6 +62,11 @@ inline void burst(measure::Record& record) {
                });
 }
 
+/// How much longer a rope of stiff links hangs, with one iteration in a step [m].
+inline double stretch_of_stiff_links(int links, double h) {
+  return links * (links - 1) * 9.81 * h * h / 2;
+}
+
 /// How far a rope of XPBD hangs longer, whose springs should let it hang one per cent longer [%].
 /// @param compliant  false for links that give nothing
 inline double hangs_longer(int substeps, bool compliant) {
@@ -110,7 +115,7 @@ inline void ropes(measure::Record& record) {
       "asked",
       {{"substeps", "", whole}, {"XPBD", "%", 4}, {"stiff links", "%", 4}, {"sum", "%", 4}});
   for (const int substeps : {1, 4, 8, 16, 32}) {
-    const double h = frame / substeps, law = 100 * 20 * 19 * 9.81 * h * h / 2 / 2;
+    const double law = 100 * stretch_of_stiff_links(20, frame / substeps) / 2;  // of two metres
     asked.add(
         {double(substeps), hangs_longer(substeps, true), hangs_longer(substeps, false), 1 + law});
   }

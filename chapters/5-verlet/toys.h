@@ -22,11 +22,10 @@ inline double braked(int rate) {
 
 /// One step of position Verlet for a force that asks for no velocity, as the chapter has it first.
 template <class Acceleration>
-double without_velocity(double& x, double& x_previous, double h, Acceleration acceleration) {
+void without_velocity(double& x, double& x_previous, double h, Acceleration acceleration) {
   // [velocityless]
   const double x_next = x + (x - x_previous) + h * h * acceleration(x);
   x_previous = x;
   x = x_next;
   // [velocityless]
-  return x;
 }

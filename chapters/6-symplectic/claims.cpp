@@ -22,7 +22,6 @@
 #include "precession.h"
 #include "scenes/projectile.h"
 #include "shadow.h"
-#include "tumbling.h"
 #include "uneven.h"
 
 using Catch::Matchers::WithinAbs;
@@ -555,29 +554,6 @@ TEST_CASE(
   CHECK(highest_on_a_trampoline(frame) > 2);
   CHECK(highest_on_a_trampoline(frame) < 4);
   CHECK(highest_on_a_trampoline(frame / 2) < 1.1);
-}
-
-TEST_CASE(
-    "Turned by its spin at the start of each step a thrown body has twice its energy after ten "
-    "seconds") {
-  CHECK_THAT(tumbled(by_its_spin, 10).energy() / Tumbling{}.energy(), WithinRel(2, 0.01));
-  // All of it is in the axis of the smallest moment, and none can be added.
-  const Tumbling body = tumbled(by_its_spin, 10);
-  const auto own = shelf::rotate_back(body.q, body.L);
-  CHECK(std::abs(own.x) > 0.999 * std::sqrt(dot(body.L, body.L)));
-}
-
-TEST_CASE("Bullet's gyroscopic step takes 88 per cent of a thrown body's energy in ten seconds") {
-  CHECK_THAT(tumbled(by_bullet, 10).energy() / Tumbling{}.energy(), WithinAbs(0.12, 0.01));
-}
-
-TEST_CASE(
-    "Rotations turn a thrown body ten times nearer than the midpoint rule, and both keep its "
-    "energy to a thousandth") {
-  CHECK(largest_off(by_midpoint) > 10 * largest_off(by_rotations));
-  for (const double energy :
-       {tumbled(by_midpoint, 10).energy(), tumbled(by_rotations, 10).energy()})
-    CHECK_THAT(energy, WithinRel(Tumbling{}.energy(), 1e-3));
 }
 
 TEST_CASE("Half a step of one twin and half a step of the other are a step of velocity Verlet") {

@@ -25,8 +25,7 @@ struct Level {
 
   // [step]
   void step(double h) {
-    const auto gravity = [](Vec, Vec, double) { return Vec{0, -9.81}; };
-    integrate::constant_acceleration(jumper.x, jumper.v, 0.0, h, gravity);
+    integrate::constant_acceleration(jumper.x, jumper.v, 0.0, h, jumper.gravity);
     if (jumper.x.y < 0) jumper.x.y = 0, jumper.v = {0, 5};
     integrate::rk4(drone.x, drone.v, 0.0, h, play::Drone::pull);
     integrate::spring_exact(hatch.x, hatch.v, h, hatch.omega, hatch.zeta);

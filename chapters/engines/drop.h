@@ -11,6 +11,7 @@
 template <class Step>
 double fallen(Step step) {
   constexpr scenes::LinearDrag<> fall{.c = 0};
-  return -measure::after(step, fall, fall.start(), frame, 10).x / (fall.g * frame * frame);
+  const auto end = measure::after(step, fall, fall.start(), frame, 10);
+  return -end.x / (fall.g * frame * frame);
 }
 // [drop]

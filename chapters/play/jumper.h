@@ -12,8 +12,9 @@ namespace play {
 struct Jumper {
   Vec x, v{0, 5};
 
+  static Vec gravity(Vec, Vec, double) { return {0, -9.81}; }
+
   void step(double h) {
-    const auto gravity = [](Vec, Vec, double) { return Vec{0, -9.81}; };
     if (x.y >= 0) integrate::euler(x, v, 0.0, h, gravity);
   }
 };

@@ -20,9 +20,9 @@ namespace scenes {
 /// and neither a spin about one axis alone nor one that takes for ever to turn over.
 /// @see L. D. Landau and E. M. Lifshitz, Mechanics (1976), section 37
 struct EulerTop {
-  using Real = long double;
-  using Vec = Eigen::Matrix<Real, 3, 1>;
-  using Matrix = Eigen::Matrix<Real, 3, 3>;
+  using Real = long double;                  ///< more digits than what is compared with it
+  using Vec = Eigen::Matrix<Real, 3, 1>;     ///< along the body's or the world's axes
+  using Matrix = Eigen::Matrix<Real, 3, 3>;  ///< a turn
 
   Vec inertia{1, 2, 3};   ///< about the body's own axes [kg m^2]
   Vec w{0.2L, 20, 0.2L};  ///< angular velocity at the start, in the body's axes [rad/s]

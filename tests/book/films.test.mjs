@@ -1,10 +1,11 @@
 // The films: node films.test.mjs BUILD SOURCE. Each plays, stops, and can be moved by hand; and their colours are the book's.
 import assert from 'node:assert/strict';
-import { readFileSync, readdirSync } from 'node:fs';
+import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { folder } from './book.mjs';
 import { openTab, visit } from './browser.mjs';
+import { readPalette } from './palette.mjs';
 
 const source = process.argv[3];
 const films = readdirSync(join(folder, 'films'));
@@ -53,19 +54,12 @@ test('who wants no motion sees the last picture, and may play it', async () => {
 });
 
 test('a film has the colours that the book has', async () => {
-  const css = readFileSync(join(source, 'book/theme/book.css'), 'utf8');
-  const at = css.indexOf('prefers-color-scheme: dark');
-  const colour = (scheme, name) =>
-    new RegExp(`--${name}: (#[0-9a-f]{6})`).exec(scheme === 'light' ? css.slice(0, at) : css.slice(at))[1];
-  const styles = [
-    ...readFileSync(join(source, 'book/theme/figure.gp'), 'utf8').matchAll(
-      /^eval method\("([^"]*)", "\w+", "lc rgb '#0000([0-9a-f]{2})'/gm,
-    ),
-  ].map(([, name, number]) => [name, `plot-${parseInt(number, 16)}`]);
+  const { methods, others, value } = readPalette(source);
   const names = Object.fromEntries([
-    ...styles,
-    ['true', 'plot-7'],
-    ['scenery', 'plot-9'],
+    ...[...methods, { ...others.EXACT, name: 'true' }, { ...others.CONTEXT, name: 'scenery' }].map(style => [
+      style.name,
+      `plot-${style.colour}`,
+    ]),
     ['paper', 'paper'],
     ['ink', 'ink'],
   ]);
@@ -73,7 +67,7 @@ test('a film has the colours that the book has', async () => {
   await visit(tab, `films/${films[0]}`);
   const colours = await tab.evaluate('colours');
   for (const [scheme, table] of Object.entries(colours))
-    for (const [name, value] of Object.entries(table))
-      assert.equal(value, colour(scheme, names[name]), `${scheme}: ${name}`);
+    for (const [name, shade] of Object.entries(table))
+      assert.equal(shade, value(scheme, names[name]), `${scheme}: ${name}`);
   await tab.context().close();
 });

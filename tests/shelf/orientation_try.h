@@ -7,9 +7,13 @@
 #include <random>
 #include <vector>
 
+#include "measure/tumbling.h"
 #include "scenes/euler_top.h"
 #include "shelf/orientation.h"
 
+using measure::by_bullet;
+using measure::by_midpoint;
+using measure::by_rotations;
 using scenes::EulerTop;
 
 using Long = EulerTop::Real;
@@ -79,16 +83,6 @@ struct Body {
   V momentum() const { return matrix(q).transpose() * exact(L); }
   V spin() const { return momentum().cwiseQuotient(exact(inertia)); }
   Long energy() const { return momentum().dot(spin()) / 2; }
-};
-
-inline constexpr auto by_rotations = [](auto& body, auto h) {
-  shelf::spin_by_rotations(body.q, body.L, body.inertia, h);
-};
-inline constexpr auto by_midpoint = [](auto& body, auto h) {
-  shelf::spin_by_midpoint(body.q, body.L, body.inertia, h);
-};
-inline constexpr auto by_bullet = [](auto& body, auto h) {
-  shelf::spin_by_bullet(body.q, body.L, body.inertia, h);
 };
 
 // How far roundings of an orientation may take a body in a step: a momentum that is one rounding

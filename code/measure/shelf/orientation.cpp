@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "measure/shelf/every_card.h"
+#include "measure/tumbling.h"
 #include "scenes/euler_top.h"
 
 namespace measure::shelf_cards {
@@ -28,53 +29,10 @@ Eigen::Quaternion<Real> exact(const shelf::Quaternion<double>& q) {
   return {q.w, q.x, q.y, q.z};
 }
 
-// By what angle an orientation is turned against the truth [rad].
-double off(const shelf::Quaternion<double>& q, const Matrix& truth) {
-  return double(EulerTop::angle_between(exact(q).normalized().toRotationMatrix(), truth));
-}
-
-// A body and where it is turned, to begin with as the exact one.
-struct Body {
-  shelf::Vec3<double> inertia, L;
-  shelf::Quaternion<double> q{};
-
-  explicit Body(const EulerTop& top)
-      : inertia(vec(top.inertia)), L(vec(top.inertia.cwiseProduct(top.w))) {}
-
-  double energy() const {
-    const Vec spin(L.x, L.y, L.z), moments(inertia.x, inertia.y, inertia.z);
-    const Vec own = exact(q).normalized().conjugate() * spin;
-    return double(own.cwiseProduct(own).cwiseQuotient(moments).sum() / 2);
-  }
-};
-
-constexpr auto by_rotations = [](Body& body, double h) {
-  shelf::spin_by_rotations(body.q, body.L, body.inertia, h);
-};
-constexpr auto by_midpoint = [](Body& body, double h) {
-  shelf::spin_by_midpoint(body.q, body.L, body.inertia, h);
-};
-constexpr auto by_bullet = [](Body& body, double h) {
-  shelf::spin_by_bullet(body.q, body.L, body.inertia, h);
-};
-
-// The largest error in the first second [rad].
-template <class Step>
-double in_a_second(Step step, const EulerTop& top, int rate) {
-  Body body(top);
-  double largest = 0;
-  for (int n = 1; n <= rate; ++n) {
-    step(body, 1.0 / rate);
-    if (n % (rate / 60) == 0)
-      largest = std::max(largest, off(body.q, top.orientation(n / Real(rate))));
-  }
-  return largest;
-}
-
 // The largest change of the energy, as a share of it.
 template <class Step>
 double energy_off(Step step, int frames) {
-  Body body{EulerTop{}};
+  Tumbling body;
   const double first = body.energy();
   double largest = 0;
   for (int n = 0; n < frames; ++n) {
@@ -104,7 +62,7 @@ Promise turns_exactly() {
     shelf::Quaternion<double> q;
     for (int n = 0; n < 600; ++n) shelf::turn_exact(q, w, frame);
     const Eigen::AngleAxis<Real> truth(600 * given.norm(), given.normalized());
-    largest = std::max(largest, off(q, truth.toRotationMatrix()));
+    largest = std::max(largest, Tumbling::off(q, truth.toRotationMatrix()));
   }
   return {
       "turn_exact makes no error but rounding, from 1e-9 to 3 rad a step: 1e-12 rad in ten "
@@ -113,7 +71,7 @@ Promise turns_exactly() {
 }
 
 Promise length() {
-  Body rotations{EulerTop{}}, midpoint = rotations, bullet = rotations;
+  Tumbling rotations, midpoint = rotations, bullet = rotations;
   shelf::Quaternion<double> first, exactly;
   double largest = 0;
   for (int n = 0; n < 100'000; ++n) {
@@ -146,10 +104,9 @@ Promise energy_by_bullet() {
 }
 
 Promise energy_by_velocity() {
-  Body body{EulerTop{}};
+  Tumbling body;
   const double first = body.energy();
-  for (int n = 0; n < 600; ++n)
-    shelf::turn_exact(body.q, shelf::angular_velocity(body.q, body.L, body.inertia), frame);
+  for (int n = 0; n < 600; ++n) by_its_spin(body, frame);
   const double found = body.energy() / first;
   return {
       "that body, turned by its angular velocity at the start of each step instead, has twice its "
@@ -158,7 +115,7 @@ Promise energy_by_velocity() {
 }
 
 Promise accurate() {
-  const double found = in_a_second(by_rotations, EulerTop{}, 60);
+  const double found = off_in_a_second(by_rotations, EulerTop{}, 60);
   return {
       "that body is turned by rotations within 0.02 rad of the exact solution for a second at 60 "
       "Hz",
@@ -166,7 +123,7 @@ Promise accurate() {
 }
 
 Promise less_accurate() {
-  const double found = in_a_second(by_midpoint, EulerTop{}, 60);
+  const double found = off_in_a_second(by_midpoint, EulerTop{}, 60);
   return {
       "that body is turned by the midpoint rule within 0.22 rad of the exact solution for a second",
       found < 0.22, found, 2, "rad"};
@@ -175,7 +132,7 @@ Promise less_accurate() {
 Promise order() {
   const EulerTop top{Vec(1.3L, 2, 2.9L), Vec(2, 3, -2.5L)};
   const auto order = [&](auto step) {
-    return std::log2(in_a_second(step, top, 480) / in_a_second(step, top, 960));
+    return std::log2(off_in_a_second(step, top, 480) / off_in_a_second(step, top, 960));
   };
   const double r = order(by_rotations), m = order(by_midpoint);
   const double worse = std::abs(r - 2) > std::abs(m - 2) ? r : m;
@@ -187,9 +144,9 @@ Promise symmetric() {
   double largest = 0;
   for (const Vec& moments : {Vec(1, 1, 2), Vec(2, 1, 2), Vec(1, 0.1L, 1)}) {
     const EulerTop top{moments, Vec(1, -2, 3)};
-    Body body(top);
+    Tumbling body(top);
     for (int n = 0; n < 20; ++n) by_rotations(body, 0.5);
-    largest = std::max(largest, off(body.q, top.orientation(10)));
+    largest = std::max(largest, Tumbling::off(body.q, top.orientation(10)));
   }
   return {
       "by rotations a body with two equal moments is turned without error in steps of half a "
@@ -200,10 +157,10 @@ Promise symmetric() {
 Promise reversible() {
   double largest = 0;
   const auto there_and_back = [&](auto step) {
-    Body body{EulerTop{}};
+    Tumbling body;
     for (const double h : {frame, frame / 2, 3 * frame, -3 * frame, -frame / 2, -frame})
       step(body, h);
-    largest = std::max(largest, off(body.q, Matrix::Identity()));
+    largest = std::max(largest, Tumbling::off(body.q, Matrix::Identity()));
   };
   there_and_back(by_rotations), there_and_back(by_midpoint);
   return {
@@ -216,13 +173,13 @@ Promise damped() {
   double largest = 0;
   const EulerTop coin{Vec(1, 1, 2), Vec(1, -2, 3)};
   for (const int rate : {1, 15, 60, 240}) {
-    Body body(coin);
+    Tumbling body(coin);
     for (int n = 0; n < 2 * rate; ++n)
       shelf::spin_damped(body.q, body.L, body.inertia, 1.0 / rate, 0.7);
     const double left = double(std::exp(-1.4L));
     largest = std::max({largest, std::abs(body.L.x / left - 1), std::abs(body.L.y / left + 2),
                         std::abs(body.L.z / left - 6)});
-    largest = std::max(largest, off(body.q, coin.orientation(-std::expm1(-1.4L) / 0.7L)));
+    largest = std::max(largest, Tumbling::off(body.q, coin.orientation(-std::expm1(-1.4L) / 0.7L)));
   }
   return {
       "spin_damped leaves exp(-c*t) of L at any frame rate, and turns a body with two equal "
