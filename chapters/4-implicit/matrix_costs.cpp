@@ -10,14 +10,25 @@ Sparse factor_of(const Sparse& matrix) {
   return Eigen::SimplicialLDLT<Sparse>(matrix).matrixL().nestedExpression();
 }
 
+// Entries that stand below one another in a column make one row of the table.
+static void add_runs(measure::Table& table, const Sparse& matrix) {
+  for (int column = 0; column < matrix.cols(); ++column) {
+    Sparse::InnerIterator entry(matrix, column);
+    while (entry) {
+      const auto from = entry.row();
+      auto to = from;
+      while (++entry && entry.row() == to + 1) ++to;
+      table.add({double(column), double(from), double(to)});
+    }
+  }
+}
+
 void matrices(measure::Record& record) {
   const auto pattern = [&](const char* name, const Sparse& matrix) {
-    auto& table = record.table(name, {{"column", "", measure::whole}, {"row", "", measure::whole}});
-    for (int j = 0; j < matrix.cols(); ++j) {
-      for (Sparse::InnerIterator entry(matrix, j); entry; ++entry) {
-        table.add({double(j), double(entry.row())});
-      }
-    }
+    add_runs(record.table(name, {{"column", "", measure::whole},
+                                 {"from row", "", measure::whole},
+                                 {"to row", "", measure::whole}}),
+             matrix);
   };
   pattern("chain", step_matrix_of(steel_chain));
   pattern("rope", step_matrix_of(steel_rope));
