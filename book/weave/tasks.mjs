@@ -3,6 +3,7 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { didYouMean, nameOneOf } from './problems.mjs';
 
+const INTRODUCTION = 'grading.md';
 const HEAD = ['Goal', 'Kind', 'Difficulty', 'Minutes'];
 export const KINDS = {
   write: 'write it',
@@ -13,6 +14,7 @@ export const KINDS = {
 };
 
 // The chapter's source with each \task put in, and for each of its lines the file and the line that it came from.
+// What holds for all of them stands before the first: exercises/grading.md.
 export function putInTasks(source, { file, name, folder, problems }) {
   const there = tasksIn(join(folder, name));
   const text = [],
@@ -21,6 +23,14 @@ export function putInTasks(source, { file, name, folder, problems }) {
   const put = (line, from, number) => {
     text.push(line);
     places.push({ file: from, line: number });
+  };
+  const putIntroduction = number => {
+    const path = join(folder, INTRODUCTION);
+    if (!existsSync(path))
+      return problems.add(file, number, `there is no exercises/${INTRODUCTION}; it says how the tasks are graded`);
+    return readFileSync(path, 'utf8')
+      .split('\n')
+      .forEach((words, n) => put(words, `exercises/${INTRODUCTION}`, n + 1));
   };
   source.split('\n').forEach((line, i) => {
     const found = line.match(/^\\task\{([\w-]+)\}\s*$/);
@@ -31,6 +41,7 @@ export function putInTasks(source, { file, name, folder, problems }) {
     const from = `exercises/${name}/${wanted}/task.md`;
     const task = readTask(readFileSync(join(folder, name, wanted, 'task.md'), 'utf8'), from, problems);
     tasks.set(wanted, { ...task, name: wanted, exercise: `${name}/${wanted}`, folder: `exercises/${name}/${wanted}` });
+    if (tasks.size === 1) putIntroduction(i + 1);
     put(`\\exercise{${wanted}, ${task.title}}`, from, 1);
     task.lines.forEach((words, n) => put(words, from, task.from + n));
     return put('\\endexercise', from, task.from + task.lines.length - 1);

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CHAPTER, refuses, sampleBook, weaves } from './weaver.mjs';
 
+const GRADING = 'exercises/grading.md';
 const TASK = 'exercises/2-euler/back-again/task.md';
 
 test('a task in its place', () => {
@@ -17,6 +18,13 @@ test('a task in its place', () => {
   assert.match(box, /<summary>Hint<\/summary><div><p>Which line comes first\?/);
   assert.match(box, /href="source-exercises-2-euler-back-again-starter-h\.html"/);
   assert.match(box.replace(/<[^>]*>/g, ''), /build\/exercises\/grade 2-euler\/back-again back-again\.h/);
+});
+
+test('how the tasks are graded is said once, before the first', () => {
+  const page = weaves()('2-euler.html');
+  assert.equal(page.split('A program grades the rest.').length, 2);
+  assert.ok(page.indexOf('A program grades the rest.') < page.indexOf('id="exercise-back-again"'));
+  refuses([[GRADING]], [CHAPTER, '\\task{', 'there is no exercises/grading.md; it says how the tasks are graded']);
 });
 
 test('what a student must find out is on no page', () => {

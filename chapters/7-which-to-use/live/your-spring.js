@@ -39,8 +39,8 @@ globalThis.Live.figure('your-spring', {
       lost = this.lost.includes(method);
     const count =
       this.lost.length === 0
-        ? 'None has lost it'
-        : `${this.lost.length} of ${Object.keys(this.names).length} have lost it`;
+        ? 'No method has lost it'
+        : `${this.lost.length} of ${Object.keys(this.names).length} methods have lost it`;
     return `${this.names[method]} ${lost ? 'has lost it' : `has it at ${number(x)}`}, and it should be at ${number(truth)}. ${count}.`;
   },
 });
