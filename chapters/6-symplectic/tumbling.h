@@ -18,7 +18,7 @@ double energy_after_ten_seconds(Way way) {
 inline void tumbling(measure::Record& record) {
   auto& table = record.table(
       "tumbling",
-      {{"turned by"}, {"energy after ten seconds", "%", 4}, {"turned wrong within one", "rad", 2}});
+      {{"turned by"}, {"energy after ten seconds", "%", 4}, {"off within the first", "rad", 2}});
   const auto add = [&](const char* name, auto way) {
     table.add({name, 100 * energy_after_ten_seconds(way), measure::off_in_a_second(way)});
   };
