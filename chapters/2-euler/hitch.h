@@ -59,5 +59,5 @@ inline void cameras(measure::Record& record) {
   record.number("hitch-omega", camera.omega, measure::whole, "1/s");
   record.number("lerp-30", left_by_lerp(30), 2, "m");
   record.number("lerp-144", 1000 * left_by_lerp(144), 1, "mm");
-  record.number("lerp-rate", -60 * std::log(0.9), 3, "1/s");
+  record.number("lerp-rate", -60 * std::log(0.9), 3, "per second");
 }
