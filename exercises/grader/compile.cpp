@@ -128,9 +128,10 @@ Compiled not_linked(const cage::Ended& ended) {
 }  // namespace
 
 Compiled compile(const std::string& text, const std::string& header, const std::string& harness,
-                 cage::Sandbox sandbox, const cage::Kit& kit, const cage::Limits& limits) {
+                 cage::Sandbox sandbox, const cage::Kit& kit, const cage::Limits& limits,
+                 cage::Build build) {
   constexpr std::string_view ready = "READY";
-  cage::Process process = cage::compile(sandbox, kit, text, header, harness, limits);
+  cage::Process process = cage::compile(sandbox, kit, text, header, harness, limits, build);
   const std::string answer = process.receive_all(ready.size() + largest_driver);
   const cage::Ended ended = process.finish();
 

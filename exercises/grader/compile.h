@@ -21,6 +21,7 @@ struct Compiled {
 /// @param header  its name, such as `orbit-drift.h`
 /// @param harness  the exercise's harness.h
 Compiled compile(const std::string& text, const std::string& header, const std::string& harness,
-                 cage::Sandbox sandbox, const cage::Kit& kit, const cage::Limits& limits);
+                 cage::Sandbox sandbox, const cage::Kit& kit, const cage::Limits& limits,
+                 cage::Build build = cage::Build::scored);
 
 }  // namespace grade

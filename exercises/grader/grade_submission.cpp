@@ -13,6 +13,8 @@
 #include "compile.h"
 #include "installed.h"
 #include "judge/session.h"
+#include "kit.h"
+#include "memory_check.h"
 #include "submission.h"
 #include "version.h"
 
@@ -25,19 +27,16 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-cage::Kit kit() {
-  const std::string folder = installed::kit;
-  return {folder + "/harness",
-          folder,
-          folder + "/canary",
-          installed::compiler,
-          {std::begin(installed::shown_to_compiler), std::end(installed::shown_to_compiler)}};
-}
-
 std::string read(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error("cannot read " + path.string());
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The driver ran, and the tests have a say.
+bool is_judged(Verdict verdict) {
+  return verdict == Verdict::accepted || verdict == Verdict::partial ||
+         verdict == Verdict::wrong_answer;
 }
 
 // What the sum of the tests says.
@@ -84,7 +83,7 @@ void grade_into(const Request& request, Report& report) {
     return;
   }
   report.sha256 = sha256(submission.text);
-  const cage::Kit kit = grade::kit();
+  const cage::Kit kit = kit_in(installed::kit);
   if (request.sandbox == cage::Sandbox::bubblewrap) {
     if (const auto why = cage::unsafe(kit)) {
       report.why = *why;
@@ -93,9 +92,9 @@ void grade_into(const Request& request, Report& report) {
   }
   const auto start = Clock::now();
   const std::string header = request.exercise.header();
+  const std::string harness = read(request.exercise.folder / "harness.h");
   const Compiled compiled =
-      compile(submission.text, header, read(request.exercise.folder / "harness.h"), request.sandbox,
-              kit, request.compile_limits);
+      compile(submission.text, header, harness, request.sandbox, kit, request.compile_limits);
   report.compile_seconds = seconds_since(start);
   if (compiled.failed) {
     report.verdict = *compiled.failed;
@@ -104,12 +103,11 @@ void grade_into(const Request& request, Report& report) {
   }
   report.warnings = about(submission.name, header, compiled.message);
   judge_driver(request, kit, compiled.driver, report);
-}
-
-// The driver ran, and the tests have a say.
-bool is_judged(Verdict verdict) {
-  return verdict == Verdict::accepted || verdict == Verdict::partial ||
-         verdict == Verdict::wrong_answer;
+  const bool ran = is_judged(report.verdict) || report.verdict == Verdict::runtime_error;
+  if (!ran || !request.check_memory) return;
+  const double processor = judge::session().processor;
+  report.memory = misused_memory(request, kit, submission.text, harness);
+  judge::session().processor = processor;
 }
 
 // What became of our own solution, in the words that a student would have read.
@@ -159,6 +157,7 @@ std::optional<Obstacle> calibrate(Request& request) {
   constexpr double times = 20;
   Request own = request;
   own.submission = request.exercise.folder / "solution.h";
+  own.check_memory = false;
   const bool at_home = !std::filesystem::exists(own.submission);
   if (at_home) own.submission = request.exercise.folder / "starter.h";
   for (cage::Limits* limits : {&own.compile_limits, &own.run_limits}) {
@@ -178,7 +177,7 @@ std::optional<Obstacle> calibrate(Request& request) {
 }
 
 std::optional<std::string> unsafe() {
-  return cage::unsafe(kit());
+  return cage::unsafe(kit_in(installed::kit));
 }
 
 std::string sha256(const std::string& text) {

@@ -21,6 +21,7 @@ struct Request {
   std::uint64_t seed = 1;            ///< from which all hidden inputs come; 1 is the public one
   cage::Sandbox sandbox = cage::Sandbox::bubblewrap;
   cage::Limits compile_limits, run_limits;
+  bool check_memory = true;  ///< in a second run, for a message
 };
 
 /// All that is known at the end; the report in words and in JSON is made from this alone.
@@ -34,6 +35,7 @@ struct Report {
   Verdict verdict = Verdict::grader_error;
   std::string why;       ///< one or more lines for the student; empty if the tests say it all
   std::string warnings;  ///< of the compiler, if it compiled
+  std::string memory;    ///< what a checker of memory found in a run that is not scored
   std::vector<std::string> ignored;
   std::vector<TestResult> tests;
   int score = 0, points = 0;  ///< points earned, points to be had

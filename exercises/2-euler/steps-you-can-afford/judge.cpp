@@ -6,6 +6,7 @@
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
+#include "judge/waves.h"
 
 using namespace judge;
 
@@ -17,7 +18,7 @@ constexpr double spare = 0.1;
 constexpr int runs = 4;
 
 struct Scene {
-  harness::Force force;
+  Acceleration acceleration;
   Start start;
   double duration;
   Vec end;     // where it is without any error [m]
@@ -25,7 +26,7 @@ struct Scene {
   double wanted;
 
   double error(int steps) const {
-    const Path path = run(euler, start, duration / steps, steps, steps, force);
+    const Path path = run(euler, start, duration / steps, steps, steps, acceleration);
     return length(path.states.back().x - end);
   }
 };
@@ -34,9 +35,17 @@ struct Scene {
 // that a good guess can be made from shorter runs.
 Scene draw(Random& random) {
   for (;;) {
-    Scene scene{random.wild(), random.start(), random.between(0.8, 1.6), {}, 0, 0};
+    const harness::Force force = random.wild();
+    const Waves gusts{random, 0.5, 3, 3};
+    Scene scene{[=](const Vec& x, const Vec& v, double t) { return force(x, v, t) + gusts(x, t); },
+                random.start(),
+                random.between(0.8, 1.6),
+                {},
+                0,
+                0};
     scene.start.t = 0;
-    scene.end = truth(scene.start, scene.duration / 512, 512, 512, scene.force).states.back().x;
+    scene.end =
+        truth(scene.start, scene.duration / 512, 512, 512, scene.acceleration).states.back().x;
     scene.fewest = random.whole(600, 1200);
     scene.wanted = scene.error(scene.fewest);
     const double quarter = scene.error(scene.fewest / 4) * (scene.fewest / 4) / scene.fewest;
@@ -53,7 +62,7 @@ struct Answer {
 // The harness takes the wanted error as the time at the start, and the duration as h.
 Answer ask(Student& student, const Scene& scene) {
   const Start start{scene.start.x, scene.start.v, scene.wanted};
-  const Path path = student.watch(start, scene.duration, 1, scene.force);
+  const Path path = student.watch(start, scene.duration, 1, scene.acceleration);
   Answer answer;
   const double steps = path.states.back().x.x;
   if (steps >= 1 && steps <= 100000) {
@@ -83,14 +92,20 @@ grade::Plot plot(const Scene& scene, const Answer& answer) {
 
 std::vector<std::string> recognise(const Scene& scene, const Answer& answer) {
   const double ratio = static_cast<double>(answer.steps) / scene.fewest;
-  const double push = length(scene.force(scene.start.x, scene.start.v, 0));
+  const double push = length(scene.acceleration(scene.start.x, scene.start.v, 0));
   std::vector<std::string> found;
   if (std::abs(ratio - 2) < 0.15) {
     found.push_back(
         "twice the steps: two runs, one with half the steps of the other, differ by "
         "the error of the finer one");
   }
-  if (std::abs(ratio - 0.5) < 0.04) found.push_back("half the steps that it takes");
+  if (std::abs(ratio - 0.5) < 0.04) {
+    found.push_back("half the steps that it takes");
+  } else if (ratio > 0.3 && ratio < 0.5) {
+    found.push_back(
+        "between a third and a half of the steps that it takes: did you let the error "
+        "fall with the square of the step?");
+  }
   if (std::abs(answer.steps - push * scene.duration * scene.duration / 2 / scene.wanted) < 2) {
     found.push_back("this is right for a push that never changes");
   }
@@ -126,7 +141,8 @@ void affords(Student& student, Random& random, Asked what, const std::string& hi
   grade::Finding finding;
   finding.held = holds(what, scene, answer);
   finding.asked =
-      "the number of steps of Euler's method for a wanted error, " + describe(scene.force);
+      "the number of steps of Euler's method for a wanted error, under a force that only the judge "
+      "knows";
   finding.input = describe(scene.start) + ", duration = " + number(scene.duration, 17) +
                   " s, wanted = " + number(scene.wanted, 17) + " m";
   finding.expected = expected(what, scene);

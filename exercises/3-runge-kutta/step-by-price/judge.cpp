@@ -8,6 +8,7 @@
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
+#include "judge/waves.h"
 
 using namespace judge;
 using grade::number;
@@ -30,8 +31,8 @@ struct Scene {
   State end;  // the truth
 };
 
-// From one side of its ellipse past the sun to the same place on the other side: the one passage
-// of which Kepler gives the end without a root to find.
+// From one side of its ellipse past the sun to about the same place on the other side, among
+// planets that tug.
 Scene comet(Random& random) {
   const double e = random.between(0.94, 0.97), a = random.between(80, 120);
   const double rate = 2 * std::numbers::pi / random.between(15, 25), mu = a * a * a * rate * rate;
@@ -44,11 +45,14 @@ Scene comet(Random& random) {
   };
   const State before = at(-anomaly);
   const harness::Force sun{harness::Force::orbit, {mu}};
-  return {"a comet on " + describe(sun),
-          {before.x, before.v, 0},
-          2 * (anomaly - e * std::sin(anomaly)) / rate,
-          sun,
-          at(anomaly)};
+  const Waves planets{random, 0.02 * a * rate * rate, a, 2 * std::numbers::pi / rate};
+  Scene scene{"a comet on " + describe(sun) + ", and planets that only the judge knows",
+              {before.x, before.v, 0},
+              2 * (anomaly - e * std::sin(anomaly)) / rate,
+              [=](const Vec& x, const Vec& v, double t) { return sun(x, v, t) + planets(x, t); },
+              {}};
+  scene.end = truth_past_a_sun(scene.start, scene.duration, mu, scene.acceleration);
+  return scene;
 }
 
 // How often the acceleration had been asked for, against time.

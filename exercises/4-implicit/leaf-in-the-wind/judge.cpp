@@ -9,6 +9,7 @@
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
+#include "judge/waves.h"
 
 using namespace judge;
 
@@ -16,20 +17,12 @@ namespace {
 
 using grade::number;
 
-// Each component changes along another axis, over a few metres and within a few seconds.
-struct Wind {
-  Vec mean, gust, along, in_time;
-
-  static Wind draw(Random& random) {
-    return {random.vector(-1, 1), random.vector(1, 2), random.vector(0.5, 1), random.vector(1, 2)};
-  }
-
-  Vec operator()(const Vec& x, const Vec&, double t) const {
-    return mean + Vec{gust.x * std::sin(along.x * x.y + in_time.x * t),
-                      gust.y * std::sin(along.y * x.z + in_time.y * t),
-                      gust.z * std::sin(along.z * x.x + in_time.z * t)};
-  }
-};
+// It changes over a few metres and within a few seconds.
+Acceleration draw_wind(Random& random) {
+  const Vec mean = random.vector(-1, 1);
+  const Waves gusts{random, 2, 6, 3};
+  return [=](const Vec& x, const Vec&, double t) { return mean + gusts(x, t); };
+}
 
 // One frame with the drag of backward Euler, in the wind of a place so far on the way to the end
 // and of a time so far on.
@@ -60,7 +53,7 @@ std::vector<Method> known(double c) {
 struct Leaf {
   double c, h;
   int frames;
-  Wind wind;
+  Acceleration wind;
   Start start;
 
   Path by(Student& student) const {
@@ -152,7 +145,7 @@ void asks_once(const Drift& drift) {
 
 void stays_near(Student& student, int per_second) {
   Random random;
-  const Wind wind = Wind::draw(random);
+  const Acceleration wind = draw_wind(random);
   const double c = random.whole(150, 300);
   double yours = 0, theirs = 0;
   Drift worst;
@@ -207,7 +200,8 @@ TEST_CASE("a thrown leaf stops where it should, and is never thrown back",
   const Vec calm = random.vector(-0.5, 0.5), thrown = random.vector(2, 5);
   Start start = random.start();
   start.v = calm + thrown;
-  const Leaf leaf{double(random.whole(150, 300)), 1.0 / 60, 30, {calm, {}, {}, {}}, start};
+  const Leaf leaf{double(random.whole(150, 300)), 1.0 / 60, 30,
+                  [=](const Vec&, const Vec&, double) { return calm; }, start};
   const Path path = leaf.by(student);
   // What is left of the throw, along the throw; and how far it came in all, beyond the air.
   const auto left = [&](std::size_t n) {

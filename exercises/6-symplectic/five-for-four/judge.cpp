@@ -8,6 +8,7 @@
 #include "judge/orbit_energy.h"
 #include "judge/session.h"
 #include "judge/tests.h"
+#include "judge/waves.h"
 #include "suzuki.h"
 
 using namespace judge;
@@ -132,7 +133,11 @@ TEST_CASE("at the same price the probe lands four times nearer than Yoshida's",
   constexpr int five = 180, three = 300;
   constexpr std::size_t price = 5 * five;
   const double seconds = random.between(2.3, 2.7) * orbit.period();
-  const auto force = orbit.force();
+  const harness::Force sun = orbit.force();
+  const Waves moons{random, 0.01 * orbit.mu, 2, orbit.period()};
+  const Acceleration force = [=](const Vec& x, const Vec& v, double t) {
+    return sun(x, v, t) + moons(x, t);
+  };
   const Vec right = truth(orbit.start, seconds, 1, 1, force).states.back().x;
   const auto off = [&](const Path& path) { return length(path.states.back().x - right); };
   const Path yours = student.watch(orbit.start, seconds / five, five, force);
@@ -142,7 +147,8 @@ TEST_CASE("at the same price the probe lands four times nearer than Yoshida's",
 
   grade::Finding finding;
   finding.held = off(yours) <= theirs / 4 && count <= price + 1;
-  finding.asked = "two turns and a half of " + describe(force) + " for " + std::to_string(price) +
+  finding.asked = "two turns and a half of " + describe(sun) +
+                  ", among moons that only the judge knows, for " + std::to_string(price) +
                   " evaluations: " + std::to_string(five) + " steps of yours, " +
                   std::to_string(three) + " of Yoshida's";
   finding.input = describe(orbit.start) + ", h = " + number(seconds / five, 17);

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT-0
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "format_values.h"
 #include "judge/describe.h"
 #include "judge/orbit_energy.h"
 #include "judge/session.h"
 #include "judge/tests.h"
+#include "judge/waves.h"
 
 using namespace judge;
 using grade::number;
@@ -14,122 +19,148 @@ using grade::number;
 namespace {
 
 constexpr int budget = 1200;
+constexpr int flights = 9;  // of which the one in the middle counts
 
-// An orbit around a planet that is a little flat, with a moon that tugs.
+// An orbit around a planet that is a little flat, among moons that tug.
 struct Flight {
   Start start;
-  double mu, flatness, tug, seconds;
+  double mu, flatness, seconds;
+  Waves moons;
 
   static Flight draw(Random& random) {
     const Orbit orbit = Orbit::draw(random, random.between(0.78, 0.82));
-    return {orbit.start, orbit.mu, random.between(0.001, 0.003), random.between(0.01, 0.02),
-            random.between(1.4, 1.6) * orbit.period()};
+    const double flatness = random.between(0.001, 0.003);
+    const double seconds = random.between(1.4, 1.6) * orbit.period();
+    return {orbit.start, orbit.mu, flatness, seconds, {random, 0.02 * orbit.mu, 2, orbit.period()}};
   }
 
   Vec operator()(const Vec& x, const Vec&, double t) const {
     const double r2 = dot(x, x), r = std::sqrt(r2);
-    return (-mu / (r2 * r) * (1 + flatness / r2)) * x + Vec{0, 0, tug * std::cos(t)};
+    return (-mu / (r2 * r) * (1 + flatness / r2)) * x + moons(x, t);
   }
 
   State by(const Method& method, int steps) const {
     return run(method, start, seconds / steps, steps, steps, *this).states.back();
   }
 
-  // Halving its step moves this by less than a thousandth of the finest bound.
-  State truth() const { return by(rk4, 60000); }
-
   std::string input() const {
     return describe(start) + ", " + number(seconds, 17) + " s; a pull of " + number(mu, 17) +
-           " / r^2 (1 + " + number(flatness, 17) + " / r^2) and a tug of " + number(tug, 17) +
-           " cos t along z";
+           " / r^2 (1 + " + number(flatness, 17) + " / r^2), and moons that only the judge knows";
   }
 };
 
-// How far off equal steps of the two methods are, for the whole budget; Verlet asks once to begin.
-struct Equal {
-  double verlet, rk4;
+// One that is over, and how far off equal steps of the two methods end for the whole budget;
+// Verlet asks once to begin.
+struct Landing {
+  Flight flight;
+  State truth;
+  Path path;
+  double off, verlet, rk4;
 
-  explicit Equal(const Flight& flight)
-      : verlet(distance(flight.by(velocity_verlet, budget - 1), flight.truth())),
-        rk4(distance(flight.by(judge::rk4, budget / 4), flight.truth())) {}
+  Landing(const Flight& flown, Student& student)
+      : flight(flown),
+        truth(truth_past_a_sun(flight.start, flight.seconds, flight.mu, flight)),
+        path(student.watch(flight.start, flight.seconds, 1, flight)),
+        off(distance(path.states.back(), truth)),
+        verlet(distance(flight.by(velocity_verlet, budget - 1), truth)),
+        rk4(distance(flight.by(judge::rk4, budget / 4), truth)) {}
+
+  std::size_t count() const { return path.evaluations.size(); }
+  bool overdrawn() const { return count() > budget; }
 };
 
-grade::Plot evaluations(const Path& path, const Flight& flight) {
+grade::Plot evaluations(const Landing& landing) {
   grade::Curve steps{"yours", {}, {}};
-  for (const Evaluation& asked : path.evaluations) {
-    steps.x.push_back(asked.t / flight.seconds);
+  for (const Evaluation& asked : landing.path.evaluations) {
+    steps.x.push_back((asked.t - landing.flight.start.t) / landing.flight.seconds);
     steps.y.push_back(length(asked.x));
   }
   return {"Where you asked", "share of the flight", "distance from the planet [m]", {steps}};
 }
 
-void lands_within(Student& student, const Flight& flight, double bound, const std::string& from,
-                  const std::string& hint) {
-  const Path path = student.watch(flight.start, flight.seconds, 1, flight);
-  const State truth = flight.truth();
-  const double off = distance(path.states.back(), truth);
-  const std::size_t count = path.evaluations.size();
+// How far off a landing may be, and where that comes from.
+struct Bound {
+  std::function<double(const Landing&)> of;
+  std::string from;
+};
+
+// The one that overdrew the budget, if there is one. Or the one in the middle, by its share of what
+// it may be off: how much an orbit forgives is luck, and luck should not give marks.
+Landing telling(std::vector<Landing> all, const Bound& bound) {
+  const auto overdrawn =
+      std::find_if(all.begin(), all.end(), [](const Landing& one) { return one.overdrawn(); });
+  if (overdrawn != all.end()) return *overdrawn;
+  const auto share = [&](const Landing& one) {
+    const double off = one.off / bound.of(one);
+    return std::isfinite(off) ? off : INFINITY;
+  };
+  const auto middle = all.begin() + flights / 2;
+  std::nth_element(all.begin(), middle, all.end(), [&](const Landing& one, const Landing& other) {
+    return share(one) < share(other);
+  });
+  return *middle;
+}
+
+void lands_within(const Bound& bound, const std::string& hint) {
+  Student student;
+  Random random;
+  std::vector<Landing> all;
+  for (int n = 0; n < flights; ++n) all.emplace_back(Flight::draw(random), student);
+  const Landing landing = telling(all, bound);
+  const double most = bound.of(landing);
+  const std::string spent = std::to_string(landing.count()) + " evaluations";
   grade::Finding finding;
-  finding.held = off <= bound && count <= budget;
-  finding.asked = "one flight, with at most " + std::to_string(budget) + " evaluations";
-  finding.input = flight.input();
-  finding.expected = describe(truth) + ", to " + number(bound, 3);
-  finding.got = describe(path.states.back()) + ", with " + std::to_string(count) + " evaluations";
-  finding.error = number(off, 3);
-  finding.tolerance = number(bound, 3) + ", and " + std::to_string(budget) + " evaluations";
-  finding.tolerance_from = from;
+  finding.held = landing.off <= most && !landing.overdrawn();
+  finding.asked = std::to_string(flights) + " flights, each with at most " +
+                  std::to_string(budget) + " evaluations; this is " +
+                  (landing.overdrawn() ? "one that took more" : "the one in the middle");
+  finding.input = landing.flight.input();
+  finding.expected = describe(landing.truth) + ", to " + number(most, 3);
+  finding.got = describe(landing.path.states.back()) + ", with " + spent;
+  finding.error = number(landing.off, 3);
+  finding.tolerance = number(most, 3) + ", and " + std::to_string(budget) + " evaluations";
+  finding.tolerance_from = bound.from + "; here equal steps of RK4 are off by " +
+                           number(landing.rk4, 3) + ", of velocity Verlet by " +
+                           number(landing.verlet, 3);
   if (!finding.held) {
     finding.hint = hint;
-    finding.plot = evaluations(path, flight);
-    if (count > budget) {
-      finding.diagnoses = {"it asked " + std::to_string(count - budget) + " times too often"};
-    } else if (count < budget / 2) {
+    finding.plot = evaluations(landing);
+    if (landing.overdrawn()) {
+      finding.diagnoses = {"it asked " + std::to_string(landing.count() - budget) +
+                           " times too often"};
+    } else if (landing.count() < budget / 2) {
       finding.diagnoses = {"more than half of the evaluations were never spent"};
     }
   }
   check(finding);
 }
 
-void lands_nearer_than_rk4(double times, const std::string& hint) {
-  Student student;
-  Random random;
-  for (int n = 0; n < 2; ++n) {
-    const Flight flight = Flight::draw(random);
-    const Equal equal(flight);
-    lands_within(student, flight, equal.rk4 / times,
-                 "RK4 in " + std::to_string(budget / 4) + " equal steps is off by " +
-                     number(equal.rk4, 3) + ", and this is a share of 1/" + number(times),
-                 hint);
-  }
+Bound share_of_rk4(int times) {
+  return {[=](const Landing& landing) { return landing.rk4 / times; },
+          "1/" + std::to_string(times) + " of what RK4 in " + std::to_string(budget / 4) +
+              " equal steps is off"};
 }
 
 }  // namespace
 
 TEST_CASE("within the budget the shuttle lands as near as equal steps bring it",
           "[7-which-to-use/shuttle-on-a-budget][3 points]") {
-  Student student;
-  Random random;
-  for (int n = 0; n < 2; ++n) {
-    const Flight flight = Flight::draw(random);
-    const Equal equal(flight);
-    lands_within(student, flight, 1.001 * std::max(equal.verlet, equal.rk4),
-                 "the farther of velocity Verlet, off by " + number(equal.verlet, 3) +
-                     ", and RK4, " + number(equal.rk4, 3) +
-                     ", both in equal steps for all of the budget; and a "
-                     "thousandth for the order of the sums",
-                 "Take RK4, and divide the flight into equal steps for a start.");
-  }
+  lands_within(
+      {[](const Landing& landing) { return 1.001 * std::max(landing.verlet, landing.rk4); },
+       "the farther of RK4 and velocity Verlet, both in equal steps for all of the "
+       "budget; and a thousandth for the order of the sums"},
+      "Take RK4, and divide the flight into equal steps for a start.");
 }
 
 TEST_CASE("it lands twenty times nearer than RK4 in equal steps",
           "[7-which-to-use/shuttle-on-a-budget][3 points]") {
-  lands_nearer_than_rk4(
-      20, "Take short steps where the planet is near, and long ones where it is far.");
+  lands_within(share_of_rk4(20),
+               "Take short steps where the planet is near, and long ones where it is far.");
 }
 
 TEST_CASE("it lands eighty times nearer than RK4 in equal steps",
           "[7-which-to-use/shuttle-on-a-budget][4 points]") {
-  lands_nearer_than_rk4(80,
-                        "A circle of radius r takes a time in proportion to r^(3/2). And is all of "
-                        "the budget spent?");
+  lands_within(share_of_rk4(80),
+               "A circle of radius r takes a time in proportion to r^(3/2). And is all of "
+               "the budget spent?");
 }

@@ -59,11 +59,12 @@ Harness show(const fs::path& folder) {
   constexpr int first = 10;
   if (reachable(folder)) return {{"--ro-bind", fs::absolute(folder), "/job/harness"}, {}, {}};
   Harness shown;
-  for (const auto& entry : fs::directory_iterator(folder)) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_directory()) continue;
     const int number = first + static_cast<int>(shown.files.size());
     shown.files.push_back(part(entry.path()));
     shown.numbers.emplace_back(shown.files.back().get(), number);
-    const std::string place = "/job/harness/" + entry.path().filename().string();
+    const std::string place = "/job/harness/" + fs::relative(entry.path(), folder).string();
     shown.words.insert(shown.words.end(),
                        {"--perms", "0444", "--ro-bind-data", std::to_string(number), place});
   }
@@ -80,7 +81,7 @@ fs::path lay_out(const Kit& kit, std::string_view submission, const std::string&
   if (reachable(kit.harness)) {
     fs::create_directory_symlink(fs::absolute(kit.harness), folder / "harness");
   } else {
-    fs::copy(kit.harness, folder / "harness");
+    fs::copy(kit.harness, folder / "harness", fs::copy_options::recursive);
   }
   if (const auto user = unprivileged())
     if (::chown(folder.c_str(), *user, *user) != 0)
@@ -91,10 +92,11 @@ fs::path lay_out(const Kit& kit, std::string_view submission, const std::string&
 }  // namespace
 
 Process compile(Sandbox sandbox, const Kit& kit, std::string_view submission,
-                const std::string& header, std::string_view harness_header, const Limits& limits) {
+                const std::string& header, std::string_view harness_header, const Limits& limits,
+                Build build) {
   if (sandbox == Sandbox::none) {
     const fs::path folder = lay_out(kit, submission, header, harness_header);
-    return Process(compile_command(kit, folder.string(), limits), {}, limits, folder);
+    return Process(compile_command(kit, folder.string(), limits, build), {}, limits, folder);
   }
   const File glued = sealed(glue(header)), harness = sealed(harness_header),
              text = sealed(submission), filter = part(fs::path(kit.filters) / "compile.bpf");
@@ -102,13 +104,16 @@ Process compile(Sandbox sandbox, const Kit& kit, std::string_view submission,
   std::vector<std::pair<int, int>> files = std::move(shown.numbers);
   files.insert(files.end(),
                {{glued.get(), 6}, {harness.get(), 7}, {text.get(), 8}, {filter.get(), 9}});
-  return Process(compile_command(kit, shown.words, header, limits), files, limits);
+  return Process(compile_command(kit, shown.words, header, limits, build), files, limits);
 }
 
-Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& limits) {
-  const Words command = run_command(sandbox, limits);
+Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& limits,
+            Build build) {
+  const bool checked = build == Build::checked;
+  const Words command =
+      checked ? check_command(sandbox, kit, limits) : run_command(sandbox, limits);
   if (sandbox == Sandbox::none) return Process(command, {{driver.get(), 8}}, limits);
-  const File filter = part(fs::path(kit.filters) / "run.bpf");
+  const File filter = part(fs::path(kit.filters) / (checked ? "compile.bpf" : "run.bpf"));
   return Process(command, {{driver.get(), 8}, {filter.get(), 9}}, limits);
 }
 

@@ -21,8 +21,14 @@ struct Kit {
   std::string filters;        ///< folder with run.bpf and compile.bpf
   std::string canary;         ///< the canary, a static program
   std::string compiler = {};  ///< what the kit was compiled with, and submissions are
-  std::vector<std::string> shown = {};  ///< the folders of its parts, headers and libraries
+  std::vector<std::string> flags = {};          ///< for the compiler
+  std::vector<std::string> checked_flags = {};  ///< the same, with a checker of memory
+  std::vector<std::string> shown = {};          ///< the folders of its parts, headers and libraries
 };
+
+/// What a driver is made for: to be scored, or to be run once more under a checker of memory. That
+/// needs the shared libraries of the system, and more address space than there is memory.
+enum class Build { scored, checked };
 
 /// Exit codes of a compilation that failed: in which step.
 enum CompileExit { not_compiled = 10, not_linked = 11 };
@@ -31,10 +37,12 @@ enum CompileExit { not_compiled = 10, not_linked = 11 };
 /// `harness_header`; the driver comes on descriptor 3 behind the word READY. On its standard output
 /// stands what the submission defines strongly, and main, as `nm -C` writes it.
 Process compile(Sandbox sandbox, const Kit& kit, std::string_view submission,
-                const std::string& header, std::string_view harness_header, const Limits& limits);
+                const std::string& header, std::string_view harness_header, const Limits& limits,
+                Build build = Build::scored);
 
 /// Starts a driver.
-Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& limits);
+Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& limits,
+            Build build = Build::scored);
 
 /// Runs the canary in the run cage. Nothing if everything that should be refused is refused; else
 /// what is wrong and what to do about it.

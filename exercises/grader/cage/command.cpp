@@ -41,15 +41,34 @@ const Words bubblewrap = {"bwrap",
                           "--json-status-fd",
                           "4"};
 
-/// In steps, each with its own exit code; $0 is the compiler. What the object defines strongly, and
-/// main, are printed for the grader to look at; the driver goes out on descriptor 3.
+/// In steps, each with its own exit code; $0 is the compiler, behind it stand its flags, and in
+/// LINK those that it links with. What the object defines strongly, and main, are printed for the
+/// grader to look at; the driver goes out on descriptor 3.
 const std::string compile_script = R"(printf READY >&3
-"$0" -std=c++20 -O2 -ffp-contract=off -Wall -Wextra -Wno-unused-parameter -fmax-errors=5 \
-  -fdiagnostics-color=never -pipe -DGRADING -Iharness -c glue.cpp -o driver.o 3>&- || exit 10
+"$0" "$@" -fmax-errors=5 -fdiagnostics-color=never -pipe -DGRADING -Iharness \
+  -c glue.cpp -o driver.o 3>&- || exit 10
 nm -C -g --defined-only driver.o 3>&- |
   grep -aE '^[0-9a-f]+ ([ABCDGRST] |[A-Za-z] main$)' 3>&-
-"$0" -static driver.o harness/harness.o -o driver 3>&- || exit 11
+"$0" $LINK driver.o harness/harness.o -o driver 3>&- || exit 11
 exec cat driver >&3)";
+
+/// The checker stops at the first thing that it finds, and keeps to the memory that there is.
+const std::string checker =
+    "detect_leaks=0:handle_abort=1:allocator_may_return_null=1:hard_rss_limit_mb=1000:color=never";
+
+std::string link(Build build) {
+  return build == Build::scored ? "-static" : "-fsanitize=address,undefined";
+}
+
+const Words& flags(const Kit& kit, Build build) {
+  return build == Build::scored ? kit.flags : kit.checked_flags;
+}
+
+void add_system(Words& words, const Kit& kit) {
+  for (const std::string& folder : kit.shown) add(words, {"--ro-bind", folder, folder});
+  add(words, {"--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink",
+              "usr/bin", "/bin"});
+}
 
 }  // namespace
 
@@ -71,8 +90,10 @@ Words leash(Sandbox sandbox, const Limits& limits, int open_files) {
   if (!words.empty()) words.push_back("--");
   // At the soft limit comes SIGXCPU, which can be told from other ends; at the hard one SIGKILL.
   const long soft = std::lround(std::ceil(limits.processor));
+  const std::string memory =
+      limits.memory == no_limit ? "unlimited" : std::to_string(limits.memory);
   add(words, {"prlimit", "--cpu=" + std::to_string(soft) + ":" + std::to_string(soft + 1),
-              "--as=" + std::to_string(limits.memory), "--fsize=" + std::to_string(limits.file),
+              "--as=" + memory, "--fsize=" + std::to_string(limits.file),
               "--nofile=" + std::to_string(open_files), "--core=0", "--"});
   return words;
 }
@@ -89,15 +110,29 @@ Words run_command(Sandbox sandbox, const Limits& limits) {
   return words;
 }
 
+Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits) {
+  Limits unlimited = limits;
+  unlimited.memory = no_limit;
+  Words words = leash(sandbox, unlimited, 64);
+  if (sandbox == Sandbox::none) {
+    add(words, {"env", "ASAN_OPTIONS=" + checker, "/proc/self/fd/8"});
+    return words;
+  }
+  add(words, bubblewrap);
+  add(words, {"--setenv", "ASAN_OPTIONS", checker, "--proc", "/proc"});
+  add_system(words, kit);
+  add(words, {"--perms", "0555", "--ro-bind-data", "8", "/driver", "--remount-ro", "/", "--chdir",
+              "/", "--seccomp", "9", "--", "prlimit", "--nproc=24", "--", "/driver"});
+  return words;
+}
+
 Words compile_command(const Kit& kit, const Words& harness, const std::string& header,
-                      const Limits& limits) {
+                      const Limits& limits, Build build) {
   Words words = leash(Sandbox::bubblewrap, limits, 64);
   add(words, bubblewrap);
   add(words, {"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C", "--setenv", "TMPDIR"});
-  add(words, {"/job"});
-  for (const std::string& folder : kit.shown) add(words, {"--ro-bind", folder, folder});
-  add(words, {"--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64", "--symlink",
-              "usr/bin", "/bin"});
+  add(words, {"/job", "--setenv", "LINK", link(build)});
+  add_system(words, kit);
   add(words, {"--size", "134217728", "--tmpfs", "/job"});
   add(words, harness);
   add(words, {"--perms", "0444", "--ro-bind-data", "6", "/job/glue.cpp"});
@@ -106,13 +141,16 @@ Words compile_command(const Kit& kit, const Words& harness, const std::string& h
   // The count of processes is set inside, where it is this cage's alone.
   add(words, {"--remount-ro", "/", "--chdir", "/job", "--seccomp", "9", "--", "prlimit",
               "--nproc=24", "--", "/bin/sh", "-c", compile_script, kit.compiler});
+  add(words, flags(kit, build));
   return words;
 }
 
-Words compile_command(const Kit& kit, const std::string& folder, const Limits& limits) {
+Words compile_command(const Kit& kit, const std::string& folder, const Limits& limits,
+                      Build build) {
   Words words = leash(Sandbox::none, limits, 64);
-  add(words, {"env", "--chdir", folder, "TMPDIR=" + folder, "/bin/sh", "-c", compile_script,
-              kit.compiler});
+  add(words, {"env", "--chdir", folder, "TMPDIR=" + folder, "LINK=" + link(build), "/bin/sh", "-c",
+              compile_script, kit.compiler});
+  add(words, flags(kit, build));
   return words;
 }
 

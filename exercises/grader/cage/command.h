@@ -24,13 +24,16 @@ Words leash(Sandbox sandbox, const Limits& limits, int open_files);
 /// Starts the driver on descriptor 8 under the filter on descriptor 9.
 Words run_command(Sandbox sandbox, const Limits& limits);
 
+/// The same for a driver with a checker of memory, which finds the folders of the kit.
+Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits);
+
 /// Compiles in the cage: the header on descriptor 8, harness.h on 7, the glue on 6, the filter
 /// on 9.
 /// @param harness  words for bubblewrap that show the kit's harness at /job/harness
 Words compile_command(const Kit& kit, const Words& harness, const std::string& header,
-                      const Limits& limits);
+                      const Limits& limits, Build build);
 
 /// The same in a folder that holds all these by their names.
-Words compile_command(const Kit& kit, const std::string& folder, const Limits& limits);
+Words compile_command(const Kit& kit, const std::string& folder, const Limits& limits, Build build);
 
 }  // namespace cage

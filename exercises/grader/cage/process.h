@@ -32,6 +32,9 @@ class File {
 /// Bytes as a file that has no name and cannot be changed any more.
 File sealed(std::string_view content);
 
+/// For a program that may have as much address space as it likes.
+inline constexpr std::size_t no_limit = static_cast<std::size_t>(-1);
+
 /// What a program may use.
 struct Limits {
   double processor = 3;                ///< processor time [s]

@@ -45,6 +45,17 @@ void note_signal(const cage::Ended& ended) {
          "Your code crashed (segmentation fault): it wrote or read outside of its memory, or "
          "called itself without end.",
          ended.err);
+  } else if (ended.code == SIGILL) {
+    note(Verdict::runtime_error,
+         "Your code was stopped where it did what C++ gives no meaning to: an index past the end "
+         "of an "
+         "array, a pointer to nothing, or a whole number that grew too large for its type.",
+         ended.err);
+  } else if (ended.code == SIGABRT && ended.err.find("this->size()") != std::string::npos) {
+    note(Verdict::runtime_error,
+         "Your code was stopped at an index that is past the end of its vector, or at the first or "
+         "last of an empty one.",
+         ended.err);
   } else {
     note(Verdict::runtime_error, std::string("Your code crashed: ") + strsignal(ended.code) + ".",
          ended.err);
@@ -80,7 +91,7 @@ void note_exit(const cage::Ended& ended, Moment moment) {
 std::unique_ptr<cage::Process> start_driver() {
   Session& now = session();
   return std::unique_ptr<cage::Process>(
-      new cage::Process(cage::run(now.sandbox, *now.kit, *now.driver, now.limits)));
+      new cage::Process(cage::run(now.sandbox, *now.kit, *now.driver, now.limits, now.build)));
 }
 
 void note_nonsense() {
@@ -90,6 +101,7 @@ void note_nonsense() {
 
 void note_ending(const cage::Ended& ended, Moment moment) {
   session().processor = std::max(session().processor, ended.processor);
+  if (!session().stopped()) session().printed = ended.err;
   switch (ended.how) {
     case How::exited:
       return note_exit(ended, moment);

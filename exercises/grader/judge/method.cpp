@@ -88,13 +88,25 @@ Path watch(const Method& method, const Start& start, double h, int steps,
   return path;
 }
 
-Path truth(const Start& start, double h, int steps, int every, const harness::Force& force) {
+Path truth(const Start& start, double h, int steps, int every, const Acceleration& acceleration) {
   constexpr double small = 1.0 / 1024;
   const int parts = static_cast<int>(std::ceil(std::abs(h) / small));
-  Path path = run(rk4, start, h / parts, steps * parts, every * parts, force);
+  Path path = run(rk4, start, h / parts, steps * parts, every * parts, acceleration);
   path.h = h;
   path.every = every;
   return path;
+}
+
+State truth_past_a_sun(const Start& start, double duration, double mu,
+                       const Acceleration& acceleration) {
+  constexpr double part = 0.005;  // of the time that a radian of a circle takes
+  const Step step = rk4.begin();
+  State now{start.x, start.v};
+  for (double t = 0, h = 0; t < duration; t += h) {
+    h = std::min(part * std::sqrt(std::pow(length(now.x), 3) / mu), duration - t);
+    step(now.x, now.v, start.t + t, h, acceleration);
+  }
+  return now;
 }
 
 }  // namespace judge

@@ -39,6 +39,12 @@ Path run(const Method& method, const Start& start, double h, int steps, int ever
 
 /// The truth, for what has no formula: RK4 with steps so small that its error is below 1e-11 of the
 /// state; the states at the times of `steps` steps of h, every so many.
-Path truth(const Start& start, double h, int steps, int every, const harness::Force& force);
+Path truth(const Start& start, double h, int steps, int every, const Acceleration& acceleration);
+
+/// The end of a flight around a sun, by steps of RK4 that are a thousandth of a turn or less
+/// wherever it is: for orbits so long that equal steps would take a second.
+/// @param mu  of the sun, at the origin [m^3/s^2]
+State truth_past_a_sun(const Start& start, double duration, double mu,
+                       const Acceleration& acceleration);
 
 }  // namespace judge

@@ -19,6 +19,7 @@ struct Session {
   const cage::Kit* kit = nullptr;
   const cage::File* driver = nullptr;
   cage::Sandbox sandbox = cage::Sandbox::bubblewrap;
+  cage::Build build = cage::Build::scored;  ///< of the driver
   cage::Limits limits;
   std::uint64_t seed = 1;
 
@@ -27,6 +28,7 @@ struct Session {
   grade::Verdict ended =
       grade::Verdict::accepted;  ///< how the student's code ended; accepted: as it should
   std::string why;               ///< if it did not end as it should
+  std::string printed;           ///< by the driver that did not end as it should, on stderr
   double processor = 0;          ///< most that one test used [s]
 
   bool stopped() const { return ended != grade::Verdict::accepted; }

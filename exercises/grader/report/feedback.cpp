@@ -74,6 +74,7 @@ std::string feedback(const Report& report) {
   for (const TestResult& test : report.tests) {
     if (test.ran && !test.held) text += section(test);
   }
+  if (!report.memory.empty()) text += "## Memory\n\n" + paragraph(report.memory);
   if (!report.warnings.empty()) {
     text += "## The compiler warns\n\n" + markdown_code(report.warnings) + "\n";
   }

@@ -36,7 +36,7 @@ Json json(const TestResult& test, std::size_t number) {
 std::string summary(const Report& report) {
   std::string text = printable(report.exercise) + ": " + headline(report) + "\n" +
                      std::string(sentence(report.verdict)) + "\n";
-  for (const std::string& more : {report.why, report.warnings}) {
+  for (const std::string& more : {report.why, report.memory, report.warnings}) {
     if (!more.empty()) text += printable(more) + "\n";
   }
   return text + provenance(report) + "\n";

@@ -116,6 +116,7 @@ void fields(Is<Report> auto& report, auto field) {
   field("points", report.points);
   field("why", report.why);
   field("warnings", report.warnings);
+  field("memory", report.memory);
   field("ignored", report.ignored);
   field("unreadable", report.unreadable);
   field("try_again", report.try_again);

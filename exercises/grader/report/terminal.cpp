@@ -127,6 +127,7 @@ std::string terminal(const Report& report, bool colour) {
   for (const TestResult& test : report.tests) {
     if (test.ran && !test.held) text += section(test, paint);
   }
+  if (!report.memory.empty()) text += "\n" + wrapped(report.memory, 0);
   if (!report.warnings.empty()) text += "\nThe compiler warns:\n" + barred(report.warnings);
   text += ignored(report) + "\n" + wrapped(provenance(report), 0);
   for (const std::string& command : next_commands(report, report.submission)) {

@@ -14,6 +14,7 @@
 
 #include "cage/cage.h"
 #include "installed.h"
+#include "kit.h"
 
 inline std::string kit_folder() {
   const char* own = std::getenv("KIT");
@@ -21,12 +22,7 @@ inline std::string kit_folder() {
 }
 
 inline cage::Kit kit() {
-  const std::string folder = kit_folder();
-  return {folder + "/harness",
-          folder,
-          folder + "/canary",
-          installed::compiler,
-          {std::begin(installed::shown_to_compiler), std::end(installed::shown_to_compiler)}};
+  return grade::kit_in(kit_folder());
 }
 
 /// A program that stands beside this one.

@@ -1,4 +1,4 @@
-// Fails: within the budget the shuttle lands as near as equal steps bring it
+// Fails: it lands twenty times nearer than RK4 in equal steps
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
