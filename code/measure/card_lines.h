@@ -169,7 +169,7 @@ inline void fall(Card& card, const Method& method) {
   const scenes::LinearDrag<> vacuum{.c = 0};
   const double h = 0.1;
   const double depth = -after(method, vacuum, vacuum.start(), h, 10).x;
-  card.rows.push_back({"fall", "Ten steps of free fall", "depth over gh², 50 if exact",
+  card.rows.push_back({"fall", "Ten steps of free fall", "depth in units of gh², exact: 50",
                        depth / (vacuum.g * h * h)});
 }
 
