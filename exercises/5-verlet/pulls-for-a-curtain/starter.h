@@ -11,7 +11,7 @@ struct Plan {
 /// How much too long a rope hangs in the end [m].
 /// @param links  each with a point of the same mass at its end
 /// @param frame  [s]
-/// @param how  is split into so many substeps, with so many iterations each
+/// @param how  a frame is spent
 inline double stretch(int links, double frame, const Plan& how) {
   return 0;  // your line; gravity is 9.81 m/s^2
 }
