@@ -521,7 +521,7 @@ TEST_CASE(
 
 TEST_CASE("A curtain of 30 links needs ten substeps at 30 frames a second, or 86 iterations") {
   CHECK(2 * hanging(30, 1.0 / 30 / 9, 1) > 0.05);
-    CHECK_THAT(2 * hanging(30, 1.0 / 30 / 10, 1), WithinAbs(0.0474, 0.0001));
+  CHECK_THAT(2 * hanging(30, 1.0 / 30 / 10, 1), WithinAbs(0.0474, 0.0001));
   const double one_iteration = 30 * 29 * 9.81 / (2 * 30.0 * 30);
   CHECK(std::ceil(one_iteration / 0.05) == 95);
   CHECK(2 * hanging(30, 1.0 / 30, 86 - 1) > 0.05);

@@ -4,6 +4,7 @@
 #pragma once
 #include <numbers>
 #include <string>
+#include <string_view>
 
 #include "contest.h"
 #include "entrants.h"
@@ -33,25 +34,32 @@ inline void wall(measure::Record& record) {
                                       {"at ζ = 1", "swings/s", 2},
                                       {"energy off in a minute", "%", 2},
                                       {"header"}});
-  const auto add = [&](const char* moves, const char* take, const measure::Method& method) {
+  const auto add = [&](const char* moves, const char* take, const measure::Method& method,
+                       std::string_view header) {
     table.add({moves, take, double(price(method, suspension, frame)), swings(method),
-               swings(method, 1), energy_off(method), method.header});
+               swings(method, 1), energy_off(method), std::string(header)});
+  };
+  const auto add_its_own = [&](const char* moves, const char* take, const measure::Method& method) {
+    add(moves, take, method, method.header);
   };
   table.add({"a constant force: jumps, shells, sparks", "the exact step",
              double(price(method::constant_acceleration, height_of_jump, frame)), NAN, NAN, NAN,
              method::constant_acceleration.header});
-  add("one spring: cameras, doors, recoil, suspensions", "the exact step", method::spring_exact);
-  add("bodies with contacts, joints and springs", "symplectic Euler", method::symplectic_euler);
-  add("the same with drag against the air, or a damper to something fixed", "drag divided",
-      method::linear_damping_implicit_last);
+  add_its_own("one spring: cameras, doors, recoil, suspensions", "the exact step",
+              method::spring_exact);
+  add_its_own("bodies with contacts, joints and springs", "symplectic Euler",
+              method::symplectic_euler);
+  add_its_own("the same with drag against the air, or a damper to something fixed", "drag divided",
+              method::linear_damping_implicit_last);
   // Between two bodies the relative motion is the spring, and the division is the same.
   add("two bodies with a damper between them", "relative velocity divided",
-      method::linear_damping_implicit_last);
-  add("ropes and cloth of particles, by constraints", "Störmer–Verlet", method::stormer_verlet);
-  add("orbits and pendulums that never end; falls through air while ch < 1", "velocity Verlet",
-      method::velocity_verlet);
-  add("long orbits without drag whose place counts", "Yoshida 4", method::yoshida4);
-  add("a path that must be right: previews, flight", "RK4", method::rk4);
-  add("what is too stiff for the frame", "backward Euler", method::backward_euler);
-  add("answers to compare with, in tools", "Dormand-Prince", method::dopri5);
+      method::linear_damping_implicit_last, "damper.h");
+  add_its_own("ropes and cloth of particles, by constraints", "Störmer–Verlet",
+              method::stormer_verlet);
+  add_its_own("orbits and pendulums that never end; falls through air while ch < 1",
+              "velocity Verlet", method::velocity_verlet);
+  add_its_own("long orbits without drag whose place counts", "Yoshida 4", method::yoshida4);
+  add_its_own("a path that must be right: previews, flight", "RK4", method::rk4);
+  add_its_own("what is too stiff for the frame", "backward Euler", method::backward_euler);
+  add_its_own("answers to compare with, in tools", "Dormand-Prince", method::dopri5);
 }
