@@ -57,7 +57,8 @@ std::string limit_message(const cage::Ended& ended, const cage::Limits& limits) 
 /// What `nm` lists: address, letter, name.
 struct Symbols {
   bool main = false;
-  std::vector<std::string> strong;
+  std::vector<std::string> strong;   ///< of C++, so nobody else's
+  std::vector<std::string> foreign;  ///< functions of C, such as write, that the library has, too
 };
 
 Symbols symbols(const std::string& listed) {
@@ -66,20 +67,28 @@ Symbols symbols(const std::string& listed) {
   std::istringstream list(listed);
   for (std::string address, line; list >> address && std::getline(list, line);) {
     const std::string name = line.size() > 3 ? line.substr(3) : "";
+    const bool function_of_c = name.find('(') == name.npos && line.starts_with(" T");
     if (name == "main")
       found.main = true;
     else if (name != ours && !name.empty())
-      found.strong.push_back(name);
+      (function_of_c ? found.foreign : found.strong).push_back(name);
   }
   return found;
 }
 
+/// It works in this program, whose one file includes the header once.
 std::string lacks_inline(const std::vector<std::string>& names) {
+  if (names.empty()) return "";
   const std::string& name = names.front();
-  return name.substr(0, name.find('(')) + " lacks the word inline.\n" +
-         "A header is included by several files of one program, so that what it defines would be "
-         "there several times, and the linker refuses. Write inline before each function, and "
-         "before each variable that is not const.";
+  return name.substr(0, name.find('(')) +
+         " lacks the word inline. Include the header in two files of one program, and the linker "
+         "refuses. Write inline before each function, and before each variable that is not "
+         "const.\n";
+}
+
+std::string of_c(const std::vector<std::string>& names) {
+  return names.front() +
+         " is a function of C with that name, and the library has one. Leave it out.";
 }
 
 const std::string remove_main =
@@ -142,12 +151,12 @@ Compiled compile(const std::string& text, const std::string& header, const std::
   if (ended.code == cage::not_compiled) return not_compiled(ended, header);
   const Symbols found = symbols(ended.out);
   if (found.main) return failed(ended, Verdict::rejected, remove_main);
-  if (!found.strong.empty()) return failed(ended, Verdict::link_error, lacks_inline(found.strong));
+  if (!found.foreign.empty()) return failed(ended, Verdict::link_error, of_c(found.foreign));
   if (ended.code == cage::not_linked) return not_linked(ended);
   if (ended.code != 0)
     return failed(ended, Verdict::grader_error,
                   "the compiler ended with " + std::to_string(ended.code));
-  const std::string warned = warnings(diagnostics(ended.err), header);
+  const std::string warned = lacks_inline(found.strong) + warnings(diagnostics(ended.err), header);
   return {cage::sealed(std::string_view(answer).substr(ready.size())), std::nullopt,
           printable(warned, longest_message), ended.processor};
 }

@@ -96,6 +96,7 @@ void grade_into(const Request& request, Report& report) {
   const Compiled compiled =
       compile(submission.text, header, harness, request.sandbox, kit, request.compile_limits);
   report.compile_seconds = seconds_since(start);
+  report.compile_processor = compiled.processor;
   if (compiled.failed) {
     report.verdict = *compiled.failed;
     report.why = about(submission.name, header, compiled.message);
@@ -171,7 +172,7 @@ std::optional<Obstacle> calibrate(Request& request) {
     limits.processor = std::max(limits.processor, times * seconds);
     limits.wall = std::max(limits.wall, times * seconds + 5);
   };
-  raise(request.compile_limits, report.compile_seconds);
+  raise(request.compile_limits, report.compile_processor);
   raise(request.run_limits, judge::session().processor);
   return std::nullopt;
 }

@@ -42,6 +42,7 @@ struct Report {
   bool unreadable = false;    ///< the path could not be read
   bool try_again = false;     ///< with grader_error: a shortage that may pass
   double seconds = 0, compile_seconds = 0, run_seconds = 0;  ///< on the clock
+  double compile_processor = 0;                              ///< used by the compiler [s]; not kept
 };
 
 /// Reads, compiles, runs and judges; never throws: what goes wrong with us is a grader_error.

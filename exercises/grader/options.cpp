@@ -27,6 +27,8 @@ void declare(CLI::App& app, Options& options) {
       app.add_option("--out", options.out, "Folder for report.json, feedback.md and plots");
   app.add_option("--emit", options.emits, "Write results.json or junit.xml beside the report")
       ->check(CLI::IsMember({"gradescope", "junit"}))
+      ->expected(1)
+      ->take_all()
       ->needs(out);
   CLI::Option* const seed = app.add_option("--seed", options.seed,
                                            "Number that all hidden inputs come from; 1 is public");
@@ -39,6 +41,8 @@ void declare(CLI::App& app, Options& options) {
       app.add_option("--class", options.submissions, "Grade this folder of submissions")
           ->needs(out);
   app.add_option("--exercise", options.exercises, "Only this one; may be repeated")
+      ->expected(1)
+      ->take_all()
       ->needs(whole_class);
   app.add_option("--jobs", options.jobs, "Submissions at a time")->needs(whole_class);
   app.add_option("--shard", options.shard, "i/n: only each n-th submission, from the i-th")

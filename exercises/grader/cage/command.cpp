@@ -45,7 +45,8 @@ const Words bubblewrap = {"bwrap",
 /// LINK those that it links with. What the object defines strongly, and main, are printed for the
 /// grader to look at; the driver goes out on descriptor 3.
 const std::string compile_script = R"(printf READY >&3
-"$0" "$@" -fmax-errors=5 -fdiagnostics-color=never -pipe -DGRADING -Iharness \
+"$0" "$@" -fmax-errors=5 -ftemplate-backtrace-limit=3 \
+  -fdiagnostics-color=never -pipe -DGRADING -Iharness \
   -c glue.cpp -o driver.o 3>&- || exit 10
 nm -C -g --defined-only driver.o 3>&- |
   grep -aE '^[0-9a-f]+ ([ABCDGRST] |[A-Za-z] main$)' 3>&-

@@ -17,7 +17,14 @@ namespace cage {
 
 namespace {
 
-constexpr std::size_t kept = 16384;  // of what a program prints
+constexpr std::size_t kept = 16384;  // at the start of what a program prints, and at its end
+
+/// Leaves the start and the end of a text, as whole as they are.
+void shorten(std::string& text) {
+  constexpr std::string_view gap = "\n[...]\n";
+  if (text.size() <= 2 * kept + gap.size()) return;
+  text.replace(kept, text.size() - 2 * kept, gap);
+}
 
 /// Adds what is there, but no more than `most` bytes; closes the pipe at its end.
 std::size_t take(File& pipe, std::string& to, std::size_t most) {
@@ -107,7 +114,7 @@ void Process::Pipes::read_pipes(std::size_t wanted) {
 
 void Process::Pipes::read_chatter(File& pipe, std::string& to) {
   chatter_ += take(pipe, to, ahead);
-  to.resize(std::min(to.size(), kept));
+  shorten(to);
 }
 
 void Process::Pipes::give(std::span<std::byte> bytes) {

@@ -53,7 +53,7 @@ struct Ended {
   double wall = 0;          ///< used [s]
   long peak_kilobytes = 0;  ///< of memory
   std::size_t unread = 0;   ///< bytes of its answer that nobody had asked for
-  std::string out, err;     ///< the first 16 KiB of what it printed
+  std::string out, err;     ///< of what it printed the first 16 KiB and the last
 };
 
 /// A program that answers on descriptor 3. It dies with this object, and all its children with it.

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT-0
 #include "class/class.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cstdio>
+#include <system_error>
 
 #include "class/grade_all.h"
+#include "class/lock.h"
 #include "class/pool.h"
 #include "class/write_tables.h"
 #include "exit_codes.h"
@@ -25,6 +29,22 @@ const Student* in_the_way(const std::vector<Student>& students) {
   return nullptr;
 }
 
+/// The first few names, one in a line, and how many more there are.
+void print_some(const char* what, const std::vector<std::string>& names) {
+  constexpr std::size_t most = 10;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) {
+    std::printf("%s: %s\n", what, printable_name(names[i]).c_str());
+  }
+  if (names.size() > most) std::printf("%s: %zu more\n", what, names.size() - most);
+}
+
+bool can_be_read_by_others(const std::filesystem::path& file) {
+  using std::filesystem::perms;
+  std::error_code none;
+  const auto found = std::filesystem::status(file, none).permissions();
+  return !none && (found & (perms::group_read | perms::others_read)) != perms::none;
+}
+
 int grade_roll(const Roll& roll, const Class& work) {
   const std::vector<Exercise> exercises =
       work.exercises.empty() ? handed_in(roll.students, grade::exercises()) : work.exercises;
@@ -33,9 +53,7 @@ int grade_roll(const Roll& roll, const Class& work) {
                                         grade::exercises().front().name +
                                         ".h or like another that --list names");
   }
-  for (const std::string& file : without_exercise(roll.students, grade::exercises())) {
-    std::printf("Belongs to no exercise: %s\n", printable_name(file).c_str());
-  }
+  print_some("Belongs to no exercise", without_exercise(roll.students, grade::exercises()));
   const std::vector<Job> all = all_jobs(work, roll.students, exercises);
   std::vector<Job> jobs = part_of(all, work.shard);
   const std::size_t before = jobs.size();
@@ -75,9 +93,7 @@ int grade_class(const Class& work) {
                                         printable_name(work.submissions.string()) +
                                         "': " + error.code().message());
   }
-  for (const std::string& name : roll.ignored) {
-    std::printf("Not a student's folder: %s\n", printable_name(name).c_str());
-  }
+  print_some("Not a student's folder", roll.ignored);
   if (roll.students.empty()) {
     return refuse(Exit::unreadable, "there is no student's folder in '" +
                                         printable_name(work.submissions.string()) + "'");
@@ -85,6 +101,17 @@ int grade_class(const Class& work) {
   if (const Student* student = in_the_way(roll.students)) {
     return refuse(Exit::bad_input, "a student's folder can't be called " + student->name +
                                        ", since a table is; rename it");
+  }
+  umask(077);  // what is written now holds marks, and the seed
+  if (can_be_read_by_others(work.seed_file)) {
+    std::fprintf(stderr, "grade: others can read the seed; chmod 600 %s\n",
+                 printable_name(work.seed_file.string()).c_str());
+  }
+  const Lock lock(work.results, work.shard.of > 1);
+  if (!lock.held()) {
+    return refuse(Exit::try_again, "another grader is at work in '" +
+                                       printable_name(work.results.string()) +
+                                       "'; wait for it, or name another folder");
   }
   try {
     return grade_roll(roll, work);

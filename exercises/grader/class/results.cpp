@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #include "class/results.h"
 
+#include "report/words.h"
+
 namespace grade {
 
 Results collect(const std::vector<Student>& students, const std::vector<Exercise>& exercises,
@@ -19,10 +21,6 @@ std::vector<Job> stale(const std::vector<Job>& jobs, const Results& results, std
     if (!same) found.push_back(jobs[i]);
   }
   return found;
-}
-
-bool is_graded(const Report& report) {
-  return report.verdict != Verdict::grader_error;
 }
 
 }  // namespace grade

@@ -27,9 +27,6 @@ Results collect(const std::vector<Student>& students, const std::vector<Exercise
 /// table with the others.
 std::vector<Job> stale(const std::vector<Job>& jobs, const Results& results, std::uint64_t seed);
 
-/// Whether there is a grade.
-bool is_graded(const Report& report);
-
 /// One row for each student, one column for each exercise, and the sum; a cell without a grade is
 /// empty, and so is its sum.
 std::string grades_csv(const Results& results);

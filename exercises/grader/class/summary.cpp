@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "report/words.h"
+
 namespace grade {
 namespace {
 

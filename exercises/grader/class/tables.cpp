@@ -10,7 +10,7 @@ namespace {
 std::string cell(const std::string& text) {
   const bool formula = !text.empty() && std::string_view("=+-@").find(text[0]) != std::string::npos;
   const std::string safe = (formula ? "'" : "") + text;
-  if (safe.find_first_of(",\"") == std::string::npos) return safe;
+  if (safe.find_first_of(",;\t\"") == std::string::npos) return safe;
   std::string result = "\"";
   for (const char c : safe) result += c == '"' ? "\"\"" : std::string(1, c);
   return result + "\"";

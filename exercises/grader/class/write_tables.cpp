@@ -9,6 +9,7 @@
 #include "format_values.h"
 #include "report/escape.h"
 #include "report/files.h"
+#include "report/words.h"
 
 namespace grade {
 namespace {

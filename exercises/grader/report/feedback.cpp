@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "report/escape.h"
+#include "report/plot.h"
 #include "report/words.h"
 
 namespace grade {
@@ -37,7 +38,7 @@ std::string item(const Line& line) {
 std::string picture(const Finding& finding) {
   const Plot& plot = finding.plot;
   if (!plot.file.empty()) return "![" + markdown(plot.title) + "](" + plot.file + ")\n\n";
-  return has_plot(finding) ? "*No picture, since gnuplot is not installed here.*\n\n" : "";
+  return has_plot(finding) ? "*No picture: " + std::string(why_no_picture(plot)) + ".*\n\n" : "";
 }
 
 std::string section(const TestResult& test) {

@@ -7,6 +7,7 @@
 #include "report/json.h"
 #include "report/junit.h"
 #include "report/plot.h"
+#include "report/words.h"
 
 namespace grade {
 namespace {
@@ -28,7 +29,8 @@ void write_rest(const Report& report, const std::filesystem::path& folder,
 }  // namespace
 
 void emit(const Report& report, const std::filesystem::path& folder, const std::set<Emit>& emits) {
-  write_or_remove(emits.contains(Emit::gradescope), folder / "results.json", gradescope(report));
+  write_or_remove(emits.contains(Emit::gradescope) && is_graded(report), folder / "results.json",
+                  gradescope(report));
   write_or_remove(emits.contains(Emit::junit), folder / "junit.xml", junit(report));
 }
 

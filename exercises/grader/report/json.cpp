@@ -42,6 +42,9 @@ struct Write {
   }
   void always(const char* name, const auto& value) const { all[name] = value; }
   void derived(const char* name, const auto& value) const { all[name] = value; }
+  void if_graded(bool graded, const char* name, int value) const {
+    all[name] = graded ? Json(value) : Json(nullptr);
+  }
   void block(const char* name, auto fill) const { fill(Write{all[name]}); }
   void block_if(bool there, const char* name, auto fill) const {
     if (there) block(name, fill);
@@ -67,6 +70,9 @@ struct Read {
     if (all.at(name) != value) throw std::invalid_argument(name);
   }
   void derived(const char*, const auto&) const {}
+  void if_graded(bool, const char* name, int& value) const {
+    value = all.at(name).is_null() ? 0 : all.at(name).get<int>();
+  }
   void block(const char* name, auto fill) const { fill(Read{all.at(name)}); }
   void block_if(bool, const char* name, auto fill) const {
     if (all.contains(name)) block(name, fill);
@@ -112,7 +118,7 @@ void fields(Is<Report> auto& report, auto field) {
   field("seed", report.seed);
   field("sandbox", report.sandbox);
   field("verdict", report.verdict);
-  field("score", report.score);
+  field.if_graded(is_graded(report), "score", report.score);
   field("points", report.points);
   field("why", report.why);
   field("warnings", report.warnings);

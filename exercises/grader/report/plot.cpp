@@ -32,14 +32,29 @@ void remove_old(const std::filesystem::path& plots) {
   }
 }
 
-}  // namespace
-
-std::optional<std::string> svg(const Plot& plot) {
+std::vector<Curve> drawable(const Plot& plot) {
   std::vector<Curve> curves;
   for (const Curve& curve : plot.curves) {
     const Curve whole = plot.logarithmic ? logarithm(curve) : finite(curve);
     curves.push_back(thinned(whole, most_points / plot.curves.size()));
   }
+  return curves;
+}
+
+}  // namespace
+
+bool can_be_drawn(const Plot& plot) {
+  const std::vector<Curve> curves = drawable(plot);
+  return !curves.empty() && view(curves);
+}
+
+std::string_view why_no_picture(const Plot& plot) {
+  return can_be_drawn(plot) ? "gnuplot could not draw it, or is not installed here"
+                            : "there is no finite number to draw";
+}
+
+std::optional<std::string> svg(const Plot& plot) {
+  const std::vector<Curve> curves = drawable(plot);
   if (curves.empty()) return std::nullopt;
   const std::optional<Box> box = view(curves);
   if (!box) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "grade_submission.h"
 
@@ -13,6 +14,12 @@ namespace grade {
 /// The picture as SVG on white, the student's curve solid and the others dashed, below 30 kB;
 /// nothing if no curve has a point, or gnuplot cannot draw it.
 std::optional<std::string> svg(const Plot& plot);
+
+/// Whether any curve has a point.
+bool can_be_drawn(const Plot& plot);
+
+/// Why there is no picture where there was one to be drawn, in a few words.
+std::string_view why_no_picture(const Plot& plot);
 
 /// Draws what the failed tests have to show into `folder`/plots, in place of what an earlier
 /// grading drew there, and notes where.

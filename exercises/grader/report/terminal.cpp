@@ -6,6 +6,7 @@
 
 #include "printable.h"
 #include "report/escape.h"
+#include "report/plot.h"
 #include "report/words.h"
 
 namespace grade {
@@ -93,7 +94,9 @@ std::string labelled(const Line& line) {
 }
 
 std::string where(const Plot& plot) {
-  return plot.file.empty() ? "drawn by --out FOLDER, if gnuplot is installed" : plot.file;
+  if (!plot.file.empty()) return plot.file;
+  return can_be_drawn(plot) ? "drawn by --out FOLDER, if gnuplot is installed"
+                            : std::string(why_no_picture(plot));
 }
 
 std::string section(const TestResult& test, const Paint& paint) {

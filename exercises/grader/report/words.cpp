@@ -57,7 +57,12 @@ std::string_view sentence(Verdict verdict) {
   return "";
 }
 
+bool is_graded(const Report& report) {
+  return report.verdict != Verdict::grader_error;
+}
+
 std::string headline(const Report& report) {
+  if (!is_graded(report)) return std::string(name(report.verdict)) + ", no grade";
   return std::string(name(report.verdict)) + ", " + std::to_string(report.score) + " of " +
          std::to_string(report.points) + (report.points == 1 ? " point" : " points");
 }

@@ -13,7 +13,10 @@ namespace grade {
 /// What a verdict means, in one sentence to the student.
 std::string_view sentence(Verdict verdict);
 
-/// `PARTIAL, 4 of 10 points`
+/// Whether there is a grade: not if the grader failed.
+bool is_graded(const Report& report);
+
+/// `PARTIAL, 4 of 10 points`, or that there is no grade
 std::string headline(const Report& report);
 
 /// `held`, `did not hold` or `not run`

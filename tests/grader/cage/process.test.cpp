@@ -85,10 +85,17 @@ TEST_CASE("A program that computes is ended at its processor time, even if it ig
   }
 }
 
-TEST_CASE("A program that prints without end is killed, and only its first words are kept") {
+TEST_CASE("A program that prints without end is killed, and its first and last words are kept") {
   const Ended ended = end_of("yes; yes >&2");
   CHECK(ended.how == How::chatter_limit);
-  CHECK(ended.out.size() == 16384);
+  CHECK(ended.out.size() == 2 * 16384 + 7);
+}
+
+TEST_CASE("Of a long text its start and its end are kept") {
+  const Ended ended = end_of("echo first; head -c 100000 /dev/zero | tr '\\0' x; echo; echo last");
+  CHECK(ended.out.starts_with("first\nxxx"));
+  CHECK(ended.out.find("x\n[...]\nx") != std::string::npos);
+  CHECK(ended.out.ends_with("xxx\nlast\n"));
 }
 
 TEST_CASE("A program that answers without end is killed, whether asked or not") {

@@ -1,7 +1,9 @@
 // Classes, graded by the stand-in:   node class.test.mjs STAND_IN
 import assert from 'node:assert/strict';
-import { existsSync, mkdirSync, renameSync, symlinkSync, writeFileSync } from 'node:fs';
+import { chmodSync, existsSync, mkdirSync, renameSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
+import { setTimeout as sleep } from 'node:timers/promises';
 import { classroom, rows } from './classroom.mjs';
 
 const three = {
@@ -97,6 +99,7 @@ test('names of students do no harm', () => {
     '=1+1',
     '"quoted"',
     'a,b',
+    'a;=1+1',
     "it's",
     '<i>',
     '##[x]',
@@ -117,6 +120,7 @@ test('names of students do no harm', () => {
     "'=1+1,10,10",
     '"""quoted""",10,10',
     '"a,b",10,10',
+    '"a;=1+1",10,10',
     '\\xff\\xfe,10,10',
   ]) {
     assert.ok(lines.includes(line), line);
@@ -154,6 +158,40 @@ test('shards together are the whole, and the tables come of a last run', () => {
   assert.equal(new Set(parts.flat()).size, 6);
   assert.deepEqual(room.grade().graded, []);
   assert.equal(rows(room.read('grades.csv')).length, 4);
+});
+
+test('two graders do not work in one folder', async () => {
+  const room = classroom({ 'ada/1-first/one': '// slow' });
+  const slow = room.start();
+  for (let n = 0; n < 200 && !room.has('ada/1-first/one/report.json'); ++n) await sleep(50);
+  const { status, stderr } = room.grade();
+  assert.equal(status, 75);
+  assert.match(stderr, /another grader is at work in '.*results'; wait for it/);
+  slow.kill();
+});
+
+test('marks and seeds are for nobody else to read', () => {
+  const room = classroom({ 'ada/1-first/one': '// score 10' });
+  writeFileSync(room.path('seed'), '7\n', { mode: 0o644 });
+  const { status, stderr } = room.grade(['--seed-file', room.path('seed')]);
+  assert.equal(status, 0);
+  assert.match(stderr, /others can read the seed; chmod 600 .*seed/);
+  for (const file of ['grades.csv', 'ada/1-first/one/report.json']) {
+    assert.equal(statSync(join(room.results, file)).mode & 0o077, 0, file);
+  }
+  chmodSync(room.path('seed'), 0o600);
+  assert.equal(room.grade(['--seed-file', room.path('seed')]).stderr, '');
+});
+
+test('of many stray files a few are named', () => {
+  const room = classroom({ 'ada/1-first/one': '// score 10' });
+  for (let n = 0; n < 300; ++n) room.write(`ada/1-first/stray-${n}`, '');
+  const named = room
+    .grade()
+    .stdout.split('\n')
+    .filter(line => line.startsWith('Belongs to no exercise: '));
+  assert.equal(named.length, 11);
+  assert.equal(named[10], 'Belongs to no exercise: 290 more');
 });
 
 test('a grader that fails at its own solution of one exercise grades nobody', () => {

@@ -115,7 +115,7 @@ test('a grader that fails at its own solution takes no point from anybody', () =
   assert.equal(status, 42);
   assert.match(stdout, /g\+\+: no cc1plus/);
   const { verdict, score, why } = JSON.parse(readFileSync(at('broken/report.json'), 'utf8'));
-  assert.deepEqual([verdict, score], ['GRADER_ERROR', 0]);
+  assert.deepEqual([verdict, score], ['GRADER_ERROR', null]);
   assert.match(why, /^the grader gives its own solution COMPILE_ERROR/);
   assert.equal(grade('full.h').status, 0); // full marks prove that it works
 });

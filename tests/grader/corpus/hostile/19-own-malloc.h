@@ -1,5 +1,5 @@
 // LINK_ERROR: replaces malloc
-// says: lacks the word inline
+// says: is a function of C
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
