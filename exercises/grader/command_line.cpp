@@ -107,6 +107,7 @@ void add_one(Command& command, const Options& options) {
   if (options.sandbox == "none") command.request.sandbox = cage::Sandbox::none;
   if (!options.out.empty()) command.out = folder(options.out);
   command.emits = emits(options);
+  command.all = options.all;
   command.exit_by_verdict = options.exit_status == "verdict";
   command.limits_given = !options.limits.empty();
   if (command.limits_given && !read_limits(options.limits, command.request)) {

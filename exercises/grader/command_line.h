@@ -23,7 +23,8 @@ struct Command {
   std::set<Emit> emits;
   bool limits_given = false;  ///< by the grader of a class, that calibrated them
   bool exit_by_verdict = false;
-  Class classroom;  ///< of a whole class
+  bool all = false;  ///< of the tests that failed in full
+  Class classroom;   ///< of a whole class
 };
 
 /// Bad input: one line that says what is wrong and what to do.

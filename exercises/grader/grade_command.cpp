@@ -48,13 +48,13 @@ Report grade_fairly(const Command& command) {
   return slow && met_a_time_limit(report) ? grade_submission(calibrated) : report;
 }
 
-void print(const Report& report) {
+void print(const Report& report, bool all) {
   if (report.unreadable) {
     refuse(Exit::unreadable, printable(report.why));
     return;
   }
   const bool colour = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
-  std::fputs(terminal(report, colour).c_str(), stdout);
+  std::fputs(terminal(report, colour, all).c_str(), stdout);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ int grade_and_report(const Command& command) {
   if (command.out) keep_provisional(command.request, version, *command.out, command.emits);
   Report report = grade_fairly(command);
   if (command.out) keep(report, *command.out, command.emits);
-  print(report);
+  print(report, command.all);
   return exit_code(report, command.exit_by_verdict);
 }
 

@@ -6,16 +6,11 @@
 #include "command_line.h"
 #include "exit_codes.h"
 #include "grade_command.h"
+#include "task.h"
 
 namespace {
 
 using grade::Command;
-
-void list() {
-  for (const grade::Exercise& exercise : grade::exercises()) {
-    std::printf("%s\n", exercise.name.c_str());
-  }
-}
 
 void versions() {
   for (const grade::Exercise& exercise : grade::exercises()) {
@@ -30,7 +25,7 @@ int run(const Command& command) {
     case Command::What::whole_class:
       return grade::grade_class(command.classroom);
     case Command::What::list:
-      list();
+      std::fputs(grade::list_of_exercises().c_str(), stdout);
       break;
     case Command::What::version:
       versions();

@@ -47,7 +47,8 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--jobs", options.jobs, "Submissions at a time")->needs(whole_class);
   app.add_option("--shard", options.shard, "i/n: only each n-th submission, from the i-th")
       ->needs(whole_class);
-  app.add_flag("--list", options.list, "Name the exercises");
+  app.add_flag("--all", options.all, "Show each test that failed in full");
+  app.add_flag("--list", options.list, "Name the exercises, with their kind, minutes and points");
   app.add_flag("--version", options.version, "Say which grader this is, exercise by exercise");
   app.add_option("--limits", options.limits)->group("");
 }

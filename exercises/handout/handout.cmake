@@ -9,6 +9,9 @@ file(COPY ${SOURCE}/LICENSE ${SOURCE}/setup.sh ${SOURCE}/code DESTINATION ${top}
 file(COPY ${SOURCE}/exercises/handout/CMakeLists.txt ${SOURCE}/exercises/handout/CMakePresets.json
           ${SOURCE}/exercises/handout/README.md DESTINATION ${top})
 file(COPY ${BOOK} DESTINATION ${top})
+# For editors: where given.h is, and that a header is C++.
+file(COPY ${SOURCE}/exercises/handout/compile_flags.txt DESTINATION ${top})
+file(COPY ${SOURCE}/exercises/handout/vscode/ DESTINATION ${top}/.vscode)
 
 # Of an exercise its text, its starter and its tests with their headers; the folders right and wrong lie deeper.
 file(COPY ${SOURCE}/exercises/CMakeLists.txt ${SOURCE}/exercises/grader DESTINATION ${top}/exercises)

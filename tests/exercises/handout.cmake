@@ -8,7 +8,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE=${SOURCE} -DBOOK=${BOOK} -DOUT
 file(ARCHIVE_EXTRACT INPUT ${zip} DESTINATION ${WORK})
 set(top ${WORK}/one-step-at-a-time)
 
-set(wanted README.md LICENSE setup.sh CMakeLists.txt CMakePresets.json book/index.html
+set(wanted README.md LICENSE compile_flags.txt .vscode/c_cpp_properties.json setup.sh CMakeLists.txt CMakePresets.json book/index.html
   code/integrate/euler.h exercises/grader/main.cpp exercises/grader/harness/given.h)
 foreach(name IN LISTS NAMES)
   foreach(file task.md starter.h harness.h judge.cpp)
@@ -27,6 +27,20 @@ foreach(file IN LISTS all)
     message(SEND_ERROR "the handout has ${file}")
   endif()
 endforeach()
+
+# An editor that reads compile_flags.txt finds nothing wrong with a fresh starter, here and where it comes from.
+function(is_clean folder name)
+  execute_process(COMMAND g++ @compile_flags.txt -fsyntax-only ${SOURCE}/exercises/${name}/starter.h
+    WORKING_DIRECTORY ${folder} ERROR_VARIABLE said RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    message(SEND_ERROR "in ${folder} an editor shows errors in the starter of ${name}: ${said}")
+  endif()
+endfunction()
+foreach(name IN LISTS NAMES)
+  is_clean(${top} ${name})
+endforeach()
+list(GET NAMES 0 first)
+is_clean(${SOURCE}/exercises ${first})
 
 if(BUILD)
   execute_process(COMMAND ${CMAKE_COMMAND} --workflow --preset grader

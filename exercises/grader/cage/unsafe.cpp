@@ -15,11 +15,14 @@ struct Trouble {
   const char *said, *help;
 };
 
+constexpr const char* profile =
+    "AppArmor lets bubblewrap make no user namespace; exercises/grader/bwrap.apparmor is a profile "
+    "that allows it, and says how to load it";
+
 constexpr Trouble troubles[] = {
     {"failed to execute bwrap", "bubblewrap is not installed: apt-get install bubblewrap"},
-    {"setting up uid map: Permission denied",
-     "AppArmor lets ordinary programs make no user namespace; as root: "
-     "sysctl -w kernel.apparmor_restrict_unprivileged_userns=0"},
+    {"setting up uid map: Permission denied", profile},
+    {"Failed RTM_NEWADDR: Operation not permitted", profile},
     {"uid map: Read-only",
      "this is a container with a /proc that cannot be written to; start it with --privileged, or "
      "grade outside of it"},
@@ -33,10 +36,12 @@ std::string first_line(const std::string& text) {
 }
 
 std::string not_started(const Ended& ended) {
+  const std::string own =
+      ". Your own code you may grade without the sandbox, on your own machine: --sandbox none";
   for (const Trouble& trouble : troubles)
     if (ended.err.find(trouble.said) != std::string::npos)
-      return "the sandbox cannot start (" + first_line(ended.err) + "): " + trouble.help;
-  return "the sandbox cannot start: " + first_line(ended.err);
+      return "the sandbox cannot start (" + first_line(ended.err) + "): " + trouble.help + own;
+  return "the sandbox cannot start: " + first_line(ended.err) + own;
 }
 
 }  // namespace

@@ -2,7 +2,11 @@
 #include "report/terminal.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <regex>
 #include <sstream>
+#include <vector>
 
 #include "printable.h"
 #include "report/escape.h"
@@ -85,7 +89,24 @@ std::string row(const TestResult& test, const Paint& paint) {
          wrapped(test.name, before);
 }
 
-std::string labelled(const Line& line) {
+/// Numbers of more than six digits in the shortest form that has six. All of them stand in
+/// report.json.
+std::string six_digits(const std::string& text) {
+  static const std::regex longer(R"(-?\d+\.\d{5,}(e[-+]?\d+)?)");
+  std::string result;
+  auto from = text.begin();
+  for (std::sregex_iterator found(text.begin(), text.end(), longer), end; found != end; ++found) {
+    result.append(from, (*found)[0].first);
+    char shorter[32];
+    std::snprintf(shorter, sizeof shorter, "%.6g", std::strtod(found->str().c_str(), nullptr));
+    result += shorter;
+    from = (*found)[0].second;
+  }
+  return result.append(from, text.end());
+}
+
+std::string labelled(const Line& found) {
+  const Line line{found.label, six_digits(found.text)};
   const std::string label = "    " + line.label + std::string(label_width - line.label.size(), ' ');
   if (line.text.find('\n') == std::string::npos) {
     return label + wrapped(line.text, 4 + label_width);
@@ -109,6 +130,33 @@ std::string section(const TestResult& test, const Paint& paint) {
   return text;
 }
 
+/// What a failed test comes to, in a line.
+std::string in_short(const TestResult& test) {
+  for (const Finding& finding : test.findings) {
+    if (finding.held) continue;
+    const std::string said =
+        finding.diagnoses.empty() ? "off by " + finding.error : finding.diagnoses.front();
+    return said.substr(0, said.find('\n'));
+  }
+  return "";
+}
+
+std::string failures(const Report& report, const Paint& paint, bool all) {
+  std::vector<TestResult> failed;
+  for (const TestResult& test : report.tests)
+    if (test.ran && !test.held) failed.push_back(test);
+  std::string text;
+  for (std::size_t i = 0; i < failed.size(); ++i) {
+    if (all || i == 0) {
+      text += section(failed[i], paint);
+    } else {
+      text += (i == 1 ? "\n" : "") +
+              ("  " + wrapped(failed[i].name + ": " + six_digits(in_short(failed[i])), 4));
+    }
+  }
+  return failed.size() > 1 && !all ? text + "  --all shows each of them in full.\n" : text;
+}
+
 std::string ignored(const Report& report) {
   std::string text;
   for (const std::string& file : report.ignored) {
@@ -119,7 +167,7 @@ std::string ignored(const Report& report) {
 
 }  // namespace
 
-std::string terminal(const Report& report, bool colour) {
+std::string terminal(const Report& report, bool colour, bool all) {
   const Paint paint(colour);
   const bool full = report.verdict == Verdict::accepted;
   std::string text = printable(report.exercise) + ": " +
@@ -127,9 +175,7 @@ std::string terminal(const Report& report, bool colour) {
                      std::string(sentence(report.verdict)) + "\n" + paragraph(report.why);
   if (!report.tests.empty()) text += "\n";
   for (const TestResult& test : report.tests) text += row(test, paint);
-  for (const TestResult& test : report.tests) {
-    if (test.ran && !test.held) text += section(test, paint);
-  }
+  text += failures(report, paint, all);
   if (!report.memory.empty()) text += "\n" + wrapped(report.memory, 0);
   if (!report.warnings.empty()) text += "\nThe compiler warns:\n" + barred(report.warnings);
   text += ignored(report) + "\n" + wrapped(provenance(report), 0);

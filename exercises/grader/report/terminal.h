@@ -6,8 +6,11 @@
 
 namespace grade {
 
-/// The report for a terminal of 80 columns. What may come from a submission is escaped.
+/// The report for a terminal of 80 columns, its numbers to six digits. What may come from a
+/// submission is escaped.
 /// @param colour  with colours, which say nothing that the words don't
-std::string terminal(const Report& report, bool colour);
+/// @param all  tests that failed, each with all that was found; else only the first, and of the
+/// others a line each
+std::string terminal(const Report& report, bool colour, bool all = false);
 
 }  // namespace grade

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 
 namespace grade {
 namespace {
@@ -19,6 +20,15 @@ bool is_plain(const std::string& file) {
     return std::isalnum(c) || std::string_view("._/+-").find(char(c)) != std::string_view::npos;
   };
   return !file.empty() && file[0] != '-' && std::all_of(file.begin(), file.end(), plain);
+}
+
+/// How to begin with the exercise behind this one in the book.
+std::vector<std::string> commands_for_next(const std::string& exercise) {
+  const std::vector<Exercise> all = exercises();
+  auto next = std::ranges::find(all, exercise, &Exercise::name);
+  if (next == all.end() || ++next == all.end()) return {"build/exercises/grade --list"};
+  return {"cp exercises/" + next->name + "/starter.h " + next->header(),
+          "build/exercises/grade " + next->name + " " + next->header()};
 }
 
 }  // namespace
@@ -94,7 +104,7 @@ bool has_plot(const Finding& finding) {
 }
 
 std::vector<std::string> next_commands(const Report& report, const std::string& file) {
-  if (report.verdict == Verdict::accepted) return {"build/exercises/grade --list"};
+  if (report.verdict == Verdict::accepted) return commands_for_next(report.exercise);
   const std::string own = report.exercise.substr(report.exercise.find('/') + 1) + ".h";
   const bool usable = is_plain(file) && file.ends_with(".h");
   std::string command = "build/exercises/grade " + report.exercise + " " + (usable ? file : own);

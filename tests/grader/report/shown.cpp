@@ -111,6 +111,41 @@ TEST_CASE("a terminal of 80 columns shows the whole report") {
   }
 }
 
+TEST_CASE("a terminal shows the first test that failed in full, and of the others a line") {
+  Report report = sample();
+  TestResult second = report.tests[1];
+  second.name = "another test";
+  second.findings[0].diagnoses = {"this is Heun's method", "and no other"};
+  second.findings[0].hint = "Look again.";
+  report.tests.push_back(second);
+  const std::string text = terminal(report, false);
+  CHECK(has(text, "  another test: this is Heun's method\n"));
+  CHECK_FALSE(has(text, "Look again."));
+  CHECK(has(text, "--all"));
+  CHECK(has(terminal(report, false, true), "Look again."));
+  CHECK_FALSE(has(terminal(report, false, true), "--all"));
+}
+
+TEST_CASE("a terminal shows numbers to six digits, and feedback all of them") {
+  Report report = sample();
+  report.tests[1].findings[0].input =
+      "h = 0.11537892918036234, t = 2, n = 1234567, e = 1.2345678e-11";
+  CHECK(has(terminal(report, false), "h = 0.115379, t = 2, n = 1234567, e = 1.23457e-11"));
+  CHECK(has(feedback(report), "h = 0.11537892918036234"));
+}
+
+TEST_CASE("full marks lead to the next exercise of the book") {
+  Report report = sample();
+  report.verdict = Verdict::accepted;
+  report.exercise = exercises().front().name;
+  const Exercise next = exercises()[1];
+  CHECK(next_commands(report, "a.h") ==
+        std::vector<std::string>{"cp exercises/" + next.name + "/starter.h " + next.header(),
+                                 "build/exercises/grade " + next.name + " " + next.header()});
+  report.exercise = exercises().back().name;
+  CHECK(next_commands(report, "a.h") == std::vector<std::string>{"build/exercises/grade --list"});
+}
+
 TEST_CASE("a student's text does nothing in a terminal") {
   check_harmless(terminal(hostile_sample(), false));
   const std::string coloured = terminal(hostile_sample(), true);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT-0
+#include "task.h"
+
+#include <cstdio>
+#include <fstream>
+
+#include "judge/session.h"
+
+namespace grade {
+namespace {
+
+// The rest of a line that starts like this; empty if it starts otherwise.
+std::string behind(const std::string& line, const std::string& start) {
+  return line.starts_with(start) ? line.substr(start.size()) : "";
+}
+
+int points_of(const Exercise& exercise) {
+  int points = 0;
+  for (const TestResult& test : judge::tests_of(exercise.name)) points += test.points;
+  return points;
+}
+
+}  // namespace
+
+Task task(const Exercise& exercise) {
+  Task task;
+  std::ifstream file(exercise.folder / "task.md");
+  for (std::string line; std::getline(file, line) && !line.empty();) {
+    task.title += behind(line, "# ");
+    task.kind += behind(line, "Kind: ");
+    task.minutes += behind(line, "Minutes: ");
+  }
+  return task;
+}
+
+std::string list_of_exercises() {
+  std::string text;
+  for (const Exercise& exercise : exercises()) {
+    const Task about = task(exercise);
+    if (about.title.empty()) {
+      text += exercise.name + "\n";
+      continue;
+    }
+    char line[256];
+    std::snprintf(line, sizeof line, "%-36s %-9s %3s min  %2d points  %s\n", exercise.name.c_str(),
+                  about.kind.c_str(), about.minutes.c_str(), points_of(exercise),
+                  about.title.c_str());
+    text += line;
+  }
+  return text;
+}
+
+}  // namespace grade
