@@ -1,28 +1,29 @@
-eval NARROW ? canvas(400, 460) : canvas(720, 430)
-set xlabel sprintf("largest error at %g steps a second  [cm]", exact("rate")) offset 0,0.3
-set logscale x
-set xrange [6e-4:2e5]
-set yrange [0.4:6.6]
-set lmargin NARROW ? 9 : 11
-set tmargin NARROW ? 7.4 : 5
-unset mxtics
-set xtics ("< 10 µm" 0.001, "0.01" 0.01, "0.1" 0.1, "1" 1, "10" 10, "100" 100, "1000" 1000, "10^{4}" 1e4, "gone" 1e5)
-if (NARROW) set xtics ("< 10 µm" 0.001, "0.1" 0.1, "1" 1, "10" 10, "1000" 1000, "gone" 1e5)
-array things = ["jump", "leaf", "suspension", "hatch", "lamp", "shuttle"]
-set ytics () scale 0
-set for [j=1:6] ytics add (things[j] 7 - j)
+eval NARROW ? canvas(400, 410) : canvas(720, 390)
+unset border
+unset tics
+unset grid
 unset key
-array methods = ["Euler", "symplectic Euler", "velocity Verlet", "Yoshida 4", "midpoint", "RK4", "Dormand-Prince", "backward Euler", "trapezoid"]
-gone(thing) = txt(thing) eq "inf"
-error(i, j) = txt("method") ne methods[i] ? NaN : gone(things[j]) ? 1e5 : val(things[j]) < 1e-3 ? 1e-3 : val(things[j])
-place(i, j) = 7 - j + 0.075*(5 - i)
-tip(i, j) = sprintf("%s, %s: %s", methods[i], things[j], gone(things[j]) ? "gone" : sprintf("%.2g cm", val(things[j])))
-across = NARROW ? 2 : 3
-do for [i=1:9] {
-  at = (i - 1) % across
-  set label i methods[i] at graph (NARROW ? -0.05 : 0.02) + at*(NARROW ? 0.58 : 0.35), graph (NARROW ? 1.36 : 1.22) - 0.075*((i - 1)/across) \
-    left offset 1,-0.2 point ls style(methods[i]) tc ls style(methods[i])
-}
-set arrow 1 from 1,0.4 to 1,6.6 nohead ls LIMIT
-plot for [i=1:9] for [j=1:6] file("level") using (error(i, j)):(place(i, j)) with points ls style(methods[i]), \
-     for [i=1:9] for [j=1:6] file("level") using (error(i, j)):(place(i, j)):(tip(i, j)) with labels hypertext point ls style(methods[i])
+array things = ["jump", "leaf", "suspension", "hatch", "lamp", "shuttle"]
+array methods = ["Euler", "symplectic Euler", "backward Euler", "trapezoid", "midpoint", "velocity Verlet", "Yoshida 4", "RK4", "Dormand-Prince"]
+set xrange [NARROW ? -2.55 : -1.75:6.1]
+set yrange [9.6:(NARROW ? -1.2 : -0.9)]
+set lmargin 0
+set rmargin 0
+set tmargin 0
+set bmargin 0
+small = NARROW ? "Book Sans,11" : "Book Sans,15"
+do for [j=1:6] { set label j things[j] at j - 0.5,NARROW && j % 2 ? -0.8 : -0.35 center font small tc ls EXACT }
+do for [i=1:9] { set label 10 + i methods[i] at -0.15,i - 0.5 right font small tc ls style(methods[i]) }
+here(i) = txt("method") eq methods[i]
+gone(j) = txt(things[j]) eq "inf"
+error(j) = gone(j) ? 1e9 : val(things[j])  # [cm]
+finest = 10  # [µm]
+misses(j) = error(j) > 1
+two(x, unit) = sprintf(x < 9.95 ? "%.1f %s" : "%.0f %s", x, unit)
+amount(j) = gone(j) ? "gone" : error(j) < 1e-4*finest ? sprintf("< %g µm", finest) : error(j) < 0.1 ? two(1e4*error(j), "µm") : error(j) < 1 ? two(10*error(j), "mm") : error(j) < 100 ? two(error(j), "cm") : two(error(j)/100, "m")
+# Where a cell stands; out of sight if it is not one that misses.
+shown(i, j) = here(i) && misses(j) ? j - 0.5 : -100
+set style fill solid noborder
+plot for [i=1:9] for [j=1:6] file("level") using (shown(i, j)):(i - 0.5):(shown(i, j) - 0.48):(shown(i, j) + 0.48):(i - 0.96):(i - 0.04) with boxxyerror ls AREA, \
+     for [i=1:9] for [j=1:6] file("level") using (shown(i, j)):(i - 0.5):(amount(j)) with labels font small tc ls LIMIT, \
+     for [i=1:9] for [j=1:6] file("level") using (here(i) && !misses(j) ? j - 0.5 : -100):(i - 0.5):(amount(j)) with labels font small tc ls EXACT
