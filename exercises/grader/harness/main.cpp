@@ -15,6 +15,13 @@
 
 #include "call.h"
 
+// For the run that is not scored: its checker stops at the first thing that it finds, and keeps to
+// the memory that there is. (It reads the environment by /proc, which there may be none of.)
+extern "C" const char* __asan_default_options() {
+  return "detect_leaks=0:handle_abort=1:allocator_may_return_null=1:hard_rss_limit_mb=1000:"
+         "color=never";
+}
+
 namespace {
 
 // Exit codes that the judge reads as hints for its message.
