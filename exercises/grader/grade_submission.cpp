@@ -33,12 +33,6 @@ std::string read(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// The driver ran, and the tests have a say.
-bool is_judged(Verdict verdict) {
-  return verdict == Verdict::accepted || verdict == Verdict::partial ||
-         verdict == Verdict::wrong_answer;
-}
-
 // What the sum of the tests says.
 Verdict verdict(const Report& report) {
   if (report.score == report.points) return Verdict::accepted;
@@ -106,9 +100,7 @@ void grade_into(const Request& request, Report& report) {
   judge_driver(request, kit, compiled.driver, report);
   const bool ran = is_judged(report.verdict) || report.verdict == Verdict::runtime_error;
   if (!ran || !request.check_memory) return;
-  const double processor = judge::session().processor;
   report.memory = misused_memory(request, kit, submission.text, harness);
-  judge::session().processor = processor;
 }
 
 // What became of our own solution, in the words that a student would have read.

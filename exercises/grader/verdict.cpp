@@ -37,4 +37,9 @@ std::optional<Verdict> verdict_named(std::string_view name) {
   return std::nullopt;
 }
 
+bool is_judged(Verdict verdict) {
+  return verdict == Verdict::accepted || verdict == Verdict::partial ||
+         verdict == Verdict::wrong_answer;
+}
+
 }  // namespace grade

@@ -24,6 +24,9 @@ enum class Verdict {
   grader_error,    ///< ours, never the student's
 };
 
+/// Whether the code ran to its end, so that the tests have a say.
+bool is_judged(Verdict verdict);
+
 /// As it stands in a report: `ACCEPTED`, `WRONG_ANSWER` and so on.
 std::string_view name(Verdict verdict);
 

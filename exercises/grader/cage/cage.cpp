@@ -107,9 +107,9 @@ Process compile(Sandbox sandbox, const Kit& kit, std::string_view submission,
   return Process(compile_command(kit, shown.words, header, limits, build), files, limits);
 }
 
-static bool can_have_proc() {
-  static const bool can = [] {
-    const Ended ended = Process(try_proc(), {}, {}).finish();
+static bool can_have_proc(const Kit& kit) {
+  static const bool can = [&] {
+    const Ended ended = Process(try_proc(kit), {}, {}).finish();
     return ended.how == Ended::How::exited && ended.code == 0;
   }();
   return can;
@@ -118,8 +118,8 @@ static bool can_have_proc() {
 Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& limits,
             Build build) {
   const bool checked = build == Build::checked;
-  const Words command =
-      checked ? check_command(sandbox, kit, limits, can_have_proc()) : run_command(sandbox, limits);
+  const Words command = checked ? check_command(sandbox, kit, limits, can_have_proc(kit))
+                                : run_command(sandbox, limits);
   if (sandbox == Sandbox::none) return Process(command, {{driver.get(), 8}}, limits);
   const File filter = part(fs::path(kit.filters) / (checked ? "compile.bpf" : "run.bpf"));
   return Process(command, {{driver.get(), 8}, {filter.get(), 9}}, limits);

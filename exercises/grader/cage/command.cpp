@@ -107,11 +107,11 @@ Words run_command(Sandbox sandbox, const Limits& limits) {
   return words;
 }
 
-Words try_proc() {
+Words try_proc(const Kit& kit) {
   Words words = leash(Sandbox::bubblewrap, {}, 16);
   add(words, bubblewrap);
-  add(words, {"--proc", "/proc", "--ro-bind", "/usr", "/usr", "--symlink", "usr/lib", "/lib",
-              "--symlink", "usr/lib64", "/lib64", "--", "/usr/bin/true"});
+  add_system(words, kit);
+  add(words, {"--proc", "/proc", "--", "/usr/bin/true"});
   return words;
 }
 

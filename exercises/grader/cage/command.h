@@ -29,7 +29,7 @@ Words run_command(Sandbox sandbox, const Limits& limits);
 Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits, bool proc);
 
 /// Succeeds where bubblewrap may mount a /proc, which it may not in some containers.
-Words try_proc();
+Words try_proc(const Kit& kit);
 
 /// Compiles in the cage: the header on descriptor 8, harness.h on 7, the glue on 6, the filter
 /// on 9.

@@ -48,8 +48,7 @@ void note_signal(const cage::Ended& ended) {
   } else if (ended.code == SIGILL) {
     note(Verdict::runtime_error,
          "Your code was stopped where it did what C++ gives no meaning to: an index past the end "
-         "of an "
-         "array, a pointer to nothing, or a whole number that grew too large for its type.",
+         "of an array, a pointer to nothing, or a whole number that grew too large for its type.",
          ended.err);
   } else if (ended.code == SIGABRT && ended.err.find("this->size()") != std::string::npos) {
     note(Verdict::runtime_error,

@@ -26,13 +26,8 @@ std::string testcase(const Report& report, std::string_view name, const std::str
          (inside.empty() ? "/>\n" : ">\n" + inside + "    </testcase>\n");
 }
 
-bool ran_to_its_end(const Report& report) {
-  return report.verdict == Verdict::accepted || report.verdict == Verdict::partial ||
-         report.verdict == Verdict::wrong_answer;
-}
-
 std::string of_whole(const Report& report) {
-  if (ran_to_its_end(report)) return "";
+  if (is_judged(report.verdict)) return "";
   return element("error", sentence(report.verdict), name(report.verdict), report.why);
 }
 
@@ -65,7 +60,7 @@ std::string counts(const Report& report) {
   return attribute("tests", std::to_string(report.tests.size() + 1)) +
          attribute("failures",
                    count(report, [](const TestResult& t) { return t.ran && !t.held; })) +
-         attribute("errors", ran_to_its_end(report) ? "0" : "1") +
+         attribute("errors", is_judged(report.verdict) ? "0" : "1") +
          attribute("skipped", count(report, [](const TestResult& t) { return !t.ran; })) +
          attribute("time", time(report.seconds));
 }
