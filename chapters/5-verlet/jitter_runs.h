@@ -25,7 +25,9 @@ double widest(Step step, double omega) {
 
 /// The jump of that number, and the longest frame in it before it lands.
 inline void record_late_frame(measure::Record& record, const measure::Table& jumps, double number) {
-  const auto value = [&](std::size_t row, int column) { return jumps.rows[row][column].value; };
+  const auto value = [&](std::size_t row, std::size_t column) {
+    return jumps.rows[row][column].value;
+  };
   const auto of_it = [&](std::size_t row) { return value(row, 0) == number && value(row, 2) > 0; };
   std::size_t end = 0;
   double longest = 0;
