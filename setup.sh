@@ -4,7 +4,7 @@
 # Run again, it does nothing. For Debian 12 and 13; written for Ubuntu 24.04 too, but not tested there.
 #   ./setup.sh          the book and its tests
 #   ./setup.sh peers    these, and the libraries that the benchmark sets beside the book's methods
-#   ./setup.sh grader   only what grading exercises needs
+#   ./setup.sh grader   only what the grader needs that students get, compiled
 set -euo pipefail
 
 fail() {
@@ -26,11 +26,13 @@ browsers="chromium firefox-esr"
 
 # packages: what for
 needs="cmake ninja-build g++: to build the programs and the tests
+gnuplot-nox: figures
+bubblewrap: the cage in which exercises are graded"
+[ "$*" = grader ] || needs+="
 libeigen3-dev: vectors and linear systems
 catch2: C++ tests, version 3
-gnuplot-nox: figures
 libcli11-dev: command lines, of the chooser of methods and of the grader
-bubblewrap libseccomp-dev nlohmann-json3-dev: the grader and its cage"
+libseccomp-dev nlohmann-json3-dev: the grader"
 [ "$*" = grader ] || needs+="
 clang-19: the second compiler
 clang-format-19 clang-tidy-19: to lay the sources out, and to look them over

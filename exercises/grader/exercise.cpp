@@ -37,8 +37,8 @@ std::string Exercise::header() const {
 
 std::vector<Exercise> exercises() {
   std::vector<Exercise> all;
-  for (const char* name : installed::exercises) {
-    all.push_back({name, std::filesystem::path(installed::folder) / name});
+  for (const std::string& name : exercise_names()) {
+    all.push_back({name, std::filesystem::path(installed().exercises) / name});
   }
   return all;
 }

@@ -77,7 +77,7 @@ void grade_into(const Request& request, Report& report) {
     return;
   }
   report.sha256 = sha256(submission.text);
-  const cage::Kit kit = kit_in(installed::kit);
+  const cage::Kit kit = kit_in(installed().kit);
   if (request.sandbox == cage::Sandbox::bubblewrap) {
     if (const auto why = cage::unsafe(kit)) {
       report.why = *why;
@@ -170,7 +170,7 @@ std::optional<Obstacle> calibrate(Request& request) {
 }
 
 std::optional<std::string> unsafe() {
-  return cage::unsafe(kit_in(installed::kit));
+  return cage::unsafe(kit_in(installed().kit));
 }
 
 std::string sha256(const std::string& text) {

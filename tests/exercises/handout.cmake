@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: MIT-0
 # What students get holds all that they need and nothing that they should find out.
-# cmake -DSOURCE=repository -DBOOK=build/book -DNAMES=exercises -DWORK=folder [-DBUILD=ON] -P handout.cmake
+# cmake -DSOURCE=repository -DBUILD=build -DGXX=g++ -DNAMES=exercises -DWORK=folder -DTRY=ON or OFF -P handout.cmake
 set(zip ${WORK}/one-step-at-a-time.zip)
 file(REMOVE_RECURSE ${WORK})
-execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE=${SOURCE} -DBOOK=${BOOK} -DOUT=${zip}
+execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE=${SOURCE} -DBUILD=${BUILD} -DGXX=${GXX} -DOUT=${zip}
   -P ${SOURCE}/exercises/handout/handout.cmake COMMAND_ERROR_IS_FATAL ANY)
 file(ARCHIVE_EXTRACT INPUT ${zip} DESTINATION ${WORK})
 set(top ${WORK}/one-step-at-a-time)
 
 set(wanted README.md LICENSE compile_flags.txt .vscode/c_cpp_properties.json setup.sh CMakeLists.txt CMakePresets.json book/index.html
-  code/integrate/euler.h exercises/grader/main.cpp exercises/grader/harness/given.h)
+  code/integrate/euler.h exercises/grader/harness/given.h
+  exercises/grader/compiled/grade exercises/grader/compiled/licences/README.md exercises/grader/compiled/licences/libc6-dev.txt)
 foreach(name IN LISTS NAMES)
-  foreach(file task.md starter.h harness.h judge.cpp)
+  foreach(file task.md starter.h harness.h)
     list(APPEND wanted exercises/${name}/${file})
   endforeach()
 endforeach()
@@ -23,7 +24,9 @@ endforeach()
 
 file(GLOB_RECURSE all RELATIVE ${top} ${top}/*)
 foreach(file IN LISTS all)
-  if(file MATCHES "solution|(^|/)(right|wrong)/|(^|/)seed|^book/source-exercises-.*-(right-.*|wrong-.*|judge-cpp)\\.html$")
+  if(file MATCHES "solution|judge|(^|/)(right|wrong)/|(^|/)seed" OR
+     (file MATCHES "^exercises/[1-9]" AND NOT file MATCHES "/(task\\.md|starter\\.h|harness\\.h)$") OR
+     (file MATCHES "^book/source-exercises-" AND NOT file MATCHES "-(starter|given)-h\\.html$"))
     message(SEND_ERROR "the handout has ${file}")
   endif()
 endforeach()
@@ -42,7 +45,7 @@ endforeach()
 list(GET NAMES 0 first)
 is_clean(${SOURCE}/exercises ${first})
 
-if(BUILD)
+if(TRY)
   execute_process(COMMAND ${CMAKE_COMMAND} --workflow --preset grader
     WORKING_DIRECTORY ${top} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   foreach(name IN LISTS NAMES)

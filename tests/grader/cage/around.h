@@ -18,7 +18,7 @@
 
 inline std::string kit_folder() {
   const char* own = std::getenv("KIT");
-  return own ? own : installed::kit;
+  return own ? own : grade::installed().kit;
 }
 
 inline cage::Kit kit() {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Where this grader finds what it needs beside itself.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace grade {
+
+/// What `installed.txt` says, which is written where the kit is made.
+struct Installed {
+  std::string exercises;  ///< folder with a folder for each chapter
+  std::string kit;        ///< folder with what goes into the cage
+  std::string compiler;   ///< that the kit was made with, and submissions are compiled with
+  std::vector<std::string> student_flags;      ///< for the compiler
+  std::vector<std::string> checked_flags;      ///< the same, with a checker of memory
+  std::vector<std::string> shown_to_compiler;  ///< folders that it needs in its cage
+};
+
+/// Read once, from beside the program, or from where it was built.
+/// @throws std::runtime_error if it is in neither place
+const Installed& installed();
+
+}  // namespace grade
