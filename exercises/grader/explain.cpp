@@ -22,7 +22,8 @@ Owner owner(const std::string& file, const std::string& header) {
   if (file.empty()) return Owner::nobody;
   if (file == header || file == "{standard input}") return Owner::student;
   if (name == "given.h") return Owner::given;
-  if (among(name, {"glue.cpp", "harness.h", "call.h", "force.h", "steps.h"})) return Owner::grader;
+  if (among(name, {"glue.cpp", "harness.h", "call.h", "force.h", "steps.h", "wanted.h"}))
+    return Owner::grader;
   if (file.find("/include/") != file.npos) return Owner::library;
   return Owner::outside;
 }
@@ -115,6 +116,7 @@ std::string warnings(const All& all, const std::string& header) {
     if (found.kind != "note")
       keep = found.kind == "warning" && owner(found.file, header) == Owner::student;
     if (keep) text += shown(found, header);
+    text += another_form(found);
   }
   return text;
 }

@@ -13,6 +13,7 @@
 #include "compile.h"
 #include "installed.h"
 #include "judge/session.h"
+#include "judged.h"
 #include "kit.h"
 #include "memory_check.h"
 #include "submission.h"
@@ -34,9 +35,10 @@ std::string read(const std::filesystem::path& path) {
 }
 
 // What the sum of the tests says.
-Verdict verdict(const Report& report) {
-  if (report.score == report.points) return Verdict::accepted;
-  return report.score > 0 ? Verdict::partial : Verdict::wrong_answer;
+Verdict verdict(const Judged& judged) {
+  const bool all = std::ranges::all_of(judged.tests, &TestResult::held);
+  if (all) return Verdict::accepted;
+  return judged.score() > 0 ? Verdict::partial : Verdict::wrong_answer;
 }
 
 // What the compiler says of the header, under the name that the student has for it.
@@ -47,8 +49,7 @@ std::string about(const std::string& name, const std::string& header, std::strin
   return said;
 }
 
-void judge_driver(const Request& request, const cage::Kit& kit, const cage::File& driver,
-                  Report& report) {
+Judged judge_once(const Request& request, const cage::Kit& kit, const cage::File& driver) {
   judge::Session& session = judge::session();
   session = {};
   session.kit = &kit;
@@ -56,13 +57,25 @@ void judge_driver(const Request& request, const cage::Kit& kit, const cage::File
   session.sandbox = request.sandbox;
   session.limits = request.run_limits;
   session.seed = request.seed;
-  const auto start = Clock::now();
   judge::run_tests(request.exercise.name);
+  Judged judged{session.ended, session.why, session.tests};
+  if (!session.stopped()) judged.verdict = verdict(judged);
+  return judged;
+}
+
+// Code that throws dice might win once.
+void judge_driver(const Request& request, const cage::Kit& kit, const cage::File& driver,
+                  Report& report) {
+  const auto start = Clock::now();
+  std::vector<Judged> runs{judge_once(request, kit, driver)};
+  const bool again = is_judged(runs.front().verdict) || runs.front().score() > 0;
+  for (int n = 1; again && n < request.runs; ++n) runs.push_back(judge_once(request, kit, driver));
+  const Judged judged = worst(std::move(runs));
   report.run_seconds = seconds_since(start);
-  report.tests = session.tests;
-  for (const TestResult& test : report.tests) report.score += test.held ? test.points : 0;
-  report.verdict = session.stopped() ? session.ended : verdict(report);
-  report.why = session.why;
+  report.verdict = judged.verdict;
+  report.why = judged.why;
+  report.tests = judged.tests;
+  report.score = judged.score();
 }
 
 // Everything from the path to the verdict; leaves in the report how far it came.
@@ -151,6 +164,7 @@ std::optional<Obstacle> calibrate(Request& request) {
   Request own = request;
   own.submission = request.exercise.folder / "solution.h";
   own.check_memory = false;
+  own.runs = 1;
   const bool at_home = !std::filesystem::exists(own.submission);
   if (at_home) own.submission = request.exercise.folder / "starter.h";
   for (cage::Limits* limits : {&own.compile_limits, &own.run_limits}) {

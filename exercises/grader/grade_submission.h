@@ -21,7 +21,8 @@ struct Request {
   std::uint64_t seed = 1;            ///< from which all hidden inputs come; 1 is the public one
   cage::Sandbox sandbox = cage::Sandbox::bubblewrap;
   cage::Limits compile_limits, run_limits;
-  bool check_memory = true;  ///< in a second run, for a message
+  int runs = 3;              ///< with the same inputs, of which the worst counts
+  bool check_memory = true;  ///< in another run, for a message
 };
 
 /// All that is known at the end; the report in words and in JSON is made from this alone.

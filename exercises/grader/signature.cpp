@@ -22,36 +22,51 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
     text.replace(at, from.size(), to);
 }
 
-/// The function's name: the last word of the excerpt's first line.
+/// The function's name: the last word of the excerpt's first line, `wanted = step;`.
 std::string function(const Diagnostic& error) {
   if (error.excerpt.empty()) return {};
   const std::string& line = error.excerpt.front();
-  const std::size_t start = line.rfind("= "), end = line.find(';');
-  return start == line.npos || end == line.npos || end < start
-             ? ""
-             : line.substr(start + 2, end - start - 2);
+  const std::size_t end = line.find(';'), before = line.find_last_of(" =", end);
+  return end == line.npos || before == line.npos ? "" : line.substr(before + 1, end - before - 1);
 }
 
-/// `void (*)(Vec&)` as one would write it: `void step(Vec&)`.
+/// `void(Vec&)` as one would write it: `void step(Vec&)`.
 std::string declaration(std::string type, const std::string& name) {
-  replace_all(type, "(* const)", name);
-  replace_all(type, "(*)", name);
   replace_all(type, "struct ", "");
   replace_all(type, "class ", "");
-  return type;
+  replace_all(type, "(* const)(", "(");
+  const std::size_t parameters = type.find('(');
+  return parameters == type.npos ? type : type.insert(parameters, " " + name);
+}
+
+/// The signature in `const harness::Wanted<void(Vec&)>`.
+std::string signature(const std::string& type) {
+  constexpr std::string_view before = "harness::Wanted<";
+  const std::size_t start = type.find(before), end = type.rfind('>');
+  return start == type.npos || end == type.npos
+             ? type
+             : type.substr(start + before.size(), end - start - before.size());
 }
 
 }  // namespace
 
 std::string wanted_and_found(const Diagnostic& error) {
   const std::string name = function(error);
-  if (name.empty()) return {};
-  if (const auto wanted =
-          quoted(error.text, "no matches converting function '" + name + "' to type '"))
-    return "wanted is " + declaration(*wanted, name);
-  const auto found = quoted(error.text, "conversion from '"), wanted = quoted(error.text, " to '");
-  if (!found || !wanted) return {};
-  return "wanted is " + declaration(*wanted, name) + ", but found is " + declaration(*found, name);
+  const auto found = quoted(error.text, "conversion from '");
+  auto wanted = quoted(error.text, "to non-scalar type '");
+  if (!wanted) wanted = quoted(error.text, " to '");
+  if (name.empty() || !found || !wanted) return {};
+  const std::string said = "wanted is " + declaration(signature(*wanted), name);
+  return found->starts_with('<') ? said : said + ", but found is " + declaration(*found, name);
+}
+
+std::string another_form(const Diagnostic& warning) {
+  const std::string name = function(warning);
+  if (warning.text.find("is deprecated: another form") == std::string::npos || name.empty())
+    return {};
+  return name +
+         " is declared in another way than in the starter, and was called all the same. What it "
+         "takes by value does not change outside.\n";
 }
 
 }  // namespace grade

@@ -27,6 +27,7 @@ Report grade_file(const grade::Exercise& exercise, const std::filesystem::path& 
   request.submission = file;
   request.seed = seed;
   request.check_memory = false;
+  request.runs = 1;
   return grade::grade_submission(request);
 }
 

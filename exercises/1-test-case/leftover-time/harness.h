@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-int (*const wanted_steps)(double& saved, double length, double h) = steps_due;
-double (*const wanted_blend)(double saved, double h) = blend;
+const harness::Wanted<int(double& saved, double length, double h)> wanted_steps = steps_due;
+const harness::Wanted<double(double saved, double h)> wanted_blend = blend;
 
 // The step, then the frames; for each of them the steps due and the blend.
 void answer(harness::Call& call) {

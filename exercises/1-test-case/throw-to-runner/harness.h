@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-Vec (*const wanted)(const Vec& from, const Vec& target, const Vec& runner, const Vec& a,
-                    double time) = throw_velocity;
+const harness::Wanted<Vec(const Vec& from, const Vec& target, const Vec& runner, const Vec& a,
+                          double time)>
+    wanted = throw_velocity;
 
 void answer(harness::Call& call) {
   const Vec from = call.vector(), target = call.vector(), runner = call.vector(), a = call.vector();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-int (*const wanted_steps)(double& saved, double length, double h, int most) = steps_due;
-double (*const wanted_frame)(double draw, double cost, double h, int most) = settled_frame;
+const harness::Wanted<int(double& saved, double length, double h, int most)> wanted_steps =
+    steps_due;
+const harness::Wanted<double(double draw, double cost, double h, int most)> wanted_frame =
+    settled_frame;
 
 void answer(harness::Call& call) {
   double first = call.number();

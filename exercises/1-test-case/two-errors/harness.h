@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-double (*const wanted_order)(double h1, double error1, double h2, double error2) = order;
-double (*const wanted_step)(double wanted, double h, double error, double p) = step_for;
-int (*const wanted_evaluations)(double duration, double h, int per_step) = evaluations;
+const harness::Wanted<double(double h1, double error1, double h2, double error2)> wanted_order =
+    order;
+const harness::Wanted<double(double wanted, double h, double error, double p)> wanted_step =
+    step_for;
+const harness::Wanted<int(double duration, double h, int per_step)> wanted_evaluations =
+    evaluations;
 
 void answer(harness::Call& call) {
   const double a = call.number(), b = call.number(), c = call.number();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-Vec (*const wanted)(const Vec& camera, const Vec& target, double part, double frame) = follow;
+const harness::Wanted<Vec(const Vec& camera, const Vec& target, double part, double frame)> wanted =
+    follow;
 
 void answer(harness::Call& call) {
   const Vec camera = call.vector(), target = call.vector();

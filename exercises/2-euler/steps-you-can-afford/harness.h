@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-int (*const wanted)(const Vec& x, const Vec& v, double duration, double wanted,
-                    const Acceleration& acceleration) = steps_needed;
+const harness::Wanted<int(const Vec& x, const Vec& v, double duration, double wanted,
+                          const Acceleration& acceleration)>
+    wanted = steps_needed;
 
 // A run of one step: h is the duration, and t the wanted error.
 void answer(harness::Call& call) {

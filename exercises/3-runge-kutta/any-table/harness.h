@@ -3,8 +3,9 @@
 
 using Rows = std::vector<std::vector<double>>;
 
-void (*const wanted)(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration,
-                     const Rows& parts, const std::vector<double>& weights) = step;
+const harness::Wanted<void(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration,
+                           const Rows& parts, const std::vector<double>& weights)>
+    wanted = step;
 
 // Function 0 hands over a table, which function 1 takes steps with.
 void answer(harness::Call& call) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-double (*const wanted_stretch)(double re, double im) = stretch;
-double (*const wanted_longest_step)(double omega, double zeta) = longest_step;
+const harness::Wanted<double(double re, double im)> wanted_stretch = stretch;
+const harness::Wanted<double(double omega, double zeta)> wanted_longest_step = longest_step;
 
 void answer(harness::Call& call) {
   const double first = call.number(), second = call.number();

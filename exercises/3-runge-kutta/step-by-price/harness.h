@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted)(Vec& x, Vec& v, double t, double duration, double tolerance,
-                     const Acceleration& acceleration) = fly;
+const harness::Wanted<void(Vec& x, Vec& v, double t, double duration, double tolerance,
+                           const Acceleration& acceleration)>
+    wanted = fly;
 
 // The number of the function is how many digits the tolerance has; a step of the judge is a flight.
 void answer(harness::Call& call) {

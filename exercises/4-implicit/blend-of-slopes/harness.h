@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-double (*const wanted_brake)(double theta, double ch) = left_of_brake;
-double (*const wanted_swing)(double theta, double homega) = left_of_swing;
-double (*const wanted_longest)(double theta, double omega, double zeta) = longest_step;
-double (*const wanted_least)(double ch) = least_theta;
+const harness::Wanted<double(double theta, double ch)> wanted_brake = left_of_brake;
+const harness::Wanted<double(double theta, double homega)> wanted_swing = left_of_swing;
+const harness::Wanted<double(double theta, double omega, double zeta)> wanted_longest =
+    longest_step;
+const harness::Wanted<double(double ch)> wanted_least = least_theta;
 
 void answer(harness::Call& call) {
   const double first = call.number(), second = call.number(), third = call.number();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted)(std::vector<double>& x, std::vector<double>& v, double h,
-                     const std::vector<double>& k) = step;
+const harness::Wanted<void(std::vector<double>& x, std::vector<double>& v, double h,
+                           const std::vector<double>& k)>
+    wanted = step;
 
 void answer(harness::Call& call) {
   const auto count = static_cast<std::size_t>(call.number());

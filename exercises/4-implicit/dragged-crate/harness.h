@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted)(Vec& x, Vec& v, double h, const Vec& hand, double omega, double zeta) = step;
+const harness::Wanted<void(Vec& x, Vec& v, double h, const Vec& hand, double omega, double zeta)>
+    wanted = step;
 
 void answer(harness::Call& call) {
   Vec x = call.vector(), v = call.vector();

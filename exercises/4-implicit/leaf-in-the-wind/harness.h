@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted)(Vec& x, Vec& v, double t, double h, double c,
-                     const std::function<Vec(const Vec& x, double t)>& wind) = frame;
+const harness::Wanted<void(Vec& x, Vec& v, double t, double h, double c,
+                           const std::function<Vec(const Vec& x, double t)>& wind)>
+    wanted = frame;
 
 // The judge asks for function c: so a leaf's c comes along with the steps.
 void answer(harness::Call& call) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted)(double& x, double& v, double h, double omega, double zeta) = step;
+const harness::Wanted<void(double& x, double& v, double h, double omega, double zeta)> wanted =
+    step;
 
 void answer(harness::Call& call) {
   double x = call.number(), v = call.number();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-Vec (*const wanted)(const Vec& x, const Vec& x_previous, const Vec& a, double c,
-                    double h) = next_place;
+const harness::Wanted<Vec(const Vec& x, const Vec& x_previous, const Vec& a, double c, double h)>
+    wanted = next_place;
 
 // A damped spring, whose damper is handed over apart from its force.
 inline void swing(harness::Call& call) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-double (*const wanted_stretch)(int links, double frame, const Plan& how) = stretch;
-Plan (*const wanted)(int links, double frame, double most, double move, double pull) = plan;
+const harness::Wanted<double(int links, double frame, const Plan& how)> wanted_stretch = stretch;
+const harness::Wanted<Plan(int links, double frame, double most, double move, double pull)> wanted =
+    plan;
 
 void answer(harness::Call& call) {
   const int links = call.whole_number();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted)(Vec& a, Vec& b, double rest, double inverse_a, double inverse_b) = pull;
+const harness::Wanted<void(Vec& a, Vec& b, double rest, double inverse_a, double inverse_b)>
+    wanted = pull;
 
 inline void pull_once(harness::Call& call) {
   Vec a = call.vector(), b = call.vector();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-Vec (*const wanted)(const Vec& x, const Vec& x_previous, const Vec& a, double h) = next_place;
-Vec (*const wanted_before)(const Vec& x, const Vec& v, const Vec& a, double h) = place_before;
+const harness::Wanted<Vec(const Vec& x, const Vec& x_previous, const Vec& a, double h)> wanted =
+    next_place;
+const harness::Wanted<Vec(const Vec& x, const Vec& v, const Vec& a, double h)> wanted_before =
+    place_before;
 
 // The velocity that drag sees is the last distance over its time.
 inline void take_steps(harness::Call& call) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted)(Vec& x, Vec& x_previous, double t, double h, double h_previous,
-                     const Acceleration& acceleration) = step;
+const harness::Wanted<void(Vec& x, Vec& x_previous, double t, double h, double h_previous,
+                           const Acceleration& acceleration)>
+    wanted = step;
 
 // The frames come one by one, as in a game.
 void answer(harness::Call& call) {

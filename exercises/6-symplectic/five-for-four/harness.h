@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted)(Vec& x, Vec& v, Vec& a, double t, double h,
-                     const Acceleration& acceleration) = step;
+const harness::Wanted<void(Vec& x, Vec& v, Vec& a, double t, double h,
+                           const Acceleration& acceleration)>
+    wanted = step;
 
 void answer(harness::Call& call) {
   Vec a;

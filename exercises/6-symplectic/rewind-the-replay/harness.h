@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-using Wanted = void (*)(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration);
-const Wanted wanted_step = step, wanted_undo = undo;
+using Step =
+    harness::Wanted<void(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration)>;
+const Step wanted_step = step, wanted_undo = undo;
 
 // The judge runs back with -h; undo is told the start of the step that it takes back.
 inline void back(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) {
@@ -10,5 +11,5 @@ inline void back(Vec& x, Vec& v, double t, double h, const Acceleration& acceler
 }
 
 void answer(harness::Call& call) {
-  harness::run_steps(call, call.function() == 0 ? wanted_step : back);
+  harness::run_steps(call, call.function() == 0 ? wanted_step : Step(back));
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted)(Vec& x, Vec& v, double t, double h, const Vec& along, double c_along,
-                     double c_across, const Acceleration& push) = step;
+const harness::Wanted<void(Vec& x, Vec& v, double t, double h, const Vec& along, double c_along,
+                           double c_across, const Acceleration& push)>
+    wanted = step;
 
 // A sledge, and how it is to be run; or a run on a spring, whose damping is given as drag.
 void answer(harness::Call& call) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted)(std::vector<Vec>& x, std::vector<Vec>& v, const std::vector<double>& mu,
-                     double h) = step;
+const harness::Wanted<void(std::vector<Vec>& x, std::vector<Vec>& v, const std::vector<double>& mu,
+                           double h)>
+    wanted = step;
 
 // Steps, size of a step, how many stars, and each star's x, v and mu; answers with all after each.
 void answer(harness::Call& call) {

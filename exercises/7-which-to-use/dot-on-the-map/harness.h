@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-double (*const wanted_growth)(const std::function<void(double& x, double& v)>& step) = growth;
-double (*const wanted_longest)(const std::function<void(double& x, double& v, double h)>& step,
-                               double most) = longest_step;
+const harness::Wanted<double(const std::function<void(double& x, double& v)>& step)> wanted_growth =
+    growth;
+const harness::Wanted<double(const std::function<void(double& x, double& v, double h)>& step,
+                             double most)>
+    wanted_longest = longest_step;
 
 // A matrix, each entry a polynomial of degree 4 in h over one of degree 2; and a rest.
 struct Hidden {

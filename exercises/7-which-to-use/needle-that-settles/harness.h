@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted)(double& x, double& v, double target, double omega, double h) = settle;
+const harness::Wanted<void(double& x, double& v, double target, double omega, double h)> wanted =
+    settle;
 
 // Start, frequency, how many frames, and each frame's target and length; answers after each.
 void answer(harness::Call& call) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted)(Vec& x, Vec& v, double t, double seconds,
-                     const Acceleration& acceleration) = fly;
+const harness::Wanted<void(Vec& x, Vec& v, double t, double seconds,
+                           const Acceleration& acceleration)>
+    wanted = fly;
 
 // One step of the judge's is a whole flight.
 void answer(harness::Call& call) {

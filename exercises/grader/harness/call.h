@@ -8,6 +8,7 @@
 
 #include "force.h"
 #include "given.h"
+#include "wanted.h"
 
 namespace harness {
 

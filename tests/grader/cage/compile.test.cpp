@@ -18,7 +18,7 @@ namespace {
 
 /// An exercise that asks for one function of one vector.
 const std::string asks = R"(#include "call.h"
-void (*const wanted)(Vec& x) = step;
+const harness::Wanted<void(Vec& x)> wanted = step;
 void answer(harness::Call& call) {
   Vec x = call.vector();
   wanted(x);
@@ -153,20 +153,34 @@ TEST_CASE("What follows from the student's own error is left out") {
              ContainsSubstring("#error stop") && !ContainsSubstring("step is missing"));
 }
 
-TEST_CASE("A signature that is not the one asked for is shown beside it") {
-  check({"inline void step(Vec x) {}\n",
+TEST_CASE("A function that cannot be called as asked for is shown beside the one that can") {
+  check({"inline void step(Vec& x, Vec& v) {}\n",
          Verdict::compile_error,
-         {"wanted is void step(Vec&), but found is void step(Vec)"}});
-  check({"inline double step(Vec&) { return 0; }\n",
+         {"wanted is void step(Vec&), but found is void step(Vec&, Vec&)"}});
+  check({"inline double step(double) { return 0; }\n",
          Verdict::compile_error,
-         {"but found is double step(Vec&)"}});
+         {"but found is double step(double)"}});
   check({"template <class V> void step(V&, V&) {}\n",
          Verdict::compile_error,
-         {"wanted is void step(Vec&)", "drift.h:1:25: note: candidate is"}});
+         {"wanted is void step(Vec&)"}});
   check({"// nothing\n", Verdict::compile_error, {"step is missing: the header has to define it"}});
   check({"namespace mine { inline void step(Vec&) {} }\n",
          Verdict::compile_error,
          {"step is missing", "did you mean 'mine::step'"}});
+}
+
+TEST_CASE("Another form that can be called as asked for is called, with a warning") {
+  for (const char* text :
+       {"inline void step(Vec x) {}\n", "inline double step(const Vec&) { return 0; }\n",
+        "inline constexpr auto step = [](Vec& x) { x = 2 * x; };\n",
+        "inline const std::function<void(Vec&)> step = [](Vec& x) { x = 2 * x; };\n"}) {
+    const Compiled compiled = compile(text);
+    INFO(text << compiled.message);
+    CHECK(!compiled.failed);
+    CHECK_THAT(compiled.message, ContainsSubstring("step is declared in another way"));
+  }
+  CHECK_THAT(compile("template <class V> void step(V& x) { x = 2 * x; }\n").message,
+             !ContainsSubstring("another way"));
 }
 
 TEST_CASE("A main is refused, whatever its kind") {

@@ -1,5 +1,5 @@
-// COMPILE_ERROR: takes x and v by value
-// says: found is void step(Vec, Vec
+// PARTIAL: takes x and v by value
+// says: What it takes by value does not change outside
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
-// COMPILE_ERROR: takes the step as a float
-// says: float
+// PARTIAL|WRONG_ANSWER: takes the step as a float
+// says: step is declared in another way
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
-// COMPILE_ERROR: returns what is equal to everything
-// says: found is Anything step
+// WRONG_ANSWER: returns what is equal to everything
+// says: step is declared in another way
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
