@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <sstream>
 #include <system_error>
 #include <thread>
 
@@ -69,6 +70,22 @@ Shard shard(const std::string& text) {
   return shard;
 }
 
+/// A line for each exercise; what stands behind # is a remark.
+std::vector<Exercise> assigned(const std::string& file) {
+  const std::optional<std::string> text = read_whole(file);
+  if (!text)
+    throw Usage("can't read the file of what was assigned, '" + printable_name(file) + "'");
+  std::vector<Exercise> all;
+  std::istringstream lines(*text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    for (std::string name; words >> name;) all.push_back(exercise_named(name));
+  }
+  if (all.empty())
+    throw Usage("'" + printable_name(file) + "' names no exercise; write one on each line");
+  return all;
+}
+
 bool lies_within(const std::filesystem::path& inner, const std::filesystem::path& outer) {
   const auto whole = [](const std::filesystem::path& path) {
     return std::filesystem::weakly_canonical(path / "");
@@ -84,6 +101,7 @@ void add_class(Command& command, const Options& options) {
   if (options.exit_status == "verdict") throw Usage("--exit-status verdict is for one submission");
   Class& work = command.classroom;
   for (const std::string& name : options.exercises) work.exercises.push_back(exercise_named(name));
+  if (!options.assigned.empty()) work.assigned = assigned(options.assigned);
   work.submissions = options.submissions;
   work.results = folder(options.out);
   if (lies_within(work.results, work.submissions)) {
@@ -124,6 +142,12 @@ Command read_command_line(int argc, char** argv) {
   Command command;
   if (options.list || options.version) {
     command.what = options.list ? Command::What::list : Command::What::version;
+  } else if (!options.run.empty()) {
+    if (!options.exercise.empty() || !options.submissions.empty())
+      throw Usage("--run takes one header, and grades nothing");
+    command.what = Command::What::run;
+    command.own = options.run;
+    if (options.sandbox == "none") command.request.sandbox = cage::Sandbox::none;
   } else if (!options.submissions.empty()) {
     command.what = Command::What::whole_class;
     add_class(command, options);

@@ -16,15 +16,16 @@ namespace grade {
 
 /// What to do, with everything that it takes; checked.
 struct Command {
-  enum class What { one, whole_class, list, version, nothing };
+  enum class What { one, whole_class, list, version, run, nothing };
   What what = What::nothing;
   Request request;  ///< of one submission
   std::optional<std::filesystem::path> out;
   std::set<Emit> emits;
   bool limits_given = false;  ///< by the grader of a class, that calibrated them
   bool exit_by_verdict = false;
-  bool all = false;  ///< of the tests that failed in full
-  Class classroom;   ///< of a whole class
+  bool all = false;           ///< of the tests that failed in full
+  Class classroom;            ///< of a whole class
+  std::filesystem::path own;  ///< header whose own main is run
 };
 
 /// Bad input: one line that says what is wrong and what to do.

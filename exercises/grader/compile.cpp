@@ -97,6 +97,8 @@ const std::string remove_main =
 /// What the linker misses; all its other words name files of ours.
 std::string link_message(const std::string& said) {
   constexpr std::string_view undefined = "undefined reference to `";
+  if (said.find("undefined reference to `main'") != said.npos)
+    return "there is no main() in it: write one, between #ifndef GRADING and #endif";
   std::string message;
   for (std::size_t at = said.find(undefined); at != said.npos; at = said.find(undefined, at)) {
     at += undefined.size();
@@ -149,7 +151,8 @@ Compiled compile(const std::string& text, const std::string& header, const std::
   if (ended.how != How::exited)
     return failed(ended, Verdict::compile_limit, limit_message(ended, limits));
   if (ended.code == cage::not_compiled) return not_compiled(ended, header);
-  const Symbols found = symbols(ended.out);
+  // What runs by its own main meets no other file.
+  const Symbols found = build == cage::Build::own ? Symbols() : symbols(ended.out);
   if (found.main) return failed(ended, Verdict::rejected, remove_main);
   if (!found.foreign.empty()) return failed(ended, Verdict::link_error, of_c(found.foreign));
   if (ended.code == cage::not_linked) return not_linked(ended);

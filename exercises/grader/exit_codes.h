@@ -13,6 +13,7 @@ namespace grade {
 enum Exit : int {
   graded = 0,
   below_full_score = 1,  ///< only by --exit-status verdict
+  did_not_run = 1,       ///< by --run: not compiled, or not to a good end
   bad_input = 2,
   unreadable = 3,
   failed = 42,  ///< and will fail again

@@ -8,4 +8,8 @@ namespace grade {
 /// @returns the exit code
 int grade_and_report(const Command& command);
 
+/// Runs the student's own main and prints what it printed.
+/// @returns the exit code: 0; 1 if it did not run, or not to a good end
+int run_and_print(const Command& command);
+
 }  // namespace grade

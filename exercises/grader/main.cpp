@@ -27,6 +27,8 @@ int run(const Command& command) {
     case Command::What::list:
       std::fputs(grade::list_of_exercises().c_str(), stdout);
       break;
+    case Command::What::run:
+      return grade::run_and_print(command);
     case Command::What::version:
       versions();
       break;

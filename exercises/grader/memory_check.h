@@ -16,7 +16,4 @@ namespace grade {
 std::string misused_memory(const Request& request, const cage::Kit& kit, const std::string& text,
                            const std::string& harness);
 
-/// The sentence for what AddressSanitizer printed about a header; empty if it is no such report.
-std::string told_by_checker(const std::string& printed, const std::string& header);
-
 }  // namespace grade

@@ -15,7 +15,9 @@ constexpr const char* about =
 
 constexpr const char* codes =
     "A class hands in FOLDER/STUDENT/CHAPTER/EXERCISE.h. Graded again, it skips what is done.\n"
-    "Exit codes: 0 graded, whatever the verdict; 2 bad input; 3 the submission cannot be read;\n"
+    "Exit codes: 0 graded, whatever the verdict, or run by --run, and 1 where that did not come to "
+    "a\n"
+    "  good end; 2 bad input; 3 the submission cannot be read;\n"
     "  42 the grader failed and will again; 75 it failed, try again.\n"
     "Examples: grade 2-euler/orbit-drift my_euler.h\n"
     "          grade --class submissions/ --seed-file seed.txt --jobs 2 --out results/";
@@ -44,10 +46,15 @@ void declare(CLI::App& app, Options& options) {
       ->expected(1)
       ->take_all()
       ->needs(whole_class);
+  app.add_option("--assigned", options.assigned,
+                 "File with a line for each exercise that all have to hand in")
+      ->needs(whole_class);
   app.add_option("--jobs", options.jobs, "Submissions at a time")->needs(whole_class);
   app.add_option("--shard", options.shard, "i/n: only each n-th submission, from the i-th")
       ->needs(whole_class);
   app.add_flag("--all", options.all, "Show each test that failed in full");
+  app.add_option("--run", options.run,
+                 "Run this header's own main and show what it prints: not graded");
   app.add_flag("--list", options.list, "Name the exercises, with their kind, minutes and points");
   app.add_flag("--version", options.version, "Say which grader this is, exercise by exercise");
   app.add_option("--limits", options.limits)->group("");

@@ -28,14 +28,16 @@ struct Kit {
 
 /// What a driver is made for: to be scored, or to be run once more under a checker of memory. That
 /// needs the shared libraries of the system, and more address space than there is memory.
-enum class Build { scored, checked };
+/// Or to be run by its own main, under the same checker, for whoever wrote it.
+enum class Build { scored, checked, own };
 
 /// Exit codes of a compilation that failed: in which step.
 enum CompileExit { not_compiled = 10, not_linked = 11 };
 
 /// Starts a compilation of `submission`, under the name `header`, with the glue of
 /// `harness_header`; the driver comes on descriptor 3 behind the word READY. On its standard output
-/// stands what the submission defines strongly, and main, as `nm -C` writes it.
+/// stands what the submission defines strongly, and main, as `nm -C` writes it. One with a main of
+/// its own is not glued to anything.
 Process compile(Sandbox sandbox, const Kit& kit, std::string_view submission,
                 const std::string& header, std::string_view harness_header, const Limits& limits,
                 Build build = Build::scored);

@@ -42,19 +42,23 @@ const Words bubblewrap = {"bwrap",
                           "4"};
 
 /// In steps, each with its own exit code; $0 is the compiler, behind it stand its flags, and in
-/// LINK those that it links with. What the object defines strongly, and main, are printed for the
-/// grader to look at; the driver goes out on descriptor 3.
+/// the environment what differs from build to build. What the object defines strongly, and main,
+/// are printed for the grader to look at; the driver goes out on descriptor 3.
 const std::string compile_script = R"(printf READY >&3
 "$0" "$@" -fmax-errors=5 -ftemplate-backtrace-limit=3 \
-  -fdiagnostics-color=never -pipe -DGRADING -Iharness \
+  -fdiagnostics-color=never -pipe $DEFINED -Iharness \
   -c glue.cpp -o driver.o 3>&- || exit 10
 nm -C -g --defined-only driver.o 3>&- |
   grep -aE '^[0-9a-f]+ ([ABCDGRST] |[A-Za-z] main$)' 3>&-
-"$0" $LINK driver.o harness/harness.o -o driver 3>&- || exit 11
+"$0" $LINK driver.o $HARNESS -o driver 3>&- || exit 11
 exec cat driver >&3)";
 
-std::string link(Build build) {
-  return build == Build::scored ? "-static" : "-fsanitize=address,undefined";
+/// The script's variables.
+std::vector<std::pair<std::string, std::string>> variables(Build build) {
+  const bool own = build == Build::own;
+  return {{"LINK", build == Build::scored ? "-static" : "-fsanitize=address,undefined"},
+          {"DEFINED", own ? "" : "-DGRADING"},
+          {"HARNESS", own ? "" : "harness/harness.o"}};
 }
 
 const Words& flags(const Kit& kit, Build build) {
@@ -136,7 +140,8 @@ Words compile_command(const Kit& kit, const Words& harness, const std::string& h
   Words words = leash(Sandbox::bubblewrap, limits, 64);
   add(words, bubblewrap);
   add(words, {"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C", "--setenv", "TMPDIR"});
-  add(words, {"/job", "--setenv", "LINK", link(build)});
+  words.push_back("/job");
+  for (const auto& [name, value] : variables(build)) add(words, {"--setenv", name, value});
   add_system(words, kit);
   add(words, {"--size", "134217728", "--tmpfs", "/job"});
   add(words, harness);
@@ -153,8 +158,9 @@ Words compile_command(const Kit& kit, const Words& harness, const std::string& h
 Words compile_command(const Kit& kit, const std::string& folder, const Limits& limits,
                       Build build) {
   Words words = leash(Sandbox::none, limits, 64);
-  add(words, {"env", "--chdir", folder, "TMPDIR=" + folder, "LINK=" + link(build), "/bin/sh", "-c",
-              compile_script, kit.compiler});
+  add(words, {"env", "--chdir", folder, "TMPDIR=" + folder});
+  for (const auto& [name, value] : variables(build)) words.push_back(name + "=" + value);
+  add(words, {"/bin/sh", "-c", compile_script, kit.compiler});
   add(words, flags(kit, build));
   return words;
 }

@@ -19,7 +19,7 @@
 namespace grade {
 namespace {
 
-constexpr const char* tables[] = {"grades.csv", "report.csv", "summary.html"};
+constexpr const char* tables[] = {"grades.csv", "report.csv", "summary.html", Class::part_folder};
 
 /// A student of this name would stand where a table goes.
 const Student* in_the_way(const std::vector<Student>& students) {
@@ -45,9 +45,23 @@ bool can_be_read_by_others(const std::filesystem::path& file) {
   return !none && (found & (perms::group_read | perms::others_read)) != perms::none;
 }
 
+/// The names of those that are not among the others.
+std::vector<std::string> beside(const std::vector<Exercise>& all,
+                                const std::vector<Exercise>& others) {
+  std::vector<std::string> names;
+  for (const Exercise& one : all) {
+    if (std::ranges::find(others, one.name, &Exercise::name) == others.end())
+      names.push_back(one.name);
+  }
+  return names;
+}
+
 int grade_roll(const Roll& roll, const Class& work) {
-  const std::vector<Exercise> exercises =
-      work.exercises.empty() ? handed_in(roll.students, grade::exercises()) : work.exercises;
+  const std::vector<Exercise> handed = handed_in(roll.students, grade::exercises());
+  const std::vector<Exercise> exercises = work.partial()          ? work.exercises
+                                          : work.assigned.empty() ? handed
+                                                                  : work.assigned;
+  if (!work.assigned.empty()) print_some("Handed in, but not assigned", beside(handed, exercises));
   if (exercises.empty()) {
     return refuse(Exit::unreadable, "nobody handed in an exercise; it should be called STUDENT/" +
                                         grade::exercises().front().name +

@@ -21,12 +21,19 @@ struct Shard {
 struct Class {
   std::filesystem::path submissions;
   std::filesystem::path results;    ///< becomes results/STUDENT/CHAPTER/EXERCISE, and the tables
-  std::vector<Exercise> exercises;  ///< none: all that any student handed in
+  std::vector<Exercise> exercises;  ///< to grade; none: all that count
+  std::vector<Exercise> assigned;   ///< that all have to hand in; none: all that anybody did count
   std::uint64_t seed = 1;
   std::filesystem::path seed_file;  ///< from which the seed came; empty if it was given openly
   std::size_t jobs = 1;             ///< submissions at a time
   Shard shard;
   std::set<Emit> emits;
+
+  bool partial() const { return !exercises.empty(); }
+
+  /// Where the tables go: those of a part of the exercises never replace those of all.
+  std::filesystem::path tables() const { return partial() ? results / part_folder : results; }
+  static constexpr const char* part_folder = "part";
 };
 
 /// Grades every submission that has no report yet from this grader and with this seed, each in a

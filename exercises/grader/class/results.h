@@ -13,6 +13,7 @@ struct Results {
   std::vector<Student> students;
   std::vector<Exercise> exercises;
   std::vector<Report> reports;  ///< student by student, each with every exercise
+  bool assigned = false;        ///< what was not handed in counts, as nothing
 
   const Report& report(std::size_t student, std::size_t exercise) const {
     return reports[student * exercises.size() + exercise];
@@ -27,8 +28,9 @@ Results collect(const std::vector<Student>& students, const std::vector<Exercise
 /// table with the others.
 std::vector<Job> stale(const std::vector<Job>& jobs, const Results& results, std::uint64_t seed);
 
-/// One row for each student, one column for each exercise, and the sum; a cell without a grade is
-/// empty, and so is its sum.
+/// One row for each student, one column for each exercise, the sum, and what could be had; a cell
+/// without a grade is empty, and so is its sum. So is a cell of what was not handed in, unless all
+/// had to.
 std::string grades_csv(const Results& results);
 
 /// One row for each submission.

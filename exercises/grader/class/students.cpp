@@ -12,13 +12,33 @@ bool is_folder(const std::filesystem::directory_entry& entry) {
   return entry.symlink_status(none).type() == std::filesystem::file_type::directory;
 }
 
-bool has(const Student& student, const Exercise& exercise) {
-  std::error_code none;
-  const auto path = student.folder / exercise.chapter() / exercise.header();
-  return std::filesystem::exists(std::filesystem::symlink_status(path, none));
+// Adds those of a folder's headers that are no exercise's.
+void add_unknown(std::vector<std::string>& found, const Student& student,
+                 const std::filesystem::path& chapter, const std::vector<Exercise>& exercises) {
+  const auto known = [&](const std::string& header) {
+    return std::ranges::any_of(exercises, [&](const Exercise& e) {
+      return e.header() == header && (chapter.empty() || e.chapter() == chapter);
+    });
+  };
+  std::error_code unreadable;  // which the grading itself will say
+  for (const auto& file :
+       std::filesystem::directory_iterator(student.folder / chapter, unreadable)) {
+    const std::string header = file.path().filename().string();
+    if (header.ends_with(".h") && !known(header))
+      found.push_back((std::filesystem::path(student.name) / chapter / header).string());
+  }
 }
 
 }  // namespace
+
+bool has(const Student& student, const Exercise& exercise) {
+  for (const auto& folder : {student.folder / exercise.chapter(), student.folder}) {
+    std::error_code none;
+    if (std::filesystem::exists(std::filesystem::symlink_status(folder / exercise.header(), none)))
+      return true;
+  }
+  return false;
+}
 
 Roll call_roll(const std::filesystem::path& submissions) {
   Roll roll;
@@ -48,19 +68,12 @@ std::vector<Exercise> handed_in(const std::vector<Student>& students,
 
 std::vector<std::string> without_exercise(const std::vector<Student>& students,
                                           const std::vector<Exercise>& exercises) {
-  const auto known = [&](const std::string& name) {
-    return std::ranges::any_of(exercises, [&](const Exercise& e) { return e.name + ".h" == name; });
-  };
   std::vector<std::string> found;
   for (const Student& student : students) {
-    std::error_code unreadable;  // which the grading itself will say
-    for (const auto& chapter : std::filesystem::directory_iterator(student.folder, unreadable)) {
-      if (!is_folder(chapter)) continue;
-      for (const auto& file : std::filesystem::directory_iterator(chapter.path(), unreadable)) {
-        const std::string name =
-            chapter.path().filename().string() + "/" + file.path().filename().string();
-        if (name.ends_with(".h") && !known(name)) found.push_back(student.name + "/" + name);
-      }
+    add_unknown(found, student, "", exercises);
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator(student.folder, unreadable)) {
+      if (is_folder(entry)) add_unknown(found, student, entry.path().filename(), exercises);
     }
   }
   std::ranges::sort(found);

@@ -26,11 +26,16 @@ struct Roll {
 /// @throws std::filesystem::filesystem_error  it cannot be read
 Roll call_roll(const std::filesystem::path& submissions);
 
+/// Whether there is a file, or anything else, of the right name: in the chapter's folder or, as
+/// Moodle hands files out, in the student's own.
+bool has(const Student& student, const Exercise& exercise);
+
 /// Those of the exercises for which somebody has a file, or anything else, of the right name.
 std::vector<Exercise> handed_in(const std::vector<Student>& students,
                                 const std::vector<Exercise>& exercises);
 
-/// Headers in the place of an exercise that there is not: `ada/2-euler/orbit-drfit.h`.
+/// Headers in the place of an exercise that there is not: `ada/2-euler/orbit-drfit.h`, or
+/// `ada/orbit-drfit.h`.
 std::vector<std::string> without_exercise(const std::vector<Student>& students,
                                           const std::vector<Exercise>& exercises);
 

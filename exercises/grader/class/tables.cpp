@@ -27,19 +27,23 @@ std::string row(const std::vector<std::string>& cells) {
 std::string grades_csv(const Results& results) {
   std::vector<std::string> head{"student"};
   for (const Exercise& exercise : results.exercises) head.push_back(exercise.name);
-  head.push_back("total");
+  head.insert(head.end(), {"total", "of"});
   std::string text = row(head);
   for (std::size_t s = 0; s < results.students.size(); ++s) {
     std::vector<std::string> cells{printable_name(results.students[s].name)};
-    int total = 0;
+    int total = 0, of = 0;
     bool whole = true;
     for (std::size_t e = 0; e < results.exercises.size(); ++e) {
       const Report& report = results.report(s, e);
-      cells.push_back(is_graded(report) ? std::to_string(report.score) : "");
+      const bool counts = results.assigned || has(results.students[s], results.exercises[e]);
+      cells.push_back(counts && is_graded(report) ? std::to_string(report.score) : "");
+      if (!counts) continue;
       total += report.score;
+      of += report.points;
       whole = whole && is_graded(report);
     }
     cells.push_back(whole ? std::to_string(total) : "");
+    cells.push_back(whole ? std::to_string(of) : "");
     text += row(cells);
   }
   return text;

@@ -28,16 +28,19 @@ int refuse_stale(const std::vector<Job>& jobs) {
 
 int write_tables(const Roll& roll, const std::vector<Exercise>& exercises,
                  const std::vector<Job>& jobs, const Class& work) {
-  const Results results = collect(roll.students, exercises, jobs);
+  Results results = collect(roll.students, exercises, jobs);
+  results.assigned = !work.assigned.empty();
   const std::vector<Job> old = stale(jobs, results, work.seed);
   if (!old.empty()) return refuse_stale(old);
-  write_whole(work.results / "grades.csv", grades_csv(results));
-  write_whole(work.results / "report.csv", report_csv(results));
-  write_whole(work.results / "summary.html", summary_html(results));
+  const std::filesystem::path tables = work.tables();
+  std::filesystem::create_directories(tables);
+  write_whole(tables / "grades.csv", grades_csv(results));
+  write_whole(tables / "report.csv", report_csv(results));
+  write_whole(tables / "summary.html", summary_html(results));
   const auto failed = std::ranges::count_if(results.reports, std::not_fn(is_graded));
   std::printf("%s, %s: see %s\n", counted(roll.students.size(), "student").c_str(),
               counted(exercises.size(), "exercise").c_str(),
-              printable_name((work.results / "summary.html").string()).c_str());
+              printable_name((tables / "summary.html").string()).c_str());
   if (failed > 0) {
     std::fprintf(stderr,
                  "grade: %s without a grade, since the grader failed; the same command again "

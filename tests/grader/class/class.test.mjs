@@ -19,10 +19,10 @@ test('a class is graded, and the tables say what the reports say', () => {
   assert.equal(status, 0, stderr);
   assert.equal(graded.length, 6);
   assert.deepEqual(rows(room.read('grades.csv')), [
-    'student,1-first/one,2-second/three,total',
-    'ada,10,0,10',
-    'bob,4,0,4',
-    'cy,0,0,0',
+    'student,1-first/one,2-second/three,total,of',
+    'ada,10,0,10,20',
+    'bob,4,,4,10',
+    'cy,0,,0,10',
   ]);
   const long = rows(room.read('report.csv'));
   assert.equal(long[0], 'student,exercise,verdict,score,points,seed,grader,why');
@@ -49,7 +49,7 @@ test('graded again, only what changed is graded', () => {
   assert.match(stdout, /8 submissions graded before/);
   room.write('bob/1-first/one', '// score 10');
   assert.deepEqual(room.grade().graded, ['bob 1-first/one']);
-  assert.match(room.read('grades.csv'), /^bob,10,0,10\r$/m);
+  assert.match(room.read('grades.csv'), /^bob,10,,10,10\r$/m);
   writeFileSync(room.path('results/cy/1-first/one/report.json'), '{"schema":');
   assert.deepEqual(room.grade().graded, ['cy 1-first/one']);
   assert.equal(room.grade(['--seed', '7']).graded.length, 8);
@@ -75,8 +75,8 @@ test('a submission on which the grader fails stops nobody, has no grade, and is 
     assert.equal(first.status, code, fate);
     assert.match(first.stderr, /^grade: 1 submission without a grade[^\n]*\n$/);
     assert.equal(room.report('aaa/1-first/one').verdict, 'GRADER_ERROR');
-    assert.equal(rows(room.read('grades.csv'))[1], 'aaa,,');
-    assert.equal(rows(room.read('grades.csv'))[2], 'ada,10,10');
+    assert.equal(rows(room.read('part/grades.csv'))[1], 'aaa,,,');
+    assert.equal(rows(room.read('part/grades.csv'))[2], 'ada,10,10,10');
     room.write('aaa/1-first/one', '// score 10');
     assert.deepEqual(room.grade(['--exercise', '1-first/one']).graded, ['aaa 1-first/one']);
   }
@@ -87,7 +87,7 @@ test('where a report cannot be written there is no grade, and the others have th
   mkdirSync(room.results);
   writeFileSync(room.path('results/bob'), '');
   assert.equal(room.grade().status, 75);
-  assert.deepEqual(rows(room.read('grades.csv')).slice(1), ['ada,10,0,10', 'bob,,,', 'cy,0,0,0']);
+  assert.deepEqual(rows(room.read('grades.csv')).slice(1), ['ada,10,0,10,20', 'bob,,,,', 'cy,0,,0,10']);
 });
 
 test('names of students do no harm', () => {
@@ -115,13 +115,13 @@ test('names of students do no harm', () => {
   const lines = rows(room.read('grades.csv'));
   assert.equal(lines.length, names.length + 2);
   for (const line of [
-    'new\\x0aline,4,4',
-    "'-rf,10,10",
-    "'=1+1,10,10",
-    '"""quoted""",10,10',
-    '"a,b",10,10',
-    '"a;=1+1",10,10',
-    '\\xff\\xfe,10,10',
+    'new\\x0aline,4,4,10',
+    "'-rf,10,10,10",
+    "'=1+1,10,10,10",
+    '"""quoted""",10,10,10',
+    '"a,b",10,10,10',
+    '"a;=1+1",10,10,10',
+    '\\xff\\xfe,10,10,10',
   ]) {
     assert.ok(lines.includes(line), line);
   }
@@ -129,6 +129,40 @@ test('names of students do no harm', () => {
   assert.doesNotMatch(stdout, /##\[/);
   assert.doesNotMatch(room.read('summary.html'), /<i>|##\[|\nline/);
   assert.equal(room.grade().graded.length, 0);
+});
+
+test('what was assigned counts for all, and nothing else does', () => {
+  const room = classroom(three);
+  writeFileSync(room.path('assigned'), '1-first/one  # the first week\n\n1-first/two\n');
+  const { status, stdout } = room.grade(['--assigned', room.path('assigned')]);
+  assert.equal(status, 0);
+  assert.match(stdout, /^Handed in, but not assigned: 2-second\/three$/m);
+  assert.deepEqual(rows(room.read('grades.csv')), [
+    'student,1-first/one,1-first/two,total,of',
+    'ada,10,0,10,20',
+    'bob,4,0,4,20',
+    'cy,0,0,0,20',
+  ]);
+});
+
+test('a part of the exercises has its own tables, and those of the class stay', () => {
+  const room = classroom(three);
+  room.grade();
+  const whole = room.read('grades.csv');
+  room.write('bob/1-first/one', '// score 10');
+  const { stdout } = room.grade(['--exercise', '1-first/one']);
+  assert.match(stdout, /see .*results\/part\/summary.html/);
+  assert.equal(room.read('grades.csv'), whole);
+  assert.deepEqual(rows(room.read('part/grades.csv')).slice(1), ['ada,10,10,10', 'bob,10,10,10', 'cy,0,0,10']);
+});
+
+test("headers may lie in the student's own folder, as Moodle packs them", () => {
+  const name = 'Ada Lovelace_4711_assignsubmission_file_';
+  const room = classroom({ [`${name}/one`]: '// score 10', [`${name}/onee`]: '// score 10' });
+  const { status, stdout } = room.grade();
+  assert.equal(status, 0);
+  assert.match(stdout, /^Belongs to no exercise: .*file_\/onee.h$/m);
+  assert.deepEqual(rows(room.read('grades.csv')), ['student,1-first/one,total,of', `${name},10,10,10`]);
 });
 
 test('files, links and hidden folders are no students', () => {

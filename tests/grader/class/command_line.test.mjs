@@ -59,6 +59,11 @@ refuses(2, /--class requires --out/, '--class', 'class');
 refuses(2, /sandbox only/, '--class', 'class', '--out', 'o', '--sandbox', 'none');
 refuses(2, /--jobs must be at least 1/, '--class', 'class', '--out', 'o', '--jobs', '0');
 refuses(2, /--jobs takes a whole number/, '--class', 'class', '--out', 'o', '--jobs', '-1');
+refuses(2, /can't read the file of what was assigned/, '--class', 'class', '--out', 'o', '--assigned', 'none');
+refuses(2, /names no exercise/, '--class', 'class', '--out', 'o', '--assigned', 'file');
+refuses(2, /did you mean/, '--class', 'class', '--out', 'o', '--assigned', 'words');
+refuses(2, /--assigned requires --class/, '1-first/one', 'full.h', '--assigned', 'words');
+refuses(2, /--run takes one header/, '1-first/one', '--run', 'full.h');
 refuses(2, /no exercise '1-first\/four'/, '--class', 'class', '--out', 'o', '--exercise', '1-first/four');
 for (const shard of ['0/2', '3/2', '1/0', '2', '/', 'a/b', '1/2/3']) {
   refuses(2, /--shard takes/, '--class', 'class', '--out', 'o', '--shard', shard);

@@ -56,3 +56,27 @@ test('two parts grade a class, and the same command without a part makes the tab
   assert.equal(verdict(hostile), 'REJECTED');
   assert.ok(!existsSync(at('forged')));
 });
+
+const own = main => `#pragma once
+#include "given.h"
+#include <cstdio>
+inline double twice(double x) { return 2 * x; }
+#ifndef GRADING
+${main}
+#endif
+`;
+
+test("a main of one's own is run, its prints are shown, and so is what it must not do", () => {
+  const ran = main => {
+    writeFileSync(at('own.h'), main ? own(main) : '#pragma once\n');
+    return spawnSync(grade, ['--run', at('own.h')], { encoding: 'utf8' });
+  };
+  const good = ran('int main() { std::printf("%g\\n", twice(21)); }');
+  assert.deepEqual([good.status, good.stdout, good.stderr], [0, '42\n', '']);
+  const beyond = ran('int main() { std::puts("here"); std::vector<int> a(2); return a.data()[2]; }');
+  assert.deepEqual([beyond.status, beyond.stdout], [1, 'here\n']);
+  assert.match(beyond.stderr, /reads outside of the memory that it has, in line 6/);
+  assert.match(ran('int main() { return 3; }').stderr, /^grade: it ended with exit code 3\n$/);
+  assert.match(ran('int main() { return x; }').stderr, /own.h:6:21: error: 'x' was not declared/);
+  assert.match(ran('').stderr, /there is no main\(\) in it/);
+});

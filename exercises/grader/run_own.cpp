@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT-0
+#include "run_own.h"
+
+#include "compile.h"
+#include "kit.h"
+#include "submission.h"
+#include "told_by_checker.h"
+
+namespace grade {
+namespace {
+
+constexpr const char* header = "yours.h";
+
+cage::Limits to_compile() {
+  cage::Limits limits;
+  limits.processor = 30;
+  limits.wall = 60;
+  limits.memory = 2'500'000'000;
+  return limits;
+}
+
+cage::Limits to_run() {
+  cage::Limits limits;
+  limits.processor = 30;
+  limits.wall = 60;
+  return limits;
+}
+
+std::string ending(const cage::Ended& ended) {
+  using How = cage::Ended::How;
+  switch (ended.how) {
+    case How::exited:
+      return ended.code == 0 ? "" : "it ended with exit code " + std::to_string(ended.code);
+    case How::signalled:
+      return "it was ended by signal " + std::to_string(ended.code);
+    case How::wall_limit:
+    case How::processor_limit:
+      return "it was stopped after " + std::to_string(static_cast<int>(ended.wall)) + " s";
+    case How::chatter_limit:
+      return "it printed without end";
+    case How::never_started:
+      break;
+  }
+  return "it could not be started: " + ended.err;
+}
+
+std::string with_name(std::string said, const std::string& name) {
+  for (auto at = said.find(header); at != said.npos; at = said.find(header, at + name.size()))
+    said.replace(at, std::string_view(header).size(), name);
+  return said;
+}
+
+}  // namespace
+
+Ran run_own(const std::filesystem::path& file, cage::Sandbox sandbox) {
+  const Submission submission = take_in(file, "", file.filename().string());
+  if (!submission.refused.empty()) return {"", "", submission.refused};
+  const cage::Kit kit = kit_in(installed().kit);
+  if (sandbox == cage::Sandbox::bubblewrap) {
+    if (const auto why = cage::unsafe(kit)) return {"", "", *why};
+  }
+  const Compiled compiled =
+      compile(submission.text, header, "", sandbox, kit, to_compile(), cage::Build::own);
+  if (compiled.failed) return {"", "", with_name(compiled.message, submission.name)};
+  const cage::Ended ended =
+      cage::run(sandbox, kit, compiled.driver, to_run(), cage::Build::own).finish();
+  std::string why = ending(ended);
+  const std::string told = told_by_checker(ended.err, header);
+  if (!told.empty()) return {ended.out, "", with_name(told, submission.name)};
+  return {ended.out, with_name(ended.err, submission.name), why};
+}
+
+}  // namespace grade

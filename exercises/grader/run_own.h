@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Runs a student's own main.
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "cage/cage.h"
+
+namespace grade {
+
+/// What became of a program that was run for its prints.
+struct Ran {
+  std::string out;  ///< what it printed, of much of it the beginning and the end
+  std::string err;
+  std::string why;  ///< why it did not run or did not end by itself; empty if all was well
+};
+
+/// Compiles a header with the main that it has where GRADING is not defined, under the checkers of
+/// memory and of undefined behaviour, and runs it in the cage.
+Ran run_own(const std::filesystem::path& file, cage::Sandbox sandbox);
+
+}  // namespace grade

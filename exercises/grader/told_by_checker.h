@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What the checkers of memory and of undefined behaviour print, in the words of the feedback.
+#pragma once
+#include <string>
+
+namespace grade {
+
+/// The sentence for what they printed about a header; empty if it is no report of theirs.
+std::string told_by_checker(const std::string& printed, const std::string& header);
+
+}  // namespace grade
