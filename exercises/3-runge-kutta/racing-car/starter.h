@@ -12,7 +12,7 @@ inline Motion ahead(const Motion& start, double h, const Motion& k) {
   return {start.x + h * k.x, start.v + h * k.v};
 }
 
-/// One step of RK4. It has one fault.
+/// One step of Kutta's three-eighths rule. It has one fault.
 /// @param x  position [m], advanced in place
 /// @param v  velocity [m/s], advanced in place
 /// @param t  time at the start of the step [s]
@@ -25,12 +25,12 @@ inline void step(Vec& x, Vec& v, double t, double h, const Acceleration& acceler
   Motion s[4], k[4];
   s[0] = {x, v};
   k[0] = slope(s[0], t);
-  s[1] = ahead(s[0], h / 2, k[0]);
-  k[1] = slope(s[1], t + h / 2);
-  s[2] = ahead(s[0], h / 2, k[1]);
-  k[2] = slope(s[1], t + h / 2);
-  s[3] = ahead(s[0], h, k[2]);
+  s[1] = ahead(s[0], h / 3, k[0]);
+  k[1] = slope(s[1], t + h / 3);
+  s[2] = ahead(ahead(s[0], h, k[1]), -h / 3, k[0]);
+  k[2] = slope(s[2], t + 2 * h / 3);
+  s[3] = ahead(ahead(ahead(s[0], h, k[0]), -h, k[1]), h, k[1]);
   k[3] = slope(s[3], t + h);
-  x = x + (h / 6) * (k[0].x + 2 * k[1].x + 2 * k[2].x + k[3].x);
-  v = v + (h / 6) * (k[0].v + 2 * k[1].v + 2 * k[2].v + k[3].v);
+  x = x + (h / 8) * (k[0].x + 3 * k[1].x + 3 * k[2].x + k[3].x);
+  v = v + (h / 8) * (k[0].v + 3 * k[1].v + 3 * k[2].v + k[3].v);
 }

@@ -76,6 +76,18 @@ constexpr std::array<Part, 7> parts{{{0, ""},
                                      {0.25, "h/4"},
                                      {0.75, "3h/4"}}};
 
+// The first question that was asked elsewhere than it should; how many both have if there is none.
+std::size_t first_elsewhere(const Path& yours, const Path& expected) {
+  const double tolerance = ten_digits * size(expected);
+  std::size_t n = 0;
+  for (; n < std::min(yours.evaluations.size(), expected.evaluations.size()); ++n) {
+    const Evaluation &a = yours.evaluations[n], &b = expected.evaluations[n];
+    const double off = std::max({length(a.x - b.x), length(a.v - b.v), std::abs(a.t - b.t)});
+    if (!(off <= tolerance)) break;
+  }
+  return n;
+}
+
 // "x + h v", if the place is one along the tangent at the start of the first step; else its
 // numbers. Who takes steps back has an h above zero, and the time at the start of the step.
 std::string place(const Vec& x, const Path& path, double tolerance) {
@@ -102,6 +114,50 @@ std::string where(const Evaluation& asked, const Path& path, double tolerance) {
          clock(asked.t, path, tolerance) + ")";
 }
 
+// The method with a mistake that leaves every line as it is.
+struct Mistake {
+  const char* says;
+  Method method;
+};
+
+Mistake with_wrong_sign(const Method& right) {
+  return {"the acceleration counts with the wrong sign",
+          {right.name, [right] {
+             return Step([step = right.begin()](Vec& x, Vec& v, double t, double h,
+                                                const Acceleration& acceleration) {
+               step(x, v, t, h, [&](const Vec& at, const Vec& with, double when) {
+                 return -acceleration(at, with, when);
+               });
+             });
+           }}};
+}
+
+Mistake without_h(const Method& right) {
+  return {"h is missing: this is a step of one second",
+          {right.name, [right] {
+             return Step([step = right.begin()](Vec& x, Vec& v, double t, double,
+                                                const Acceleration& acceleration) {
+               step(x, v, t, 1, acceleration);
+             });
+           }}};
+}
+
+// The questions of the first step are right, and what is made of them is not.
+std::string wrong_sum(const Path& yours, const Path& expected, std::size_t first_elsewhere) {
+  const std::size_t steps = expected.states.size() - 1;
+  const std::size_t in_a_step = expected.evaluations.size() / steps;
+  const double tolerance = ten_digits * size(expected);
+  const State &end = yours.states[1], &right = expected.states[1];
+  const bool x = length(end.x - right.x) > tolerance, v = length(end.v - right.v) > tolerance;
+  if (expected.every != 1 || in_a_step == 0 || first_elsewhere < in_a_step || (!x && !v)) return "";
+  return std::string(
+             "the first step asks for the acceleration where it should, and then ends with "
+             "the wrong ") +
+         (x && v ? "place and velocity: look at the last lines"
+          : x    ? "place: look at the line that moves x"
+                 : "velocity: look at the line that changes v");
+}
+
 struct Ratio {
   double value;
   const char* says;
@@ -123,10 +179,8 @@ constexpr std::array<Ratio, 8> ratios{{
 std::vector<std::string> asked_elsewhere(const Path& yours, const Path& expected) {
   const std::size_t both = std::min(yours.evaluations.size(), expected.evaluations.size());
   const double tolerance = ten_digits * size(expected);
-  for (std::size_t n = 0; n < both; ++n) {
+  if (const std::size_t n = first_elsewhere(yours, expected); n < both) {
     const Evaluation &a = yours.evaluations[n], &b = expected.evaluations[n];
-    const double off = std::max({length(a.x - b.x), length(a.v - b.v), std::abs(a.t - b.t)});
-    if (off <= tolerance) continue;
     return {"evaluation " + std::to_string(n + 1) + " of the acceleration was at " +
             where(a, expected, tolerance) + "; here it should be at " +
             where(b, expected, tolerance)};
@@ -137,8 +191,9 @@ std::vector<std::string> asked_elsewhere(const Path& yours, const Path& expected
           " times"};
 }
 
-std::vector<std::string> diagnose(const Path& yours, const Path& expected,
+std::vector<std::string> diagnose(const Path& yours, const Method& asked,
                                   const std::function<Path(const Method&)>& run_by) {
+  const Path expected = run_by(asked);
   const std::size_t broken = first_not_finite(yours);
   if (broken < yours.states.size()) {
     return {"the first state that is not a finite number comes after step " +
@@ -151,6 +206,9 @@ std::vector<std::string> diagnose(const Path& yours, const Path& expected,
     const double off = apart(yours, theirs) / size(theirs);
     return {"this is " + known.name + " to " + number(std::max(off, 1e-16), 1)};
   }
+  for (const Mistake& mistake : {with_wrong_sign(asked), without_h(asked)}) {
+    if (alike(yours, run_by(mistake.method))) return {mistake.says};
+  }
   std::vector<std::string> found;
   if (alike(yours, negative(expected))) found.push_back("this is minus the right path");
   if (shifted(yours, expected, 0, 1)) found.push_back("this is one step ahead");
@@ -159,8 +217,10 @@ std::vector<std::string> diagnose(const Path& yours, const Path& expected,
     found.push_back("right to seven digits and no further: a float, or a constant with an f?");
     return found;
   }
-  const std::vector<std::string> asked = asked_elsewhere(yours, expected);
-  found.insert(found.end(), asked.begin(), asked.end());
+  const std::string sum = wrong_sum(yours, expected, first_elsewhere(yours, expected));
+  const std::vector<std::string> elsewhere =
+      sum.empty() ? asked_elsewhere(yours, expected) : std::vector{sum};
+  found.insert(found.end(), elsewhere.begin(), elsewhere.end());
   return found;
 }
 
@@ -174,7 +234,7 @@ std::vector<std::string> diagnose(double yours, double expected) {
   if (yours == std::trunc(expected) && std::abs(yours) >= 1) {
     return {"the right answer without what stands behind its point: a division of integers?"};
   }
-  if (std::abs(ratio - 1) < 2e-6 && std::abs(ratio - 1) > 1e-9) {
+  if (std::abs(ratio - 1) < 2e-6 && std::abs(ratio - 1) > 1e-8) {
     return {"right to seven digits and no further: a float, or a constant with an f?"};
   }
   return {};

@@ -12,9 +12,9 @@ namespace judge {
 
 /// What can be said of a path that is not the expected one; several things, or none.
 /// @param yours  the student's
-/// @param expected  the same steps by the method that was asked for
-/// @param step  runs a method over the same steps, to see whether it is the student's
-std::vector<std::string> diagnose(const Path& yours, const Path& expected,
+/// @param asked  the method that was asked for
+/// @param run_by  runs a method over the same steps, to see whether it is the student's
+std::vector<std::string> diagnose(const Path& yours, const Method& asked,
                                   const std::function<Path(const Method&)>& run_by);
 
 /// The first place at which the force was asked for, and should not have been, or how often it was

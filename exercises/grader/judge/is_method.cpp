@@ -93,7 +93,7 @@ void check_once(Student& student, const Method& method, const Case& with, const 
   finding.asked += after;
   if (!finding.held) {
     finding.hint = hint;
-    finding.diagnoses = diagnose(yours, by(method), by);
+    finding.diagnoses = diagnose(yours, method, by);
     if (!after.empty()) {
       finding.diagnoses.insert(finding.diagnoses.begin(),
                                "the first run was right: something is remembered from it");
