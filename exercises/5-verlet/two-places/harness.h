@@ -5,6 +5,8 @@ const harness::Wanted<Vec(const Vec& x, const Vec& x_previous, const Vec& a, dou
     next_place;
 const harness::Wanted<Vec(const Vec& x, const Vec& v, const Vec& a, double h)> wanted_before =
     place_before;
+const harness::Wanted<void(Vec& x, Vec& x_previous, double floor, double restitution)>
+    wanted_bounce = bounce;
 
 // The velocity that drag sees is the last distance over its time.
 inline void take_steps(harness::Call& call) {
@@ -22,8 +24,17 @@ inline void take_steps(harness::Call& call) {
   }
 }
 
+inline void let_bounce(harness::Call& call) {
+  Vec x = call.vector(), x_previous = call.vector();
+  const double floor = call.number(), restitution = call.number();
+  wanted_bounce(x, x_previous, floor, restitution);
+  call.answer(x);
+  call.answer(x_previous);
+}
+
 void answer(harness::Call& call) {
   if (call.function() == 0) return take_steps(call);
+  if (call.function() == 3) return let_bounce(call);
   const Vec x = call.vector(), other = call.vector(), a = call.vector();
   call.answer((call.function() == 1 ? wanted : wanted_before)(x, other, a, call.number()));
 }

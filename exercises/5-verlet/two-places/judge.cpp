@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "../places.h"
+#include "bounce.h"
 #include "judge/random.h"
 
 using namespace judge;
@@ -37,7 +38,7 @@ struct Line {
 
 }  // namespace
 
-TEST_CASE("the next place is as far again and a push further", "[5-verlet/two-places][3 points]") {
+TEST_CASE("the next place is as far again and a push further", "[5-verlet/two-places][2 points]") {
   Student student;
   const Line line = Line::draw();
   const auto& [x, before, a, h] = line;
@@ -58,7 +59,7 @@ TEST_CASE("the next place is as far again and a push further", "[5-verlet/two-pl
 }
 
 TEST_CASE("the place before the start is the one of Taylor's formula",
-          "[5-verlet/two-places][3 points]") {
+          "[5-verlet/two-places][2 points]") {
   Student student;
   const Line line = Line::draw();
   const auto& [x, v, a, h] = line;
@@ -77,14 +78,14 @@ TEST_CASE("the place before the start is the one of Taylor's formula",
 }
 
 TEST_CASE("five steps under a hidden force are those of position Verlet",
-          "[5-verlet/two-places][2 points]") {
+          "[5-verlet/two-places][1 point]") {
   Student student;
   is_method(student, position_verlet,
             "Both lines are in use here: the one at the start, the other in each step.", steps);
 }
 
 TEST_CASE("a spark that only falls passes through its true places",
-          "[5-verlet/two-places][2 points]") {
+          "[5-verlet/two-places][1 point]") {
   Random random;
   const Start start = random.start();
   const double g = random.between(5, 15), h = random.between(0.02, 0.05);
@@ -110,4 +111,15 @@ TEST_CASE("a spark that only falls passes through its true places",
   }
   asked.tolerance = rounding(count, 1 + length(exact.x.back()));
   are_places(asked, yours, exact, {swapped});
+}
+
+TEST_CASE("a spark below the floor bounces, and no other does", "[5-verlet/two-places][4 points]") {
+  Student student;
+  Random random;
+  for (const double below : {random.between(0.05, 0.1), random.between(0.01, 0.02), -0.01, -0.3}) {
+    bounces(student, Spark::draw(random, below));
+  }
+  Spark dead = Spark::draw(random, 0.03);
+  dead.restitution = 0;
+  bounces(student, dead);
 }

@@ -11,3 +11,11 @@ inline Vec next_place(const Vec& x, const Vec& x_previous, const Vec& a, double 
 inline Vec place_before(const Vec& x, const Vec& v, const Vec& a, double h) {
   return x - h * v + h * h / 2 * a;
 }
+
+/// Lets a spark that is below the floor bounce off it; one that is not is left alone.
+inline void bounce(Vec& x, Vec& x_previous, double floor, double restitution) {
+  if (x.y >= floor) return;
+  const double fallen = x.y - x_previous.y;
+  x.y = floor;
+  x_previous.y = floor + restitution * fallen;
+}

@@ -19,3 +19,12 @@ inline Vec next_place(const Vec& x, const Vec& x_previous, const Vec& a, double 
 inline Vec place_before(const Vec& x, const Vec& v, const Vec& a, double h) {
   return x;  // your line
 }
+
+/// Lets a spark that is below the floor bounce off it; one that is not is left alone.
+/// @param x  where it is [m]; y points up
+/// @param x_previous  where it was one step ago [m]
+/// @param floor  height of the floor [m]
+/// @param restitution  how much of its speed up and down it keeps, 0 to 1
+inline void bounce(Vec& x, Vec& x_previous, double floor, double restitution) {
+  // your lines
+}

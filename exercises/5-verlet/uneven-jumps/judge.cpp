@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "../order.h"
+#include "fall.h"
 #include "flight.h"
 
 using namespace judge;
@@ -42,7 +43,7 @@ double error_on_spring(Student& student, const std::vector<double>& pattern, dou
 }  // namespace
 
 TEST_CASE("a throw passes through its true places, whatever the frames",
-          "[5-verlet/uneven-jumps][4 points]") {
+          "[5-verlet/uneven-jumps][3 points]") {
   Random random;
   const Start start = random.start();
   const double g = random.between(8, 20);
@@ -68,7 +69,7 @@ TEST_CASE("a throw passes through its true places, whatever the frames",
 }
 
 TEST_CASE("six frames under a hidden force are those of the corrected formula",
-          "[5-verlet/uneven-jumps][3 points]") {
+          "[5-verlet/uneven-jumps][2 points]") {
   Random random;
   const Start start = random.start();
   Flight flight{random.wild(), start.x, {}, start.t, random.between(0.05, 0.1), {}};
@@ -85,7 +86,7 @@ TEST_CASE("six frames under a hidden force are those of the corrected formula",
 }
 
 TEST_CASE("half as long frames leave a quarter of the error on a spring",
-          "[5-verlet/uneven-jumps][3 points]") {
+          "[5-verlet/uneven-jumps][2 points]") {
   Random random;
   const double omega = random.between(2, 3);
   const Start start = random.start();
@@ -108,4 +109,14 @@ TEST_CASE("half as long frames leave a quarter of the error on a spring",
     runs.errors.push_back(error_on_spring(student, pattern, omega, start, parts));
   }
   has_order_two(runs);
+}
+
+TEST_CASE("a fall is as fast as it is, whatever the two frames",
+          "[5-verlet/uneven-jumps][3 points]") {
+  Student student;
+  Random random;
+  for (const auto& [last, h] : {std::pair{0.006, 0.04}, {0.035, 0.008}, {0.02, 0.03}}) {
+    const double scale = random.between(0.8, 1.2);
+    falls_as_fast(student, Fall::draw(random, scale * last, scale * h));
+  }
 }

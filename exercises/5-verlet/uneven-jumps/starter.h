@@ -17,3 +17,12 @@ inline void step(Vec& x, Vec& x_previous, double t, double h, double h_previous,
   x_previous = x;
   x = x_next;
 }
+
+/// The velocity at the middle one of three places [m/s]. And another bug.
+/// @param x_previous, x, x_next  three places in a row [m]
+/// @param h_previous  length of the frame from the first to the second [s]
+/// @param h  length of the frame from the second to the third [s]
+inline Vec velocity(const Vec& x_previous, const Vec& x, const Vec& x_next, double h_previous,
+                    double h) {
+  return (x_next - x_previous) / (h_previous + h);
+}

@@ -18,3 +18,10 @@ inline Vec next_place(const Vec& x, const Vec& x_previous, const Vec& a, double 
   next -= x_previous;
   return next;
 }
+
+inline void bounce(Vec& x, Vec& x_previous, double floor, double restitution) {
+  if (x.y >= floor) return;
+  const double fallen = x.y - x_previous.y;
+  x.y = floor;
+  x_previous.y = floor + restitution * fallen;
+}

@@ -14,3 +14,11 @@ inline void step(Vec& x, Vec& x_previous, double t, double h, double h_previous,
   x_previous = x;
   x = next;
 }
+
+// By the parabola through the three places, in Lagrange's form.
+inline Vec velocity(const Vec& x_previous, const Vec& x, const Vec& x_next, double h_previous,
+                    double h) {
+  const double both = h_previous + h;
+  return -h / (h_previous * both) * x_previous + (h - h_previous) / (h_previous * h) * x +
+         h_previous / (h * both) * x_next;
+}

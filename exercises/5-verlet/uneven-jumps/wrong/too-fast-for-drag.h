@@ -12,3 +12,9 @@ inline void step(Vec& x, Vec& x_previous, double t, double h, double h_previous,
   x_previous = x;
   x = next;
 }
+
+inline Vec velocity(const Vec& x_previous, const Vec& x, const Vec& x_next, double h_previous,
+                    double h) {
+  const Vec before = (x - x_previous) / h_previous, after = (x_next - x) / h;
+  return (h * before + h_previous * after) / (h_previous + h);
+}
