@@ -1,36 +1,105 @@
 // SPDX-License-Identifier: MIT-0
 #include <catch2/catch_test_macros.hpp>
+#include <cmath>
 
+#include "format_values.h"
+#include "judge/describe.h"
+#include "judge/random.h"
+#include "judge/session.h"
 #include "judge/tests.h"
 
 using namespace judge;
+using grade::number;
 
-TEST_CASE("five steps under a hidden force are the midpoint method's",
-          "[3-runge-kutta/midpoint-line][4 points]") {
-  Student student;
-  is_method(student, midpoint, "The position moves for the whole step with one velocity. Which?");
+namespace {
+
+void look(Student& student, double alpha) {
+  student.call(0, {alpha}, 0);
 }
 
-TEST_CASE("the acceleration is asked for twice a step, at the start and in the middle",
+std::string of_a_step(double alpha) {
+  return number(alpha, 17) + " of a step ahead";
+}
+
+// Asks where a step with this share asks; where it ends does not matter.
+Method looks_ahead(double alpha) {
+  return method("a step that looks " + of_a_step(alpha),
+                [alpha](Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) {
+                  const double there = alpha * h;
+                  const Vec pushed = v + there * acceleration(x, v, t);
+                  acceleration(x + there * v, pushed, t + there);
+                });
+}
+
+// A fall without drag: each component is a parabola in time, which order two follows exactly.
+void falls(Student& student, double alpha, Random& random) {
+  const Start start = random.start();
+  const double g = random.between(5, 15), h = random.between(0.05, 0.1);
+  constexpr int steps = 20;
+  const harness::Force pull{harness::Force::falling, {g, 0, 0}};
+  const double got = student.run(start, h, steps, steps, pull, 1).states.back().x.y;
+  const double t = steps * h, none = start.x.y + t * start.v.y, right = none - g * t * t / 2;
+  const Tolerance tolerance = rounding(steps, 1 + std::abs(right) + g * t * t);
+  grade::Finding finding = off_by(std::abs(got - right), tolerance, " m");
+  finding.asked = "how high it is after " + std::to_string(steps) +
+                  " steps under gravity alone, looking " + of_a_step(alpha);
+  finding.input = describe(start) + ", h = " + number(h, 17) + ", g = " + number(g, 17) + " m/s^2";
+  finding.expected = number(right, 12) + " m";
+  finding.got = number(got, 12) + " m";
+  if (!finding.held) {
+    finding.hint = "Under a constant acceleration, which weights move x by h v + h^2 a / 2?";
+    // Euler's places lag behind by half a push for each step.
+    if (std::abs(got - (right + g * t * h / 2)) <= tolerance.value)
+      finding.diagnoses = {"it falls as if x moved with the velocity of the start alone"};
+  }
+  check(finding);
+}
+
+void order_two(Student& student, double alpha) {
+  look(student, alpha);
+  has_order(
+      student, 2, 512,
+      "Looking " + of_a_step(alpha) +
+          ". Order one: the second slope has another weight than its share needs, or is asked "
+          "for at another time.",
+      1);
+}
+
+}  // namespace
+
+TEST_CASE("with half a step it is the midpoint method, with a whole one Heun's",
+          "[3-runge-kutta/midpoint-line][3 points]") {
+  Student student;
+  look(student, 0.5);
+  is_method(student, midpoint, "With one half, the second slope alone counts.", 1);
+  look(student, 1);
+  is_method(student, heun, "With a whole step, both slopes count the same.", 1);
+}
+
+TEST_CASE("it looks twice, at the start and a share of the step ahead",
           "[3-runge-kutta/midpoint-line][2 points]") {
   Student student;
-  is_method(student, midpoint, "Both halves of the step begin where the step does.");
-  evaluates(
-      student, midpoint, 2, 0,
-      "The starter asks twice already, and your line needs no third. If a place is wrong, look "
-      "at what the line did to x in the step before.");
+  Random random;
+  const double alpha = random.between(0.6, 0.9);
+  look(student, alpha);
+  evaluates(student, looks_ahead(alpha), 2, 0,
+            "The two formulas of the task say where, and the second look has a time of its own.",
+            1);
 }
 
-TEST_CASE("half the step divides the error by four", "[3-runge-kutta/midpoint-line][2 points]") {
+TEST_CASE("half the step divides the error by four, whatever the share",
+          "[3-runge-kutta/midpoint-line][3 points]") {
   Student student;
-  has_order(student, 2, 512,
-            "One word can cost an order: position and velocity must both see the middle.");
+  Random random;
+  order_two(student, random.between(0.25, 0.4));
+  order_two(student, random.between(0.6, 0.9));
 }
 
-TEST_CASE("a drone on a circle gains only the energy that the midpoint method gives it",
+TEST_CASE("a thing that only falls falls as far as it should",
           "[3-runge-kutta/midpoint-line][2 points]") {
   Student student;
-  has_energy_of(student, midpoint, 0, 10, 60,
-                "A step along the velocity of the start ends outside the circle. Where does one "
-                "along the velocity of the middle end?");
+  Random random;
+  const double alpha = random.between(0.6, 0.9);
+  look(student, alpha);
+  falls(student, alpha, random);
 }

@@ -2,10 +2,14 @@
 #pragma once
 #include "given.h"
 
-/// One step of the midpoint method.
-inline void step(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) {
-  const Vec x_middle = x + (h / 2) * v;
-  const Vec v_middle = v + (h / 2) * acceleration(x, v, t);
-  x = x + h * v_middle;
-  v = v + h * acceleration(x_middle, v_middle, t + h / 2);
+/// One step of order two that looks a share of the step ahead.
+inline void step(Vec& x, Vec& v, double t, double h, double alpha,
+                 const Acceleration& acceleration) {
+  const Vec a = acceleration(x, v, t);
+  const Vec x_ahead = x + alpha * h * v;
+  const Vec v_ahead = v + alpha * h * a;
+  const Vec a_ahead = acceleration(x_ahead, v_ahead, t + alpha * h);
+  const double second = 1 / (2 * alpha), first = 1 - second;
+  x = x + h * (first * v + second * v_ahead);
+  v = v + h * (first * a + second * a_ahead);
 }
