@@ -17,13 +17,13 @@ struct Throw {
   Vec from, target, runner, a;
   double time;
 
-  Vec velocity() const { return (target - from) / time + runner - 0.5 * time * a; }
-  Vec place(const Vec& v, double t) const { return from + t * v + (0.5 * t * t) * a; }
-  double miss(const Vec& v) const { return length(place(v, time) - (target + time * runner)); }
+  // One exact step, as the task gives it.
+  Vec ball(const Vec& v, double t) const { return from + t * v + (0.5 * t * t) * a; }
+  Vec meeting() const { return target + time * runner; }
+  Vec miss(const Vec& v) const { return meeting() - ball(v, time); }
 
-  // The longest of the terms that a right answer sums.
-  double size() const {
-    return (length(from) + length(target)) / time + length(runner) + length(a) * time;
+  Tolerance tolerance() const {
+    return rounding(length(from) + length(target) + time * (length(runner) + time * length(a)));
   }
 };
 
@@ -45,60 +45,90 @@ Vec ask(Student& student, const Throw& one) {
   return {got[0], got[1], got[2]};
 }
 
-struct Mistake {
-  const char* says;
-  Vec velocity;
-};
-
-std::vector<std::string> recognise(const Vec& got, const Throw& with, double tolerance) {
-  const Vec right = with.velocity(), pull = with.time * with.a;
-  const std::vector<Mistake> known{
-      {"this is right for a ball that nothing pulls", right + 0.5 * pull},
-      {"the pull works the wrong way round", right + pull},
-      {"the pull moves a ball by half of h^2 a, not by the whole", right - 0.5 * pull},
-      {"this hits the place where the runner was at the throw", right - with.runner},
-      {"this is right for a runner who runs the other way", right - 2 * with.runner},
-      {"this is right for a pull straight down; this one pulls to the side, too",
-       right + 0.5 * with.time * Vec{with.a.x, 0, with.a.z}},
-      {"this is minus the right velocity", -right}};
-  for (const Mistake& mistake : known) {
-    if (length(got - mistake.velocity) <= tolerance) return {mistake.says};
-  }
-  const double off = length(got - right) / length(right);
-  if (off > 0 && off < 2e-6) return {"right to seven digits and no further: a float?"};
-  return {};
+Throw pulled(Throw one, const Vec& a) {
+  one.a = a;
+  return one;
 }
 
-grade::Curve flight(const std::string& name, const Throw& with, const Vec& v) {
-  grade::Curve curve{name, {}, {}};
-  for (int n = 0; n <= 40; ++n) {
-    const Vec at = with.place(v, with.time * n / 40);
-    curve.x.push_back(at.x);
-    curve.y.push_back(at.y);
+Throw running(Throw one, const Vec& runner) {
+  one.runner = runner;
+  return one;
+}
+
+struct Mistake {
+  const char* says;
+  Throw solved;
+};
+
+// Steps that sum up a pull allow for a little less of it than there is, or for a little more.
+std::string stepped(const Throw& with, const Vec& miss) {
+  const Vec way = (0.5 * with.time * with.time) * with.a;
+  const double lacking = dot(miss, way) / dot(way, way);
+  const double steps = std::abs(1 / lacking);
+  if (length(miss - lacking * way) > 1e-9 * length(way)) return "";
+  if (!(steps > 1.5 && steps < 1e6 && std::abs(steps - std::round(steps)) < 1e-6 * steps))
+    return "";
+  return "this allows for the pull in " + number(std::round(steps)) +
+         " steps of Euler's method, plain or symplectic; the exact step needs only one";
+}
+
+// A mistake is the right answer to another throw, and so that throw meets.
+std::vector<std::string> recognise(const Vec& got, const Throw& with) {
+  const Vec &a = with.a, &runner = with.runner, standing;
+  const double tolerance = with.tolerance().value;
+  const std::vector<Mistake> known{
+      {"this is right for a ball that nothing pulls: is the pull missing, or multiplied by a 1 / "
+       "2, "
+       "which is 0 in whole numbers?",
+       pulled(with, {})},
+      {"half of a, without the time that it pulls", pulled(with, a / with.time)},
+      {"the pull works the wrong way round", pulled(with, -a)},
+      {"the pull moves a ball by half of h^2 a, not by the whole", pulled(with, 2 * a)},
+      {"this is right for a = (0, -9.81, 0), whatever a is", pulled(with, {0, -9.81, 0})},
+      {"this is right for a pull straight down; this one pulls to the side, too",
+       pulled(with, {0, a.y, 0})},
+      {"this hits the place where the runner was at the throw", running(with, standing)},
+      {"this is right for a runner who runs the other way", running(with, -runner)}};
+  for (const Mistake& mistake : known) {
+    if (length(mistake.solved.miss(got)) <= tolerance) return {mistake.says};
   }
-  return curve;
+  if (length(with.miss(-got)) <= tolerance) return {"this is minus the right velocity"};
+  const double off = length(with.miss(got)) / (with.time * length(got));
+  if (off < 2e-6) return {"right to seven digits and no further: a float?"};
+  const std::string steps = stepped(with, with.miss(got));
+  return steps.empty() ? std::vector<std::string>{} : std::vector{steps};
+}
+
+// From the side; a mate who stands is as tall as one who runs.
+std::vector<grade::Curve> curves(const Throw& with, const Vec& v) {
+  grade::Curve ball{"your ball", {}, {}}, mate{"the mate", {}, {}};
+  for (int n = 0; n <= 40; ++n) {
+    const Vec at = with.ball(v, with.time * n / 40);
+    ball.x.push_back(at.x);
+    ball.y.push_back(at.y);
+  }
+  for (const Vec& at : {with.target, with.meeting(), with.meeting() - Vec{0, 1, 0}}) {
+    mate.x.push_back(at.x);
+    mate.y.push_back(at.y);
+  }
+  return {ball, mate};
 }
 
 void meets(Student& student, const Throw& with, const std::string& hint) {
-  const Vec got = ask(student, with), expected = with.velocity();
-  const Tolerance tolerance = rounding(with.size());
-  grade::Finding finding = off_by(length(got - expected), tolerance);
+  const Vec got = ask(student, with);
+  grade::Finding finding = off_by(length(with.miss(got)), with.tolerance(), " m");
   finding.asked = "the velocity with which a ball meets the runner";
   finding.input = "from " + describe(with.from, 17) + ", target " + describe(with.target, 17) +
                   ", runner " + describe(with.runner, 17) + ", a = " + describe(with.a, 17) +
                   ", time " + number(with.time, 17);
-  finding.expected = describe(expected, 12);
-  finding.got = describe(got, 12);
-  finding.error += " m/s; the ball is " + number(with.miss(got), 3) +
-                   " m away from the runner when the time is over";
+  finding.expected =
+      "the ball at " + describe(with.meeting(), 12) + " when the time is over, as the runner is";
+  finding.got = "thrown with your " + describe(got, 12) + " it is at " +
+                describe(with.ball(got, with.time), 12);
   if (!finding.held) {
     finding.hint = hint;
-    finding.diagnoses = recognise(got, with, tolerance.value);
-    finding.plot = {"The throw, from the side",
-                    "x [m]",
-                    "y [m]",
-                    {flight("yours", with, got), flight("the one that meets", with, expected)},
-                    true};
+    finding.diagnoses = recognise(got, with);
+    finding.plot = {"The throw, from the side", "x [m]", "y [m]", curves(with, got), true};
   }
   check(finding);
 }

@@ -1,4 +1,5 @@
 // Fails: a ball lands on a target that stands still
+// Says: this allows for the pull in 100 steps of Euler's method
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
