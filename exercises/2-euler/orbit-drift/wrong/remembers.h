@@ -12,3 +12,9 @@ inline void step(Vec& x, Vec& v, double t, double h, const Acceleration& acceler
   velocity += h * a;
   v = velocity;
 }
+
+inline int steps_per_turn(double growth) {
+  int steps = 1;
+  while (std::pow(1 + std::pow(2 * std::numbers::pi / steps, 2), steps / 2.0) > 1 + growth) ++steps;
+  return steps;
+}
