@@ -2,9 +2,10 @@
 #pragma once
 #include "given.h"
 
-inline void settle(double& x, double& v, double target, double omega, double h) {
-  const double z = omega * h, e = 1 / std::exp(z), y = x - target;
+inline void settle(double& x, double& v, double target, double u, double omega, double h) {
+  const double z = omega * h, e = 1 / std::exp(z), trail = u * (2 / omega);
   const double xx = (1 + z) * e, xv = h * e, vx = -omega * z * e, vv = (1 - z) * e;
-  x = target + xx * y + xv * v;
-  v = vx * y + vv * v;
+  const double y = x - (target - trail), w = v - u;
+  x = xx * y + xv * w + (target - trail + h * u);
+  v = vx * y + vv * w + u;
 }

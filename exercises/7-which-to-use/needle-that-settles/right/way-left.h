@@ -13,8 +13,11 @@ inline Left later(Left now, double omega, double h) {
   return {way * std::exp(-omega * h), (rate - omega * way) * std::exp(-omega * h)};
 }
 
-inline void settle(double& x, double& v, double target, double omega, double h) {
-  const Left left = later({x - target, v}, omega, h);
-  x = left.way + target;
-  v = left.speed;
+// A target that stands still where the needle's equilibrium is: the one that moves, and a way
+// behind it on which the damper's drag and the spring are equal.
+inline void settle(double& x, double& v, double target, double u, double omega, double h) {
+  const double drag = 2 * omega * u, rest = target - drag / (omega * omega);
+  const Left left = later({x - rest, v - u}, omega, h);
+  x = left.way + (rest + u * h);
+  v = left.speed + u;
 }

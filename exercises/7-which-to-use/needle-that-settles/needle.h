@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// A needle as its equation moves it, and as other equations would.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "judge/method.h"
+
+namespace needle {
+
+/// A target that moves, for so long.
+struct Frame {
+  double target, u, h;
+
+  double end() const { return target + u * h; }
+  Frame at(double other) const { return {other, 0, h}; }
+};
+
+struct State {
+  double x, v;
+};
+
+/// How a needle is pulled, with the time in units of 1/omega, so that all are equally stiff.
+struct Needle {
+  double omega;
+  double dragged = 0;  ///< the damper brakes it against so many times the target's velocity
+
+  judge::Start start(const State& from) const { return {{from.x, 0, 0}, {from.v / omega, 0, 0}}; }
+  State seen(const judge::State& state) const { return {state.x.x, state.v.x * omega}; }
+
+  Acceleration pull(const Frame& frame) const {
+    const double u = frame.u / omega, target = frame.target, against = dragged * u;
+    return [=](const Vec& x, const Vec& v, double t) {
+      return Vec{target + u * t - x.x - 2 * (v.x - against), 0, 0};
+    };
+  }
+
+  /// By tiny steps.
+  State after(const State& from, const Frame& frame) const {
+    return seen(judge::truth(start(from), omega * frame.h, 1, 1, pull(frame)).states.back());
+  }
+
+  /// By a single step of a method.
+  State by(const judge::Method& method, const State& from, const Frame& frame) const {
+    return seen(judge::run(method, start(from), omega * frame.h, 1, 1, pull(frame)).states.back());
+  }
+
+  /// At the end of a frame, if it has followed that target for ever.
+  State follower(const Frame& frame) const {
+    const double long_ago = 45 / omega;
+    return after({frame.target - long_ago * frame.u, frame.u},
+                 {frame.target - long_ago * frame.u, frame.u, long_ago + frame.h});
+  }
+};
+
+/// To nine digits.
+inline bool alike(double a, double b) {
+  return std::abs(a - b) <= 1e-9 * (1 + std::abs(b));
+}
+
+inline bool alike(const State& a, const State& b) {
+  return alike(a.x, b.x) && alike(a.v, b.v);
+}
+
+/// What is wrong with a velocity whose place is right.
+inline std::string wrong_velocity(const Needle& needle, const State& from, const Frame& frame,
+                                  const State& got, const State& right) {
+  const std::string place = "the place is right, the velocity is not: ";
+  const State late = needle.after({right.x, from.v}, frame);
+  const double way = right.x - needle.follower(frame).x;
+  if (alike(got.v, (right.x - from.x) / frame.h))
+    return place + "this is the mean velocity of the frame, not the one at its end";
+  if (alike(got.v, late.v)) return place + "its line uses the new x, where the old one is meant";
+  if (alike(got.v, right.v - frame.u)) return place + "the target's own velocity is missing";
+  if (alike(got.v, right.v + needle.omega * way))
+    return place + "in its derivative the exponential was not differentiated";
+  return "the place is right, the velocity is not";
+}
+
+/// Another number in place of the exponential: what is left of the way to the follower.
+inline bool is_lowes(const Needle& needle, const Frame& frame, const State& got,
+                     const State& right) {
+  const double z = needle.omega * frame.h, there = needle.follower(frame).x;
+  const double left = std::exp(-z) * (got.x - there) / (right.x - there);
+  return std::abs(left * (1 + z + 0.48 * z * z + 0.235 * z * z * z) - 1) < 1e-9;
+}
+
+/// What may have been written instead, for one frame.
+inline std::string recognise(double omega, const State& from, const Frame& frame,
+                             const State& got) {
+  const Needle needle{omega};
+  const State right = needle.after(from, frame);
+  const Frame held = frame.at(frame.target), at_end = frame.at(frame.end());
+  if (got.x == from.x && got.v == from.v) return "nothing moves";
+  if (alike(got.x, right.x)) return wrong_velocity(needle, from, frame, got, right);
+  if (alike(got, needle.after(from, held)))
+    return "this is right for a target that stays where it was at the start of the frame";
+  if (alike(got, needle.after(from, at_end)))
+    return "this is right for a target that is where it ends, from the start of the frame on";
+  if (alike(got, needle.after(from, frame.at((frame.target + frame.end()) / 2))))
+    return "this is right for a target that stands halfway";
+  if (alike(got.x, Needle{omega, 1}.after(from, frame).x))
+    return "this is right for a damper that moves along with the target; here it is fixed to the "
+           "dial, and the needle trails";
+  if (alike(got.x, Needle{omega, 2}.after(from, frame).x))
+    return "this needle runs ahead of its target by as much as it should trail";
+  if (alike(got.x + frame.end(), right.x) || alike(got.x + frame.target, right.x))
+    return "this is the way that is left; the needle is there plus the target";
+  if (alike(got.x, needle.after(from, Frame{0, 0, frame.h}).x))
+    return "this needle goes to zero, wherever its target is";
+  for (const Frame& still : {held, at_end}) {
+    if (alike(got.x, still.target + (from.x - still.target) * std::exp(-omega * frame.h)))
+      return "this is a needle without a velocity of its own";
+  }
+  for (const judge::Method& method : judge::methods()) {
+    for (const Frame& with : {frame, held, at_end}) {
+      if (alike(got.x, needle.by(method, from, with).x)) return "this is a step of " + method.name;
+    }
+  }
+  if (is_lowes(needle, frame, got, right))
+    return "this is 1 / (1 + z + 0.48 z^2 + 0.235 z^3) in place of exp(-z): close, and not exact";
+  if (got.x == frame.target || got.x == frame.end())
+    return "the needle is held at its target, and this one is so fast that it shoots past";
+  return alike(got.v, right.v) ? "the velocity is right, the place is not" : "";
+}
+
+}  // namespace needle
