@@ -1,4 +1,5 @@
 // Fails: it strikes at each whole second, and never in between
+// Says: a sum in doubles: a tick is rounded
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
-// Fails: after a night the clock shows the night
+// Fails: after a night the clock is right to a millisecond
+// Says: a sum in a float
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
