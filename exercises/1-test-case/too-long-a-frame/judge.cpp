@@ -5,40 +5,14 @@
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
+#include "machine.h"
 
 using namespace judge;
+using namespace machine;
 
 namespace {
 
 using grade::number;
-
-struct Machine {
-  double draw, cost, h;
-  int most;
-
-  double settled() const {
-    const double at_most = draw + most * cost;
-    return cost < h ? std::min(draw / (1 - cost / h), at_most) : at_most;
-  }
-};
-
-std::string describe(const Machine& machine) {
-  return "draw = " + number(machine.draw, 17) + " s, cost = " + number(machine.cost, 17) +
-         " s, h = " + number(machine.h, 17) + " s, most = " + std::to_string(machine.most);
-}
-
-// A machine of which a step costs so many times what it covers.
-Machine draw_machine(Random& random, double cost) {
-  const double h = 1 / random.between(50, 200);
-  return {random.between(0.3, 1.2) * h, cost * h, h, random.whole(5, 9)};
-}
-
-// A machine that keeps up: frames settle at least two steps under the limit.
-Machine draw_fast(Random& random) {
-  Machine machine = draw_machine(random, random.between(0.2, 0.7));
-  machine.most = static_cast<int>(std::ceil(machine.settled() / machine.h)) + random.whole(4, 7);
-  return machine;
-}
 
 struct Frame {
   double length, steps, saved;
@@ -106,12 +80,38 @@ void spends(Student& student, const Machine& machine, double saved, double lengt
   finding.tolerance_from = tolerance.from;
   if (!finding.held) {
     finding.hint = hint;
+    const double cut = saved + std::min(length, machine.most * machine.h);
+    if (got.steps == std::floor(cut / machine.h) &&
+        rest_apart(got.saved, cut, machine.h) <= tolerance.value)
+      finding.diagnoses.emplace_back(
+          "the time is cut before it is counted, and so the part of a step is another");
     if (got.steps > machine.most)
-      finding.diagnoses.emplace_back("more steps than a frame may take");
+      finding.diagnoses.emplace_back(
+          "more steps than a frame may take: is there a limit at all, and is it `most`?");
+    if (got.steps < steps)
+      finding.diagnoses.emplace_back("fewer steps than are due, though it may take them");
     if (got.saved > machine.h && rest_apart(got.saved, rest, machine.h) <= tolerance.value) {
       finding.diagnoses.emplace_back("the debt is kept, and the next frames have to pay it");
     }
     if (got.saved == 0) finding.diagnoses.emplace_back("the part of a step is dropped, too");
+  }
+  check(finding);
+}
+
+// The next frame is as long as this one.
+void settles(Student& student, const Machine& machine, const std::string& hint) {
+  const double got = student.call(
+      1, {machine.draw, machine.cost, machine.h, static_cast<double>(machine.most)}, 1)[0];
+  const double next = machine.next(got);
+  grade::Finding finding = off_by(std::abs(next - got), rounding(std::abs(next)), " s");
+  finding.held = finding.held && got > 0;
+  finding.asked = "how long frames are in the end";
+  finding.input = describe(machine);
+  finding.expected = "a frame behind which the next one is as long, above 0 s";
+  finding.got = number(got, 12) + " s, and the next one would take " + number(next, 12) + " s";
+  if (!finding.held) {
+    finding.hint = hint;
+    finding.diagnoses = recognise(got, machine);
   }
   check(finding);
 }
@@ -141,18 +141,23 @@ TEST_CASE("a machine too slow for its steps slows the game and not the screen",
   const std::vector<Frame> frames = live(student, machine, 200, 0);
   const double got = frames.back().length, expected = machine.settled();
 
-  grade::Finding finding = off_by(std::abs(got - expected), rounding(expected));
+  grade::Finding finding = off_by(std::abs(got - expected), rounding(expected), " s");
   finding.held = finding.held && frames.size() == 200;
   finding.asked = "two hundred frames, each as long as its drawing and the steps of the one before";
   finding.input = describe(machine);
   finding.expected = "frames of " + number(expected) + " s in the end";
   finding.got = "frame " + std::to_string(frames.size()) + " takes " + number(got) + " s";
-  finding.error += " s";
   if (!finding.held) {
     finding.hint = "A step costs more than it covers here. Which number keeps a frame short?";
+    const double taken = frames.back().steps;
+    if (taken != machine.most) {
+      finding.diagnoses.push_back("frame " + std::to_string(frames.size()) + " took " +
+                                  number(taken) + " steps, where " + std::to_string(machine.most) +
+                                  " are due and allowed");
+    }
     if (got > 2 * expected) {
-      finding.diagnoses = {"each frame is up to " + number(machine.cost / machine.h, 3) +
-                           " times as long as the one before: the game hangs"};
+      finding.diagnoses.push_back("each frame is up to " + number(machine.cost / machine.h, 3) +
+                                  " times as long as the one before: the game hangs");
     }
     finding.plot = plot(frames, machine);
   }
@@ -176,13 +181,12 @@ TEST_CASE("a machine that keeps up makes good a hitch",
   const Tolerance tolerance{sums * time * std::numeric_limits<double>::epsilon(),
                             "rounding: one sum for each frame and each of its steps"};
 
-  grade::Finding finding = off_by(std::abs(got - time), tolerance);
+  grade::Finding finding = off_by(std::abs(got - time), tolerance, " s");
   finding.asked = "three hundred frames, one of them longer by " + number(hitch) +
                   " s, which the limit still allows: no time may be lost";
   finding.input = describe(machine);
   finding.expected = "steps and rest for all of the " + number(time, 12) + " s";
   finding.got = number(got, 12) + " s";
-  finding.error += " s";
   if (!finding.held) {
     finding.hint = "Only whole steps beyond the limit may be dropped, and here there are none.";
     finding.diagnoses = {"the game runs at " + number(got / time, 4) + " times its speed"};
@@ -202,12 +206,9 @@ TEST_CASE("the length that frames settle at is foretold",
       machine.cost = random.between(0.5, 0.8) * machine.h;
       machine.draw = random.between(1.1, 2) * machine.most * (machine.h - machine.cost);
     }
-    const double got = student.call(
-        1, {machine.draw, machine.cost, machine.h, static_cast<double>(machine.most)}, 1)[0];
-    is_exact("how long frames are in the end", describe(machine), got, machine.settled(),
-             rounding(machine.settled()),
-             machine.cost < machine.h
-                 ? "A frame F asks for F/h steps, if so many are allowed. When is F the same again?"
-                 : "A step costs more than it covers: every frame takes all the steps it may.");
+    settles(student, machine,
+            machine.cost < machine.h
+                ? "A frame F asks for F/h steps, if so many are allowed. When is F the same again?"
+                : "A step costs more than it covers: every frame takes all the steps it may.");
   }
 }
