@@ -48,6 +48,23 @@ Tolerance tolerance(double h, const std::vector<double>& frames, double whole) {
           "sixteenth digit, in your clock and in the judge's"};
 }
 
+double most_in_a_frame(const std::vector<After>& got) {
+  double most = got.front().steps;
+  for (std::size_t n = 1; n < got.size(); ++n) {
+    most = std::max(most, got[n].steps - got[n - 1].steps);
+  }
+  return most;
+}
+
+bool forgets_the_frame_before(const std::vector<After>& got, const std::vector<double>& time,
+                              double h) {
+  for (std::size_t n = 1; n < got.size(); ++n) {
+    const double taken = got[n].steps - got[n - 1].steps;
+    if (taken != std::floor((time[n] - time[n - 1]) / h)) return false;
+  }
+  return true;
+}
+
 std::vector<std::string> recognise(const std::vector<After>& got, const std::vector<double>& time,
                                    double h) {
   const double pace = got.back().picture() * h / time.back();
@@ -56,11 +73,34 @@ std::vector<std::string> recognise(const std::vector<After>& got, const std::vec
   if (std::abs(pace - 1) > 0.01) {
     found.push_back("the game runs at " + number(pace, 3) + " times its speed");
   }
+  if (std::abs(pace / 1000 - 1) < 0.01) found.push_back("milliseconds where seconds are meant?");
   if (std::abs(pace - 1) > 0.01 && std::abs(a_frame - 1) < 0.02) {
     found.push_back("about one step in every frame: the steps follow the frames");
   }
-  if (std::all_of(got.begin(), got.end(), [](const After& now) { return now.blend == 0; })) {
+  const auto always = [&](auto is) { return std::all_of(got.begin(), got.end(), is); };
+  if (always([](const After& now) { return now.blend == 0; })) {
     found.push_back("the blend is always 0: nothing is left over after a frame");
+  }
+  if (always([](const After& now) { return now.blend == 1; })) {
+    found.push_back("the blend is always 1: this shows the newest state, not one between two");
+  }
+  if (std::any_of(got.begin(), got.end(), [](const After& now) { return now.blend < -1e-9; })) {
+    found.push_back("a blend below 0: more steps were taken than were due");
+  }
+  if (most_in_a_frame(got) == 1 && time.back() / h > 1.1 * static_cast<double>(got.size())) {
+    found.push_back("never more than one step in a frame, and here more are due");
+  }
+  if (forgets_the_frame_before(got, time, h)) {
+    found.push_back(
+        "each frame takes the steps that fit into it alone: what the one before left over is lost");
+  }
+  const double part = time.front() / h - got.front().steps, blend = got.front().blend;
+  if (std::abs(blend - (1 - part)) < 1e-9 && std::abs(blend - part) > 1e-3) {
+    found.push_back(
+        "the blend says how far it still is to the newer state; how far it has come was asked");
+  }
+  if (std::abs(blend - part * h) < 1e-9) {
+    found.push_back("the blend is in seconds; as a share of a step it would be from 0 to 1");
   }
   const double first = std::abs(got.front().picture() * h / time.front() - 1);
   if (first > 1e-10 && first < 2e-6)
