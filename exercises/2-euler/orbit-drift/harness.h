@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted_step)(Vec& x, Vec& v, double t, double h,
-                          const Acceleration& acceleration) = step;
-int (*const wanted_steps)(double growth) = steps_per_turn;
+const harness::Wanted<void(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration)>
+    wanted_step = step;
+const harness::Wanted<int(double growth)> wanted_steps = steps_per_turn;
 
 void answer(harness::Call& call) {
   if (call.function() == 0) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 
-void (*const wanted)(double& x, double& v, double target, double u, double omega,
-                     double h) = settle;
+const harness::Wanted<void(double& x, double& v, double target, double u, double omega, double h)>
+    wanted = settle;
 
 // Start, frequency, how many frames, and each frame's target, its velocity and its length; answers
 // after each.
