@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT-0
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 
 #include "format_values.h"
@@ -6,9 +7,10 @@
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
-#include "judge/waves.h"
+#include "scene.h"
 
 using namespace judge;
+using scene::Scene;
 
 namespace {
 
@@ -17,46 +19,12 @@ using grade::number;
 constexpr double spare = 0.1;
 constexpr int runs = 4;
 
-struct Scene {
-  Acceleration acceleration;
-  Start start;
-  double duration;
-  Vec end;     // where it is without any error [m]
-  int fewest;  // steps of Euler's method that end within the wanted error
-  double wanted;
-
-  double error(int steps) const {
-    const Path path = run(euler, start, duration / steps, steps, steps, acceleration);
-    return length(path.states.back().x - end);
-  }
-};
-
-// One in which the error of a quarter of the steps is four times as large, within a hundredth, so
-// that a good guess can be made from shorter runs.
-Scene draw(Random& random) {
-  for (;;) {
-    const harness::Force force = random.wild();
-    const Waves gusts{random, 0.5, 3, 3};
-    Scene scene{[=](const Vec& x, const Vec& v, double t) { return force(x, v, t) + gusts(x, t); },
-                random.start(),
-                random.between(0.8, 1.6),
-                {},
-                0,
-                0};
-    scene.start.t = 0;
-    scene.end =
-        truth(scene.start, scene.duration / 512, 512, 512, scene.acceleration).states.back().x;
-    scene.fewest = random.whole(600, 1200);
-    scene.wanted = scene.error(scene.fewest);
-    const double quarter = scene.error(scene.fewest / 4) * (scene.fewest / 4) / scene.fewest;
-    if (std::abs(quarter / scene.wanted - 1) < 0.01) return scene;
-  }
-}
-
 struct Answer {
   int steps = 0;
-  std::size_t evaluations = 0;
   double error = INFINITY;
+  std::vector<Evaluation> asked;
+
+  std::size_t evaluations() const { return asked.size(); }
 };
 
 // The harness takes the wanted error as the time at the start, and the duration as h.
@@ -69,7 +37,7 @@ Answer ask(Student& student, const Scene& scene) {
     answer.steps = static_cast<int>(steps);
     answer.error = scene.error(answer.steps);
   }
-  answer.evaluations = path.evaluations.size();
+  answer.asked = path.evaluations;
   return answer;
 }
 
@@ -90,29 +58,64 @@ grade::Plot plot(const Scene& scene, const Answer& answer) {
   return plot;
 }
 
+// The steps of the finest run of Euler's method that was made: where two questions are nearest in
+// time. 0 if there is none.
+int finest_run(const Scene& scene, const Answer& answer) {
+  double shortest = INFINITY;
+  for (std::size_t n = 1; n < answer.asked.size(); ++n) {
+    const double apart = answer.asked[n].t - answer.asked[n - 1].t;
+    if (apart > 0) shortest = std::min(shortest, apart);
+  }
+  return static_cast<int>(std::min(1e6, std::round(scene.duration / shortest)));
+}
+
+// What this run and one of half its steps say about the steps that it takes, if the error goes with
+// the step to this power.
+double needed(const Scene& scene, int steps, double power) {
+  const auto end = [&](int n) {
+    return run(euler, scene.start, scene.duration / n, n, n, scene.acceleration).states.back().x;
+  };
+  const double apart = length(end(steps) - end(steps / 2)) / (std::pow(2, power) - 1);
+  return steps * std::pow(apart / scene.wanted, 1 / power);
+}
+
 std::vector<std::string> recognise(const Scene& scene, const Answer& answer) {
-  const double ratio = static_cast<double>(answer.steps) / scene.fewest;
   const double push = length(scene.acceleration(scene.start.x, scene.start.v, 0));
-  std::vector<std::string> found;
-  if (std::abs(ratio - 2) < 0.15) {
-    found.push_back(
-        "twice the steps: two runs, one with half the steps of the other, differ by "
-        "the error of the finer one");
-  }
-  if (std::abs(ratio - 0.5) < 0.04) {
-    found.push_back("half the steps that it takes");
-  } else if (ratio > 0.3 && ratio < 0.5) {
-    found.push_back(
-        "between a third and a half of the steps that it takes: did you let the error "
-        "fall with the square of the step?");
-  }
-  if (std::abs(answer.steps - push * scene.duration * scene.duration / 2 / scene.wanted) < 2) {
-    found.push_back("this is right for a push that never changes");
-  }
-  if ((answer.steps & (answer.steps - 1)) == 0 && answer.steps > 1) {
-    found.push_back("a power of two: the fewest steps lie between this and its half");
-  }
-  return found;
+  if (std::abs(answer.steps - push * scene.duration * scene.duration / 2 / scene.wanted) < 2)
+    return {"this is right for a push that never changes"};
+  if (answer.evaluations() < 2) return {"it asked for the acceleration once at most"};
+  if (length(answer.asked.front().x - scene.start.x) > 0)
+    return {"the first question is not at the start, and every run begins there"};
+  const int finest = finest_run(scene, answer);
+  if (finest == 0) return {"every question is for one time; the push changes with the time"};
+  const auto same_time = [](const Evaluation& a, const Evaluation& b) { return a.t == b.t; };
+  if (std::adjacent_find(answer.asked.begin(), answer.asked.end(), same_time) != answer.asked.end())
+    return {};  // another method, whose steps can't be told like this
+  const std::string many = std::to_string(finest), of_yours = "the finest of your runs, in " + many;
+  if (finest > 2 * answer.steps)
+    return {of_yours + " steps, cost more than the replay itself, which takes " +
+            std::to_string(answer.steps)};
+  if (finest * 8 < answer.steps)
+    return {of_yours + " steps, is too coarse to tell how the error goes on"};
+  const double ratio = answer.steps / needed(scene, finest, 1);
+  const double as_square = answer.steps / needed(scene, finest, 2);
+  const auto is = [](double a, double b) { return a > 0.99 * b && a < 1.06 * b; };
+  if ((answer.steps & (answer.steps - 1)) == 0 && answer.steps > scene.fewest)
+    return {"a power of two: the fewest steps lie between this and its half"};
+  if (is(ratio, 2))
+    return {
+        "twice the steps: two runs, one with half the steps of the other, differ by the error "
+        "of the finer one"};
+  if (is(ratio, 0.5))
+    return {
+        "half the steps that your runs speak for: they differ by the error of the finer one, "
+        "and its number of steps belongs to it"};
+  if (is(as_square, 1))
+    return {"did you let the error fall with the square of the step? It is in proportion to it"};
+  if (ratio > 1.1 && ratio < 1.9)
+    return {"your runs speak for " + number(std::ceil(needed(scene, finest, 1))) +
+            " steps, and a margin of a few per cent is enough"};
+  return {};
 }
 
 enum Asked { error, steps, price };
@@ -124,7 +127,7 @@ bool sensible(const Scene& scene, const Answer& answer) {
 
 bool holds(Asked what, const Scene& scene, const Answer& answer) {
   const bool few = answer.steps <= (1 + spare) * scene.fewest;
-  const bool cheap = answer.evaluations <= static_cast<std::size_t>(runs * answer.steps);
+  const bool cheap = answer.evaluations() <= static_cast<std::size_t>(runs * answer.steps);
   return sensible(scene, answer) && (what != steps || few) && (what != price || cheap);
 }
 
@@ -136,7 +139,7 @@ std::string expected(Asked what, const Scene& scene) {
 }
 
 void affords(Student& student, Random& random, Asked what, const std::string& hint) {
-  const Scene scene = draw(random);
+  const Scene scene = scene::draw(random);
   const Answer answer = ask(student, scene);
   grade::Finding finding;
   finding.held = holds(what, scene, answer);
@@ -147,12 +150,13 @@ void affords(Student& student, Random& random, Asked what, const std::string& hi
                   " s, wanted = " + number(scene.wanted, 17) + " m";
   finding.expected = expected(what, scene);
   finding.got = std::to_string(answer.steps) + " steps, which end with an error of " +
-                number(answer.error) + " m, found with " + std::to_string(answer.evaluations) +
+                number(answer.error) + " m, found with " + std::to_string(answer.evaluations()) +
                 " evaluations";
-  finding.error = number(100.0 * (answer.steps - scene.fewest) / scene.fewest, 3) +
-                  " % more steps than the fewest; " +
-                  number(static_cast<double>(answer.evaluations) / std::max(1, answer.steps), 3) +
-                  " evaluations for each";
+  const bool more = answer.steps >= scene.fewest;
+  finding.error = number(100.0 * std::abs(answer.steps - scene.fewest) / scene.fewest, 3) +
+                  (more ? " % more" : " % fewer") + " steps than it takes; " +
+                  number(static_cast<double>(answer.evaluations()) / std::max(1, answer.steps), 3) +
+                  " evaluations for each of them";
   finding.tolerance = "0 to 10 %, and 4 evaluations";
   finding.tolerance_from =
       "the task; at a quarter of these steps the error is in proportion to the step within 1 %";

@@ -1,4 +1,5 @@
 // Fails: finding out costs no more than four runs
+// Says: cost more than the replay itself
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

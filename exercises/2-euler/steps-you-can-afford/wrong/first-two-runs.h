@@ -1,4 +1,5 @@
 // Fails: the thing ends within the wanted error
+// Says: steps, is too coarse to tell how the error goes on
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

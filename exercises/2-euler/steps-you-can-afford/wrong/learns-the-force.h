@@ -1,4 +1,5 @@
 // Fails: the thing ends within the wanted error
+// Says: the first question is not at the start
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
