@@ -33,10 +33,11 @@ std::string describe(const Leash& leash) {
          "/s, zeta = " + number(leash.zeta());
 }
 
-// A leash of one metre, let go, for sixty steps or until it is too long to draw.
+// A leash after a kick that stretches it by about a metre, for sixty steps or until it is too long
+// to draw. The kick shows the fast motion, which is the one that explodes.
 grade::Curve swing(const std::string& name, const Leash& leash, double h) {
   grade::Curve curve{name, {}, {}};
-  double x = 1, v = 0;
+  double x = 0, v = std::max(leash.omega(), leash.fast_rate());
   for (int n = 0; n <= 60 && std::abs(x) < 20; ++n) {
     curve.x.push_back(n);
     curve.y.push_back(x);
@@ -51,11 +52,20 @@ std::vector<std::string> recognise(double got, const Leash& leash) {
   const double right = leash.limit();
   const auto is = [&](double other) { return std::abs(got / other - 1) < 1e-10; };
   std::vector<std::string> found = diagnose(got, right);
-  if (leash.zeta() > 1 && is(leash.c / leash.k)) {
+  const double zeta = leash.zeta(), swapped = zeta + std::sqrt(std::abs(zeta * zeta - 1));
+  if (leash.c == 0 && got > 0) {
+    found = {"without a damper no step holds, however short"};
+  } else if (zeta < 1 && (is(4 * leash.m / leash.c) || is(2 / swapped / leash.omega()))) {
+    found = {"this is two over a rate, as for a leash that creeps, and this one swings"};
+  } else if (zeta > 1 && is(right / 2)) {
+    found = {
+        "this is one over the fast rate: from there on the leash turns round in every step, and "
+        "it explodes from twice that on"};
+  } else if (zeta > 1 && is(leash.c / leash.k)) {
     found = {"this is the limit of a leash that swings, and this one creeps"};
-  } else if (leash.zeta() > 1 && is(2 * leash.c / leash.k - right)) {
+  } else if (zeta > 1 && is(2 * leash.c / leash.k - right)) {
     found = {"this is two over the slow rate"};
-  } else if (leash.zeta() < 1 && is(2 / leash.omega())) {
+  } else if (zeta < 1 && is(2 / leash.omega())) {
     found = {"this is 2/omega, the limit of symplectic Euler without damping"};
   } else if (is(Leash{leash.k, leash.c, 1}.limit())) {
     found = {"this is right for a mass of 1 kg"};
@@ -63,7 +73,7 @@ std::vector<std::string> recognise(double got, const Leash& leash) {
     found = {"this is right for twice the damper: what is zeta?"};
   } else if (is(right * leash.omega())) {
     found = {"this is h omega, and h was asked"};
-  } else if (leash.zeta() > 100 && std::abs(got / right - 1) < 0.01) {
+  } else if (zeta > 100 && std::abs(got / right - 1) < 0.01) {
     found = {"the first digits are right: a difference of nearly equal numbers lost the others"};
   }
   if (got > right * 1.01) found.push_back("with your step this leash explodes");
@@ -87,11 +97,11 @@ void holds_until(Student& student, const Leash& leash, double lost, const std::s
   if (!finding.held) {
     finding.hint = hint;
     finding.diagnoses = recognise(got, leash);
-    finding.plot = {"A leash let go",
-                    "step",
-                    "length [m]",
-                    {swing("at your step", leash, got),
-                     swing("just inside the limit", leash, 0.95 * expected)}};
+    finding.plot = {
+        "A leash after a kick",
+        "step",
+        "stretch [m]",
+        {swing("at your step", leash, got), swing("just inside", leash, 0.95 * expected)}};
   }
   check(finding);
 }

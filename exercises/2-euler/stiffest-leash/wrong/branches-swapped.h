@@ -1,5 +1,5 @@
 // Fails: a leash that swings holds up to the longest step
-// Says: with your step this leash explodes
+// Says: as for a leash that creeps, and this one swings
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

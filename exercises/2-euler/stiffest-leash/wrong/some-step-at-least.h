@@ -1,5 +1,5 @@
 // Fails: critical damping belongs to both sides, and no damper has no step
-// Says: with your step this leash explodes
+// Says: without a damper no step holds, however short
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
