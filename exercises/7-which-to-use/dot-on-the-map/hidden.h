@@ -2,6 +2,7 @@
 /// @file
 /// Steps whose growth is known.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -13,6 +14,30 @@
 namespace hidden {
 
 using Polynomial = std::array<double, 5>;
+
+struct Matrix {
+  double xx, xv, vx, vv;
+
+  double trace() const { return xx + vv; }
+  double determinant() const { return xx * vv - xv * vx; }
+
+  /// Whether this solves the equation of the eigenvalues, or is the size of two that are not real.
+  bool has_growth(double size) const {
+    const auto solves = [&](double value) {
+      return std::abs((value - trace()) * value + determinant()) < 1e-9 * (1 + size * size);
+    };
+    const bool swings = trace() * trace() < 4 * determinant();
+    return swings ? std::abs(size * size - determinant()) < 1e-9 * (1 + size * size)
+                  : solves(size) || solves(-size);
+  }
+
+  /// What comes of the columns if nobody takes away what the step makes of (0, 0).
+  Matrix beside(double x0, double v0) const { return {xx + x0, xv + x0, vx + v0, vv + v0}; }
+
+  double largest_row() const {
+    return std::max(std::abs(xx) + std::abs(xv), std::abs(vx) + std::abs(vv));
+  }
+};
 
 /// A step as the harness reads it: its matrix is `above` over `below`, in powers of h.
 struct Step {
@@ -26,6 +51,16 @@ struct Step {
     numbers.insert(numbers.end(), below.begin(), below.end());
     numbers.insert(numbers.end(), {x_rest, v_rest, h});
     return numbers;
+  }
+
+  Matrix matrix(double h) const {
+    const auto at = [=](const auto& polynomial) {
+      double sum = 0;
+      for (std::size_t n = polynomial.size(); n-- > 0;) sum = sum * h + polynomial[n];
+      return sum;
+    };
+    const double under = at(below);
+    return {at(above[0]) / under, at(above[1]) / under, at(above[2]) / under, at(above[3]) / under};
   }
 };
 
@@ -68,6 +103,49 @@ inline std::vector<Method> methods(double w, double zeta) {
        2 * (root + zeta) / w},
       {"backward Euler", {{{{1, c}, {0, 1}, {0, -k}, {1}}}, {1, c, k}}, INFINITY},
   };
+}
+
+using Says = std::vector<std::string>;
+
+inline bool alike(double a, double b) {
+  return std::abs(a - b) <= 1e-9 * (1 + std::abs(b));
+}
+
+/// What may have been taken for the growth.
+inline Says recognise_growth(double got, const Step& step, double expected) {
+  const Matrix matrix = step.matrix(0);
+  const double x0 = step.x_rest - matrix.xx * step.x_rest - matrix.xv * step.v_rest;
+  const double v0 = step.v_rest - matrix.vx * step.x_rest - matrix.vv * step.v_rest;
+  const bool swings = matrix.trace() * matrix.trace() < 4 * matrix.determinant();
+  if (swings && alike(got, std::abs(matrix.trace()) / 2))
+    return {"this is the real part of the two eigenvalues; they are not real, and larger"};
+  if (!swings && alike(got, std::sqrt(std::abs(matrix.determinant()))))
+    return {"this is the root of the product of the two eigenvalues, as if both were of one size"};
+  if (!swings && matrix.has_growth(got))
+    return {"this is the one of the two eigenvalues that is nearer to zero"};
+  if (matrix.beside(x0, v0).has_growth(got))
+    return {"the columns still hold what the step makes of (0, 0)"};
+  if (alike(got, matrix.largest_row()))
+    return {"this is how far one step can carry a start, and not what many steps do"};
+  if (std::abs(got / expected - 1) < 2e-6)
+    return {"right to six digits and no further: a float, or a search that ends early?"};
+  if (std::abs(got / expected - 1) < 0.01)
+    return {"near, and not exact: is it measured in a run? Where that began still counts in it"};
+  return {};
+}
+
+/// What may have been taken for the longest stable step.
+inline Says recognise_longest(double got, const Method& method, double w, double expected) {
+  if (alike(got, 2 / w) && !alike(got, expected))
+    return {
+        "this is 2/omega, the limit of symplectic Euler without damping, and not this method's"};
+  if (!(got > 1e-6 * expected)) return {"no step was found stable: is the growth right?"};
+  if (std::abs(got / expected - 1) < 0.01)
+    return {"near, and not to a millionth: did the search end too early?"};
+  if (method.step.matrix(got).has_growth(2))
+    return {"at your step the growth is 2; it may be 1 + 1e-9 at most"};
+  if (got > expected) return {"at your step this explodes: is the growth right?"};
+  return {"longer steps are stable, too: is the growth right?"};
 }
 
 }  // namespace hidden

@@ -23,8 +23,16 @@ Tolerance told_apart(double largest, double gap) {
 void check_growth(Student& student, const hidden::Step& step, double expected, double gap,
                   const std::string& asked, const std::string& hint) {
   const double got = student.call(0, step.arguments(0), 1)[0];
-  is_exact("the growth of " + asked, hidden::described(step), got, expected,
-           told_apart(expected, gap), hint);
+  grade::Finding finding = off_by(std::abs(got - expected), told_apart(expected, gap));
+  finding.asked = "the growth of " + asked;
+  finding.input = hidden::described(step);
+  finding.expected = number(expected, 12);
+  finding.got = number(got, 12);
+  if (!finding.held) {
+    finding.hint = hint;
+    finding.diagnoses = hidden::recognise_growth(got, step, expected);
+  }
+  check(finding);
 }
 
 }  // namespace
@@ -66,13 +74,22 @@ TEST_CASE("the longest stable step of four methods is right to a millionth",
   for (hidden::Method& method : hidden::methods(w, zeta)) {
     method.step.x_rest = random.between(-2, 2);
     const double most = random.between(5, 6) / w, expected = std::min(most, method.limit);
-    is_exact("the longest stable step [s]",
-             method.name + " on a spring with omega = " + number(w, 17) +
-                 ", zeta = " + number(zeta, 17) +
-                 ", hung at x = " + number(method.step.x_rest, 17) + "; most = " + number(most, 17),
-             student.call(1, method.step.arguments(most), 1)[0], expected,
-             {1e-6 * expected, "a millionth was asked for"},
-             "Halve the interval between a step that holds and one that does not, and try `most` "
-             "before anything else.");
+    const double got = student.call(1, method.step.arguments(most), 1)[0];
+    grade::Finding finding =
+        off_by(std::abs(got - expected), {1e-6 * expected, "a millionth was asked for"}, " s");
+    finding.asked = "the longest stable step";
+    finding.input = method.name + " on a spring with omega = " + number(w, 17) +
+                    ", zeta = " + number(zeta, 17) +
+                    ", hung at x = " + number(method.step.x_rest, 17) +
+                    "; most = " + number(most, 17);
+    finding.expected = number(expected, 12) + " s";
+    finding.got = number(got, 12) + " s";
+    if (!finding.held) {
+      finding.hint =
+          "Halve the interval between a step that holds and one that does not, and try `most` "
+          "before anything else.";
+      finding.diagnoses = hidden::recognise_longest(got, method, w, expected);
+    }
+    check(finding);
   }
 }

@@ -1,4 +1,5 @@
 // Fails: the longest stable step of four methods is right to a millionth
+// Says: at your step the growth is 2
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

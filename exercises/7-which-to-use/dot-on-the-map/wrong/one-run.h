@@ -1,4 +1,5 @@
 // Fails: the growth of a step that swings is found
+// Says: near, and not exact: is it measured in a run?
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
 // Fails: the longest stable step of four methods is right to a millionth
+// Says: this is 2/omega, the limit of symplectic Euler without damping
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
