@@ -78,6 +78,49 @@ grade::Plot evaluations(const Landing& landing) {
   return {"Where you asked", "share of the flight", "distance from the planet [m]", {steps}};
 }
 
+// A method in equal steps, for as many questions; the methods ask from once to four times a step,
+// and some once to begin.
+std::string equal_steps(const Landing& landing) {
+  const State& end = landing.path.states.back();
+  const int count = static_cast<int>(landing.count());
+  for (const Method& method :
+       {euler, symplectic_euler, velocity_verlet, midpoint, heun, judge::rk4}) {
+    for (const int steps : {count, count - 1, count / 2, count / 4}) {
+      if (steps < 1 || distance(landing.flight.by(method, steps), end) > 1e-7) continue;
+      return "this is " + method.name + " in " + std::to_string(steps) + " equal steps";
+    }
+  }
+  return "";
+}
+
+std::string how(const Landing& landing) {
+  const std::vector<Evaluation>& asked = landing.path.evaluations;
+  const std::string equal = equal_steps(landing);
+  if (!equal.empty() || asked.empty()) return equal;
+  const Flight& flight = landing.flight;
+  const double last = std::ranges::max(asked, {}, &Evaluation::t).t - flight.start.t;
+  if (last > (1 + 1e-9) * flight.seconds)
+    return "the last question is for " + number(last - flight.seconds, 3) +
+           " s after the end: does the flight end at its very second?";
+  if (last < flight.seconds / 2)
+    return "no question is for the second half of the flight; the moons move, and t says when";
+  const auto same = [](const Evaluation& a, const Evaluation& b) { return a.t == b.t; };
+  if (std::ranges::adjacent_find(asked, same) == asked.end())
+    return "no two questions are for one time, as in velocity Verlet, which asks once a step and "
+           "has order two; an orbit this smooth rewards a higher order";
+  return "";
+}
+
+std::vector<std::string> recognise(const Landing& landing) {
+  if (landing.overdrawn())
+    return {"it asked " + std::to_string(landing.count() - budget) + " times too often"};
+  std::vector<std::string> found{how(landing)};
+  if (found[0].empty()) found.clear();
+  if (landing.count() < budget / 2)
+    found.emplace_back("more than half of the evaluations were never spent");
+  return found;
+}
+
 // How far off a landing may be, and where that comes from.
 struct Bound {
   std::function<double(const Landing&)> of;
@@ -125,12 +168,7 @@ void lands_within(const Bound& bound, const std::string& hint) {
   if (!finding.held) {
     finding.hint = hint;
     finding.plot = evaluations(landing);
-    if (landing.overdrawn()) {
-      finding.diagnoses = {"it asked " + std::to_string(landing.count() - budget) +
-                           " times too often"};
-    } else if (landing.count() < budget / 2) {
-      finding.diagnoses = {"more than half of the evaluations were never spent"};
-    }
+    finding.diagnoses = recognise(landing);
   }
   check(finding);
 }

@@ -1,4 +1,5 @@
 // Fails: within the budget the shuttle lands as near as equal steps bring it
+// Says: this is Euler's method in 1200 equal steps
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

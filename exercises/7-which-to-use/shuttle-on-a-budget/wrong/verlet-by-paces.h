@@ -1,4 +1,5 @@
 // Fails: it lands eighty times nearer than RK4 in equal steps
+// Says: no two questions are for one time
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
