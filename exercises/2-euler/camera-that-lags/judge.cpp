@@ -80,6 +80,8 @@ std::vector<std::string> recognise(const Shot& shot, const Vec& before, const Ve
       {1 - std::exp(-60 * frame * part),
        "the part is taken for a rate; at sixty frames a second this goes " +
            number(1 - std::exp(-part)) + " of the way instead of " + number(part)},
+      {1 - left(part, frame / 60),
+       "the part is taken for the way of a second; it is the way of a sixtieth"},
       {1 - std::pow(part, 60 * frame),
        "the part of the way that it goes is taken for the part that is left"}};
   for (const auto& [other, says] : known) {
@@ -124,13 +126,13 @@ void follows(Student& student, const Shot& shot, const std::string& which,
   finding.error += " m, after frame " + std::to_string(n);
   if (!finding.held) {
     finding.hint = hint;
+    const bool remembered = right_when_fresh(yours.camera[n - 1], right.target[n], shot.part,
+                                             shot.frames[n - 1], right.camera[n], tolerance.value);
     finding.diagnoses =
-        recognise(shot, yours.camera[n - 1], right.target[n], shot.frames[n - 1], yours.camera[n]);
-    if (right_when_fresh(yours.camera[n - 1], right.target[n], shot.part, shot.frames[n - 1],
-                         right.camera[n], tolerance.value)) {
-      finding.diagnoses.emplace_back(
-          "as the first frame of a program it is right: what is remembered?");
-    }
+        remembered ? std::vector<std::string>{"as the first frame of a program it is right: what "
+                                              "is remembered?"}
+                   : recognise(shot, yours.camera[n - 1], right.target[n], shot.frames[n - 1],
+                               yours.camera[n]);
     finding.plot = {"How far the camera is from its target",
                     "time [s]",
                     "along x [m]",
