@@ -2,6 +2,7 @@
 #include "judged.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace grade {
 namespace {

@@ -2,6 +2,7 @@
 #include "judged.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <utility>
 
 using namespace grade;
 
