@@ -24,7 +24,7 @@ function parsed(path) {
 }
 
 export function checker({grade, alone, exercises, build}) {
-  const schema = parsed(join(exercises, 'grader/report/report.schema.json'));
+  const schema = parsed(new URL('../../../exercises/grader/report/report.schema.json', import.meta.url));
   const valid = new Ajv({allowUnionTypes: true}).compile(schema);
   const solution = join(exercises, exercise, 'solution.h');
 
