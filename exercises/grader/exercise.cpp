@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "installed.h"
+#include "version.h"
 
 namespace grade {
 namespace {
@@ -37,7 +38,7 @@ std::string Exercise::header() const {
 
 std::vector<Exercise> exercises() {
   std::vector<Exercise> all;
-  for (const std::string& name : exercise_names()) {
+  for (const auto& [name, hash] : versions()) {
     all.push_back({name, std::filesystem::path(installed().exercises) / name});
   }
   return all;

@@ -16,9 +16,6 @@ struct Exercise {
   std::string header() const;    ///< what a submission is called: `orbit-drift.h`
 };
 
-/// The names of all exercises that this grader can judge.
-const std::vector<std::string>& exercise_names();
-
 /// All exercises that this grader can judge, in the book's order.
 std::vector<Exercise> exercises();
 

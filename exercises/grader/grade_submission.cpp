@@ -16,6 +16,7 @@
 #include "judged.h"
 #include "kit.h"
 #include "memory_check.h"
+#include "replace_all.h"
 #include "submission.h"
 #include "version.h"
 
@@ -39,14 +40,6 @@ Verdict verdict(const Judged& judged) {
   const bool all = std::ranges::all_of(judged.tests, &TestResult::held);
   if (all) return Verdict::accepted;
   return judged.score() > 0 ? Verdict::partial : Verdict::wrong_answer;
-}
-
-// What the compiler says of the header, under the name that the student has for it.
-std::string about(const std::string& name, const std::string& header, std::string said) {
-  for (auto at = said.find(header); at != said.npos; at = said.find(header, at + name.size())) {
-    said.replace(at, header.size(), name);
-  }
-  return said;
 }
 
 Judged judge_once(const Request& request, const cage::Kit& kit, const cage::File& driver) {
@@ -98,6 +91,7 @@ void grade_into(const Request& request, Report& report) {
     }
   }
   const auto start = Clock::now();
+  // What the compiler says of it comes under the name that the student has for it.
   const std::string header = request.exercise.header();
   const std::string harness = read(request.exercise.folder / "harness.h");
   const Compiled compiled =
@@ -106,10 +100,10 @@ void grade_into(const Request& request, Report& report) {
   report.compile_processor = compiled.processor;
   if (compiled.failed) {
     report.verdict = *compiled.failed;
-    report.why = about(submission.name, header, compiled.message);
+    report.why = replace_all(compiled.message, header, submission.name);
     return;
   }
-  report.warnings = about(submission.name, header, compiled.message);
+  report.warnings = replace_all(compiled.message, header, submission.name);
   judge_driver(request, kit, compiled.driver, report);
   const bool ran = is_judged(report.verdict) || report.verdict == Verdict::runtime_error;
   if (!ran || !request.check_memory) return;
@@ -194,7 +188,7 @@ std::string sha256(const std::string& text) {
 }
 
 std::string version(const Exercise& exercise) {
-  return version_of(exercise.name);
+  return versions().at(exercise.name);
 }
 
 }  // namespace grade

@@ -3,6 +3,7 @@
 
 #include "compile.h"
 #include "kit.h"
+#include "replace_all.h"
 #include "submission.h"
 #include "told_by_checker.h"
 
@@ -11,15 +12,7 @@ namespace {
 
 constexpr const char* header = "yours.h";
 
-cage::Limits to_compile() {
-  cage::Limits limits;
-  limits.processor = 30;
-  limits.wall = 60;
-  limits.memory = 2'500'000'000;
-  return limits;
-}
-
-cage::Limits to_run() {
+cage::Limits patient() {
   cage::Limits limits;
   limits.processor = 30;
   limits.wall = 60;
@@ -44,12 +37,6 @@ std::string ending(const cage::Ended& ended) {
   return "it could not be started: " + ended.err;
 }
 
-std::string with_name(std::string said, const std::string& name) {
-  for (auto at = said.find(header); at != said.npos; at = said.find(header, at + name.size()))
-    said.replace(at, std::string_view(header).size(), name);
-  return said;
-}
-
 }  // namespace
 
 Ran run_own(const std::filesystem::path& file, cage::Sandbox sandbox) {
@@ -59,15 +46,19 @@ Ran run_own(const std::filesystem::path& file, cage::Sandbox sandbox) {
   if (sandbox == cage::Sandbox::bubblewrap) {
     if (const auto why = cage::unsafe(kit)) return {"", "", *why};
   }
+  cage::Limits to_compile = patient();
+  to_compile.memory = 2'500'000'000;
   const Compiled compiled =
-      compile(submission.text, header, "", sandbox, kit, to_compile(), cage::Build::own);
-  if (compiled.failed) return {"", "", with_name(compiled.message, submission.name)};
+      compile(submission.text, header, "", sandbox, kit, to_compile, cage::Build::own);
+  const auto named = [&](const std::string& said) {
+    return replace_all(said, header, submission.name);
+  };
+  if (compiled.failed) return {"", "", named(compiled.message)};
   const cage::Ended ended =
-      cage::run(sandbox, kit, compiled.driver, to_run(), cage::Build::own).finish();
-  std::string why = ending(ended);
+      cage::run(sandbox, kit, compiled.driver, patient(), cage::Build::own).finish();
   const std::string told = told_by_checker(ended.err, header);
-  if (!told.empty()) return {ended.out, "", with_name(told, submission.name)};
-  return {ended.out, with_name(ended.err, submission.name), why};
+  if (!told.empty()) return {ended.out, "", named(told)};
+  return {ended.out, named(ended.err), ending(ended)};
 }
 
 }  // namespace grade

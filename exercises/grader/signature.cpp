@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "replace_all.h"
+
 namespace grade {
 
 namespace {
@@ -17,11 +19,6 @@ std::optional<std::string> quoted(const std::string& text, std::string_view befo
   return to == text.npos ? std::nullopt : std::optional(text.substr(from, to - from));
 }
 
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-}
-
 /// The function's name: the last word of the excerpt's first line, `wanted = step;`.
 std::string function(const Diagnostic& error) {
   if (error.excerpt.empty()) return {};
@@ -32,9 +29,7 @@ std::string function(const Diagnostic& error) {
 
 /// `void(Vec&)` as one would write it: `void step(Vec&)`.
 std::string declaration(std::string type, const std::string& name) {
-  replace_all(type, "struct ", "");
-  replace_all(type, "class ", "");
-  replace_all(type, "(* const)(", "(");
+  for (const char* left_out : {"struct ", "class "}) type = replace_all(type, left_out, "");
   const std::size_t parameters = type.find('(');
   return parameters == type.npos ? type : type.insert(parameters, " " + name);
 }

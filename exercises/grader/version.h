@@ -2,12 +2,13 @@
 /// @file
 /// Hashes of what was compiled in; versions.cmake writes version.cpp when any of it changes.
 #pragma once
+#include <map>
 #include <string>
 
 namespace grade {
 
-/// The version of the book, and SHA-256 over the grader's own files and those of one exercise, the
-/// first sixteen digits.
-std::string version_of(const std::string& exercise);
+/// Of each exercise that this grader can judge, by its name: the version of the book, and SHA-256
+/// over the grader's own files and those of the exercise, the first sixteen digits.
+const std::map<std::string, std::string>& versions();
 
 }  // namespace grade

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include <catch2/catch_test_macros.hpp>
 
+#include "../table.h"
 #include "format_values.h"
 #include "integrate/dopri5.h"
 #include "judge/random.h"
@@ -10,12 +11,6 @@
 using namespace judge;
 
 namespace {
-
-struct Table {
-  std::string name;
-  std::vector<std::vector<double>> parts;
-  std::vector<double> weights;
-};
 
 double hundredths(Random& random, int low, int high) {
   return random.whole(low, high) / 100.0;
@@ -44,29 +39,6 @@ Table dormand_prince() {
            {W::a51, W::a52, W::a53, W::a54},
            {W::a61, W::a62, W::a63, W::a64, W::a65}},
           {W::a71, 0, W::a73, W::a74, W::a75, W::a76}};
-}
-
-Method method_of(const Table& table) {
-  return method(table.name,
-                [table](Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) {
-                  std::vector<State> slopes;
-                  const auto along = [&](const std::vector<double>& row, State state) {
-                    for (std::size_t j = 0; j < row.size(); ++j) {
-                      state.x += h * row[j] * slopes[j].x;
-                      state.v += h * row[j] * slopes[j].v;
-                    }
-                    return state;
-                  };
-                  for (const std::vector<double>& row : table.parts) {
-                    double reach = 0;
-                    for (const double part : row) reach += part;
-                    const State stage = along(row, {x, v});
-                    slopes.push_back({stage.v, acceleration(stage.x, stage.v, t + reach * h)});
-                  }
-                  const State end = along(table.weights, {x, v});
-                  x = end.x;
-                  v = end.v;
-                });
 }
 
 std::string described(const std::vector<double>& row) {

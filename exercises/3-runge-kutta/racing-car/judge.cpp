@@ -1,31 +1,16 @@
 // SPDX-License-Identifier: MIT-0
 #include <catch2/catch_test_macros.hpp>
 
+#include "../table.h"
 #include "judge/tests.h"
 
 using namespace judge;
 
 namespace {
 
-// Place and velocity at once, and a row of the table for each stage.
-void take_step(Vec& x, Vec& v, double t, double h, const Acceleration& force) {
-  constexpr double rows[4][3] = {{}, {1.0 / 3, 0, 0}, {-1.0 / 3, 1, 0}, {1, -1, 1}};
-  const State start{x, v};
-  State slopes[4];
-  for (int i = 0; i < 4; ++i) {
-    State stage = start;
-    for (int j = 0; j < i; ++j) {
-      stage.x += rows[i][j] * h * slopes[j].x;
-      stage.v += rows[i][j] * h * slopes[j].v;
-    }
-    slopes[i] = {stage.v, force(stage.x, stage.v, t + i / 3.0 * h)};
-    const double weight = (i % 3 == 0 ? 1 : 3) / 8.0;
-    x += weight * h * slopes[i].x;
-    v += weight * h * slopes[i].v;
-  }
-}
-
-const Method three_eighths = method("Kutta's three-eighths rule", take_step);
+const Method three_eighths = method_of({"Kutta's three-eighths rule",
+                                        {{}, {1.0 / 3}, {-1.0 / 3, 1}, {1, -1, 1}},
+                                        {1.0 / 8, 3.0 / 8, 3.0 / 8, 1.0 / 8}});
 
 }  // namespace
 
