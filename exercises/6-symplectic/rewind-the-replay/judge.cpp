@@ -135,7 +135,9 @@ TEST_CASE("an undo asks once, at the place and time where its step asked",
   }
   finding.tolerance = number(tolerance, 2) + " in place and time, none in the count";
   finding.tolerance_from = rounding(replay.steps, 2).from;
-  if (!finding.held)
+  if (!finding.held) {
     finding.hint = "Undo the drift, then ask, once, at the time that undo is given.";
+    finding.diagnoses = asked_elsewhere(yours, replay.by(symplectic_euler_position_first));
+  }
   check(finding);
 }

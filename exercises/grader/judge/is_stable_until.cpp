@@ -27,6 +27,15 @@ double growth(const Path& path) {
   return largest / distance(path.states.front(), State{});
 }
 
+// What stands still, or goes nowhere, does not blow up either: through the middle, or to it, is
+// half the way at least.
+bool moves(const Path& path) {
+  const Vec from = path.states.front().x;
+  return std::any_of(path.states.begin(), path.states.end(), [&](const State& state) {
+    return length(state.x - from) >= length(from) / 2;
+  });
+}
+
 grade::Plot plot(const Path& path) {
   grade::Curve yours{"yours", {}, {}};
   for (std::size_t n = 1; n < path.states.size(); ++n) {
@@ -50,19 +59,21 @@ void check_side(Student& student, double zeta, double limit, bool inside, const 
   const double grown = growth(path);
 
   grade::Finding finding;
-  finding.held = inside ? grown <= bounded : !(grown <= exploded);
+  const bool stands = inside && !moves(path);
+  finding.held = inside ? grown <= bounded && !stands : !(grown <= exploded);
   finding.asked = std::to_string(steps) + " steps of " + number(h * omega, 5) + "/omega on " +
                   describe(force) + ": 2 % " + (inside ? "below" : "above") + " the limit of " +
                   number(limit);
   finding.input = describe(start) + ", h = " + number(h, 17);
-  finding.expected = inside ? "it stays bounded" : "it blows up";
+  finding.expected = inside ? "it moves, and stays bounded" : "it blows up";
   finding.got = "it grew to " + number(grown, 3) + " times the start";
-  finding.error = inside ? "it blew up" : "it stayed bounded";
+  finding.error = stands ? "it does not move" : inside ? "it blew up" : "it stayed bounded";
   finding.tolerance = inside ? "a growth of 100" : "a growth of 1000";
   finding.tolerance_from = inside ? "so close to the limit the right method sways by less"
                                   : "so far over the limit the right method grows by far more";
   if (!finding.held) {
     finding.hint = hint;
+    if (stands) finding.diagnoses = {"the spring stays near where it was let go"};
     finding.plot = plot(path);
   }
   check(finding);

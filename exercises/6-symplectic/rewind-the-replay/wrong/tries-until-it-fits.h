@@ -1,4 +1,5 @@
 // Fails: an undo asks once, at the place and time where its step asked
+// Says: it evaluated the acceleration 30 times in these steps; this method does 3 times
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
