@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// A link that is too long or too short, and a chain of them.
+/// A link with play, and what became of it.
 #pragma once
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "../places.h"
 #include "judge/random.h"
 
@@ -9,61 +14,145 @@ namespace judge::verlet {
 
 struct Link {
   Vec a, b;
-  double rest = 0;
+  double shortest = 0, longest = 0;
   double inverse_a = 0, inverse_b = 0;
 
-  /// Its ends have different masses; it is so much too long, or too short, that it shows.
-  static Link draw(Random& random, bool too_long) {
-    Link link{random.start().x, {}, 0, random.between(0.2, 0.8), random.between(1.2, 5)};
+  /// Its ends have different masses.
+  /// @param low, high  its bounds, as parts of how long it is
+  static Link draw(Random& random, double low, double high) {
+    Link link{random.start().x, {}, 0, 0, random.between(0.2, 0.8), random.between(1.2, 5)};
     if (random.whole(0, 1) == 1) std::swap(link.inverse_a, link.inverse_b);
     link.b = link.a + random.vector(0.4, 1.5);
-    const double share = too_long ? random.between(0.4, 0.8) : random.between(1.3, 2.5);
-    link.rest = share * length(link.b - link.a);
+    link.shortest = low * link.length_now();
+    link.longest = high * link.length_now();
     return link;
   }
-
-  std::vector<Vec> by(Student& student) const {
-    return as_places(
-        student.call(0, {a.x, a.y, a.z, b.x, b.y, b.z, rest, inverse_a, inverse_b}, 6));
+  static Link too_long(Random& random) {
+    const double longest = random.between(0.4, 0.8);
+    return draw(random, longest * random.between(0.3, 0.8), longest);
+  }
+  static Link too_short(Random& random) {
+    const double shortest = random.between(1.3, 2.5);
+    return draw(random, shortest, shortest * random.between(1.2, 2));
   }
 
-  /// The ends, if a goes so many excesses towards b, and b so many towards a.
-  std::vector<Vec> moved(double share_a, double share_b) const {
-    const Vec d = b - a;
-    const Vec excess = (length(d) - rest) / length(d) * d;
-    return {a + share_a * excess, b - share_b * excess};
+  double length_now() const { return length(b - a); }
+  double nearest() const { return std::clamp(length_now(), shortest, longest); }
+  bool has_play() const { return nearest() == length_now(); }
+  double tolerance() const { return rounding(length(a) + length(b) + longest).value; }
+
+  Link after(Student& student) const {
+    const std::vector<Vec> ends = as_places(student.call(
+        0, {a.x, a.y, a.z, b.x, b.y, b.z, shortest, longest, inverse_a, inverse_b}, 6));
+    return {ends[0], ends[1], shortest, longest, inverse_a, inverse_b};
   }
-
-  double share_a() const { return inverse_a / (inverse_a + inverse_b); }
-
-  std::vector<Vec> pulled() const { return moved(share_a(), 1 - share_a()); }
 
   std::string in_words() const {
-    return "a = " + describe(a, 17) + ", b = " + describe(b, 17) +
-           ", rest = " + grade::number(rest, 17) + ", inverse_a = " + grade::number(inverse_a, 17) +
-           ", inverse_b = " + grade::number(inverse_b, 17);
-  }
-
-  /// What people make of it.
-  std::vector<Places> mistakes() const {
-    const double d = length(b - a), share = share_a();
-    const auto times = [&](double factor) { return moved(factor * share, factor * (1 - share)); };
-    // Jakobsen's root: one step of Newton's from the rest length.
-    const double jakobsen = (0.5 - rest * rest / (d * d + rest * rest)) * 2 * d / (d - rest);
-    return {
-        {"a link that nothing moved", {a, b}},
-        {"half the way for each, whatever they weigh", moved(0.5, 0.5)},
-        {"the heavier end moves further: the shares are swapped", moved(1 - share, share)},
-        {"the ends moved apart instead of together, or together instead of apart", times(-1)},
-        {"the whole way for both ends: it ends as wrong as it began", moved(1, 1)},
-        {"half of the way that is missing", times(0.5)},
-        {"the way times the length of the link: was d divided by its length?", times(d)},
-        {"the way over the rest length, not over the length of now", times(d / rest)},
-        {"Jakobsen's root, which is only near when the stretch is small", times(jakobsen)},
-        {"each end moved by its own inverse mass: the two shares should add up to one",
-         moved(inverse_a, inverse_b)},
-    };
+    const auto full = [](double value) { return grade::number(value, 17); };
+    return "a = " + describe(a, 17) + ", b = " + describe(b, 17) + ", " +
+           grade::number(length_now()) + " m apart, shortest = " + full(shortest) +
+           ", longest = " + full(longest) + ", inverse_a = " + full(inverse_a) +
+           ", inverse_b = " + full(inverse_b);
   }
 };
+
+/// A link that had play, and was moved.
+inline std::string wrong_within_play(const Link& before, const Link& after) {
+  const double off = length(after.a - before.a) + length(after.b - before.b);
+  const auto is = [&](double bound) {
+    return std::abs(after.length_now() - bound) <= before.tolerance();
+  };
+  if (off == 0) return "";
+  if (off <= before.tolerance())
+    return "it has play, and was moved by a rounding: leave it alone, without a sum";
+  if (is(before.longest)) return "it has play, and was put to its longest all the same";
+  if (is(before.shortest)) return "it has play, and was put to its shortest all the same";
+  return "it has play, and was moved all the same";
+}
+
+/// A link that went some other part of the way to its bound than the whole.
+inline std::string wrong_length(const Link& before, double part) {
+  const double now = before.length_now(), bound = before.nearest(), way = now - bound;
+  const double farther = bound == before.longest ? before.shortest : before.longest;
+  const double weights = before.inverse_a + before.inverse_b;
+  const double other = before.inverse_a * before.inverse_b / (weights * weights);
+  // Jakobsen's root: one step of Newton's from the bound.
+  const double root = now * (1 - 2 * bound * bound / (now * now + bound * bound)) / way;
+  const std::pair<double, const char*> known[] = {
+      {-1, "the ends went the wrong way"},
+      {2, "each end went the whole way: the two shares should add up to one"},
+      {0.5, "half of the way is missing"},
+      {(now - farther) / way, "it was put to its other bound, which is farther off"},
+      {(now - (bound + farther) / 2) / way, "it was put to the middle of its bounds"},
+      {now, "the way times the length of the link: was the line divided by its length?"},
+      {now / bound, "the way over the bound, and not over the length of now"},
+      {root, "this is Jakobsen's root, which is only near when the stretch is small"},
+      {weights, "each end moved by its own inverse mass: the two shares should add up to one"},
+      {1 - other, "the second end was measured from where the first one is now, and not was"},
+  };
+  for (const auto& [factor, says] : known) {
+    if (std::abs(part - factor) <= 1e-9 * (1 + std::abs(factor))) return says;
+  }
+  if (std::abs(part - 1) < 2e-6) return "right to seven digits and no further: a float?";
+  return "the ends came " + grade::number(part, 6) + " of the way to the bound";
+}
+
+/// A link that has the right length, and has it in another place than it should.
+inline std::string wrong_place(const Link& before, const Vec& way_a, const Vec& way_b) {
+  const auto none = [&](const Vec& way) { return length(way) <= before.tolerance(); };
+  if (none(way_a + way_b)) return "half the way for each, whatever they weigh";
+  if (none(before.inverse_a * way_a + before.inverse_b * way_b))
+    return "the heavier end moved further: the shares are swapped";
+  if (none(way_a) || none(way_b)) return "one end alone has moved, and none is pinned";
+  return "the common centre of mass has moved";
+}
+
+/// The first thing that is wrong with a link after it was pulled; empty if nothing is.
+inline std::string wrong_with(const Link& before, const Link& after) {
+  const Vec way_a = after.a - before.a, way_b = after.b - before.b, line = before.b - before.a;
+  const double moved = length(way_a) + length(way_b), off = after.length_now() - before.nearest();
+  const double weights = before.inverse_a + before.inverse_b;
+  if (!std::isfinite(moved))
+    return weights > 0 ? "an end is no longer at a finite place"
+                       : "with both ends pinned the shares are 0 / 0, which is no number";
+  if (before.has_play()) return wrong_within_play(before, after);
+  if (weights == 0) return moved > 0 ? "both ends are pinned, and one moved" : "";
+  if (moved == 0) return "nothing moved";
+  const bool pin_gave_way = (before.inverse_a == 0 && length(way_a) > before.tolerance()) ||
+                            (before.inverse_b == 0 && length(way_b) > before.tolerance());
+  if (pin_gave_way) return "the pinned end moved";
+  const auto sideways = [&](const Vec& way) {
+    return length(way - dot(way, line) / dot(line, line) * line) > before.tolerance();
+  };
+  if (sideways(way_a) || sideways(way_b)) return "an end has left the line of the link";
+  // Along the line: an end that went past the other has a length below zero.
+  const double now = before.length_now(), come = dot(way_a - way_b, line) / now;
+  if (std::abs(off) > before.tolerance() || come > now)
+    return wrong_length(before, come / (now - before.nearest()));
+  const Vec pushed = before.inverse_b * way_a + before.inverse_a * way_b;
+  return length(pushed) <= before.tolerance() * weights ? "" : wrong_place(before, way_a, way_b);
+}
+
+/// What there is to say of one pull.
+inline grade::Finding pulled(const Link& before, const Link& after, const std::string& what) {
+  const std::string wrong = wrong_with(before, after);
+  const bool stays = before.has_play() || before.inverse_a + before.inverse_b == 0;
+  grade::Finding finding;
+  finding.held = wrong.empty();
+  finding.asked = what;
+  finding.input = before.in_words();
+  finding.expected = stays ? "both ends where they were"
+                           : "a length of " + grade::number(before.nearest(), 12) +
+                                 " m, along the line of the link, and its centre of mass where it "
+                                 "was";
+  finding.got = "a = " + describe(after.a, 12) + ", b = " + describe(after.b, 12) + ", " +
+                grade::number(after.length_now(), 12) + " m apart";
+  finding.error =
+      "a went " + describe(after.a - before.a, 3) + ", b went " + describe(after.b - before.b, 3);
+  finding.tolerance = grade::number(stays ? 0 : before.tolerance(), 2);
+  finding.tolerance_from = stays ? "nothing should be touched" : rounding(1).from;
+  if (!finding.held) finding.diagnoses = {wrong};
+  return finding;
+}
 
 }  // namespace judge::verlet
