@@ -80,8 +80,8 @@ Path watch(const Method& method, const Start& start, double h, int steps,
            const Acceleration& acceleration) {
   std::vector<Evaluation> evaluations;
   const Acceleration kept = [&](const Vec& x, const Vec& v, double t) {
-    evaluations.push_back({x, v, t});
-    return acceleration(x, v, t);
+    evaluations.push_back({x, v, t, acceleration(x, v, t)});
+    return evaluations.back().a;
   };
   Path path = run(method, start, h, steps, 1, kept);
   path.evaluations = std::move(evaluations);

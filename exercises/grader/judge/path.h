@@ -23,6 +23,7 @@ struct Start {
 struct Evaluation {
   Vec x, v;
   double t = 0;
+  Vec a{};  ///< what it was told [m/s^2]; known of the judge's own paths
 };
 
 /// The states that a method went through, the start first.
