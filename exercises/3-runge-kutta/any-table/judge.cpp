@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT-0
 #include <catch2/catch_test_macros.hpp>
 
-#include "../table.h"
 #include "format_values.h"
 #include "integrate/dopri5.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
+#include "slips.h"
 
 using namespace judge;
 
@@ -81,7 +81,7 @@ TEST_CASE("a table that nobody has published is followed to rounding",
   is_method(student, method_of(table),
             "A stage may go along every slope before it, and each of the sums starts at the start "
             "of the step.",
-            1);
+            1, slips(table));
 }
 
 TEST_CASE("each stage asks once, at the time that its row adds up to",

@@ -17,26 +17,39 @@ namespace {
 
 constexpr double furthest = 10;  // of h omega, as the task says
 
-double stretch(Complex z, int terms) {
+Complex polynomial(Complex z, int terms) {
   Complex sum = 1;
   for (int n = terms; n > 0; --n) sum = 1.0 + z / double(n) * sum;
-  return std::abs(sum);
+  return sum;
+}
+
+double stretch(Complex z, int terms) {
+  return std::abs(polynomial(z, terms));
 }
 
 // What the two motions of a spring make of a step; the one that grows more.
-double worst(double homega, double zeta, int terms) {
+double worst(double homega, double zeta, int terms, double shrinking) {
   const Complex root = std::sqrt(Complex(zeta * zeta - 1));
-  return std::max(stretch(homega * (-zeta + root), terms), stretch(homega * (-zeta - root), terms));
+  return std::max(stretch(homega * (-shrinking + root), terms),
+                  stretch(homega * (-shrinking - root), terms));
+}
+
+double worst(double homega, double zeta, int terms) {
+  return worst(homega, zeta, terms, zeta);
 }
 
 // Of h omega. A midpoint step has two terms, Euler's one.
-double limit(double zeta, int terms) {
+double limit(double zeta, int terms, double shrinking) {
   double stable = 0, unstable = furthest;
   for (int halving = 0; halving < 60; ++halving) {
     const double middle = (stable + unstable) / 2;
-    (worst(middle, zeta, terms) > 1 ? unstable : stable) = middle;
+    (worst(middle, zeta, terms, shrinking) > 1 ? unstable : stable) = middle;
   }
   return stable;
+}
+
+double limit(double zeta, int terms) {
+  return limit(zeta, terms, zeta);
 }
 
 bool near(double a, double b) {
@@ -53,6 +66,9 @@ std::vector<std::string> looks_like(double got, double omega, double zeta) {
   add_if(limit(zeta, 1) / omega, "this is the limit of Euler's method");
   add_if(limit(zeta, 2) / omega, "this is the limit of the midpoint method");
   add_if(limit(zeta, 3) / omega, "a term of the polynomial is missing: the fourth power");
+  if (zeta > 0)
+    add_if(limit(zeta, 4, 2 * zeta) / omega,
+           "the motions shrink with zeta omega; yours do with 2 zeta omega");
   const double off = std::abs(got * omega / limit(zeta, 4) - 1);
   if (off > 1e-6 && off < 1e-3) found.push_back("nearly: the search ends too soon");
   if (zeta > 0) add_if(std::sqrt(8) / omega, "this is the limit without damping");
@@ -111,7 +127,15 @@ TEST_CASE("a step stretches every motion as the polynomial of RK4 does",
              student.call(0, {z.real(), z.imag()}, 1).front(), stretch(z, 4),
              rounding(std::exp(size)),
              "RK4 keeps the terms of e^z up to the fourth power. The size of a complex number is "
-             "the root of the sum of its parts squared.");
+             "the root of the sum of its parts squared.",
+             {{stretch(z, 1), "this is what a step of Euler's method does"},
+              {stretch(z, 2), "this is what a step of the midpoint method does"},
+              {stretch(z, 3), "a term of the polynomial is missing: the fourth power"},
+              {std::exp(z.real()), "this is what the motion itself does in the time"},
+              {std::pow(stretch(z, 4), 2), "this is the square of the size"},
+              {polynomial(z, 4).real(), "this is the real part of the polynomial, not its size"},
+              {std::abs(polynomial(z, 4).real()),
+               "this is the real part of the polynomial, not its size"}});
   }
 }
 

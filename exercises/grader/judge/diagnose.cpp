@@ -155,6 +155,13 @@ Mistake without_h(const Method& right) {
            }}};
 }
 
+bool first_step_alone(const Path& yours, const Path& expected) {
+  const double tolerance = ten_digits * size(expected);
+  return expected.every == 1 && expected.states.size() > 2 &&
+         distance(yours.states[1], expected.states[1]) <= tolerance &&
+         distance(yours.states[2], expected.states[2]) > tolerance;
+}
+
 // The questions of the first step are right, and what is made of them is not.
 std::string wrong_sum(const Path& yours, const Path& expected, std::size_t first_elsewhere) {
   const std::size_t in_a_step = in_first_step(expected);
@@ -193,8 +200,10 @@ std::vector<std::string> asked_elsewhere(const Path& yours, const Path& expected
   const bool as_many = yours.evaluations.size() == expected.evaluations.size();
   const double tolerance = ten_digits * size(expected);
   const std::size_t n = first_elsewhere(yours, expected);
-  // What comes in the next step's place, because a step asks more often, is no place of its own.
-  if (n < both && (as_many || n < in_first_step(expected))) {
+  // What comes in the next step's place, because a step asks more or less often, is no place of its
+  // own.
+  const std::size_t in_a_step = std::min(in_first_step(yours), in_first_step(expected));
+  if (n < both && (as_many || n < in_a_step)) {
     const Evaluation &a = yours.evaluations[n], &b = expected.evaluations[n];
     return {"evaluation " + std::to_string(n + 1) + " of the acceleration was at " +
             where(a, expected, tolerance) + "; here it should be at " +
@@ -207,7 +216,8 @@ std::vector<std::string> asked_elsewhere(const Path& yours, const Path& expected
 }
 
 std::vector<std::string> diagnose(const Path& yours, const Method& asked,
-                                  const std::function<Path(const Method&)>& run_by) {
+                                  const std::function<Path(const Method&)>& run_by,
+                                  const std::vector<Method>& mistaken) {
   const Path expected = run_by(asked);
   const std::size_t broken = first_not_finite(yours);
   if (broken < yours.states.size()) {
@@ -215,11 +225,13 @@ std::vector<std::string> diagnose(const Path& yours, const Method& asked,
             std::to_string(broken * static_cast<std::size_t>(yours.every))};
   }
   if (never_changes(yours)) return {"the state never changes"};
-  for (const Method& known : methods()) {
-    const Path theirs = run_by(known);
-    if (!alike(yours, theirs)) continue;
-    const double off = apart(yours, theirs) / size(theirs);
-    return {"this is " + known.name + " to " + number(std::max(off, 1e-16), 1)};
+  for (const std::vector<Method>& several : {methods(), mistaken}) {
+    for (const Method& known : several) {
+      const Path theirs = run_by(known);
+      if (!alike(yours, theirs)) continue;
+      const double off = apart(yours, theirs) / size(theirs);
+      return {"this is " + known.name + " to " + number(std::max(off, 1e-16), 1)};
+    }
   }
   for (const Mistake& mistake : {with_wrong_sign(asked), without_h(asked)}) {
     if (alike(yours, run_by(mistake.method))) return {mistake.says};
@@ -231,6 +243,10 @@ std::vector<std::string> diagnose(const Path& yours, const Method& asked,
   if (single_precision(yours, expected)) {
     found.push_back("right to seven digits and no further: a float, or a constant with an f?");
     return found;
+  }
+  if (first_step_alone(yours, expected)) {
+    found.push_back(
+        "the first step is right, and the second is not: what is left over from the first?");
   }
   const std::string sum = wrong_sum(yours, expected, first_elsewhere(yours, expected));
   const std::vector<std::string> elsewhere =

@@ -5,6 +5,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "judge/method.h"
 #include "judge/rounding.h"
@@ -12,10 +13,18 @@
 
 namespace judge {
 
+/// A wrong number, and what makes one get it.
+struct Mistaken {
+  double value = 0;
+  std::string says;
+};
+
 /// Five coarse steps under forces that only the judge knows are those of the method, in every
 /// digit that rounding leaves. Nothing else passes, however accurate it is.
 /// @param function  of harness.h, if it is not the first
-void is_method(Student& student, const Method& method, const std::string& hint, int function = 0);
+/// @param mistaken  what else the student's steps are recognised by, beside the methods of the book
+void is_method(Student& student, const Method& method, const std::string& hint, int function = 0,
+               const std::vector<Method>& mistaken = {});
 
 /// The acceleration is evaluated so many times a step, after so many to begin with, and where the
 /// method evaluates it in the states that the student's own steps come to.
@@ -53,8 +62,10 @@ void runs_backwards(Student& student, const std::string& hint, int function = 0)
 /// @param asked  what the number is, in words
 /// @param input  what it was computed from
 /// @param tolerance  how far off it may be; rounding(expected) for a short formula
+/// @param mistaken  wrong numbers that are recognised, and what is said of each
 void is_exact(const std::string& asked, const std::string& input, double got, double expected,
-              const Tolerance& tolerance, const std::string& hint);
+              const Tolerance& tolerance, const std::string& hint,
+              const std::vector<Mistaken>& mistaken = {});
 
 /// A number that must not exceed a bound, such as an error or a count.
 void is_at_most(const std::string& asked, const std::string& input, double got,

@@ -1,4 +1,5 @@
 // Fails: a comet costs a fifth of what equal steps cost for the same error
+// Says: no tenth of the flight has twice the questions of another: all steps are as long
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

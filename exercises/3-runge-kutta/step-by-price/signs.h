@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What the questions of a flight tell of its steps.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "format_values.h"
+#include "judge/method.h"
+
+namespace judge {
+
+using Signs = std::vector<std::string>;
+
+inline Signs either(const Signs& one, const Signs& other) {
+  return one.empty() ? other : one;
+}
+
+/// As many questions as a pair of half steps of RK4 asks.
+constexpr std::size_t a_step = 12;
+
+/// The time that so many questions, from the n-th on, reach over [s].
+inline double reach(const Path& path, std::size_t n) {
+  const auto from = path.evaluations.begin() + static_cast<std::ptrdiff_t>(n);
+  const auto [first, last] =
+      std::minmax_element(from, from + std::ptrdiff_t(a_step),
+                          [](const Evaluation& a, const Evaluation& b) { return a.t < b.t; });
+  return last->t - first->t;
+}
+
+inline Signs spread_evenly(const Path& path, double duration) {
+  constexpr std::size_t parts = 10;
+  std::vector<int> counts(parts);
+  for (const Evaluation& asked : path.evaluations) {
+    const double part = parts * (asked.t - path.t) / duration;
+    ++counts[static_cast<std::size_t>(std::clamp(part, 0.0, parts - 1.0))];
+  }
+  const auto [fewest, most] = std::ranges::minmax(counts);
+  if (most > 2 * fewest) return {};
+  return {"no tenth of the flight has twice the questions of another: all steps are as long"};
+}
+
+inline Signs asks_too_little(const Path& path) {
+  if (path.evaluations.size() >= 2 * a_step) return {};
+  return {"it asked " + grade::number(double(path.evaluations.size())) +
+          " times in all: what pulls elsewhere, and later, nobody has told it"};
+}
+
+inline Signs coasts_in_short_steps(const Path& path, double duration) {
+  double longest = 0;
+  for (std::size_t n = 0; n + a_step <= path.evaluations.size(); ++n) {
+    longest = std::max(longest, reach(path, n));
+  }
+  if (longest > duration / 10) return {};
+  return {"no twelve questions reach over more than " + grade::number(longest, 2) +
+          " s: let a step grow faster"};
+}
+
+/// How far from a moment, at which the force changes, it asked on either side.
+inline Signs jumps_over(const Path& path, double moment) {
+  double before = INFINITY, after = INFINITY;
+  for (const Evaluation& asked : path.evaluations) {
+    const double late = asked.t - moment;
+    (late < 0 ? before : after) = std::min(late < 0 ? before : after, std::abs(late));
+  }
+  if (before + after < 0.05) return {};
+  return {"its last question before the engine starts and its first one after that are " +
+          grade::number(before + after, 2) + " s apart: was the step that met it made again?"};
+}
+
+/// By how much of a duration the place is further on than the true one, along the path.
+inline double ahead(const Vec& x, const State& truly) {
+  return dot(x - truly.x, truly.v) / dot(truly.v, truly.v);
+}
+
+inline Signs late_at_the_end(const State& end, const State& truly) {
+  const double by = ahead(end.x, truly), off = length(end.x - truly.x);
+  if (length(end.x - truly.x - by * truly.v) > off / 10) return {};
+  return {"it ends on the right path, " + grade::number(std::abs(by), 2) + " s " +
+          (by > 0 ? "after" : "before") + " the moment that was asked for"};
+}
+
+/// Whether many questions name a time at which the flight is elsewhere on its path.
+inline Signs asks_at_another_time(const Path& path, double duration,
+                                  const Acceleration& acceleration) {
+  constexpr int parts = 1000;
+  const Start start{path.states.front().x, path.states.front().v, path.t};
+  const Path truly = truth(start, duration / parts, parts, 1, acceleration);
+  std::size_t elsewhere = 0;
+  for (std::size_t n = 0; n + a_step <= path.evaluations.size(); ++n) {
+    const Evaluation& asked = path.evaluations[n];
+    const double part = std::clamp((asked.t - path.t) / duration, 0.0, 1.0) * parts;
+    const State& near = truly.states[static_cast<std::size_t>(part)];
+    const double since = (part - std::floor(part)) * duration / parts;
+    const double off = ahead(asked.x, {near.x + since * near.v, near.v});
+    elsewhere += std::abs(off) > 0.2 * reach(path, n);
+  }
+  if (6 * elsewhere < path.evaluations.size()) return {};
+  return {
+      "many of its questions name a time at which the flight is elsewhere: does the clock of "
+      "each question go with its place?"};
+}
+
+}  // namespace judge
