@@ -2,8 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "../order.h"
-#include "../places.h"
-#include "judge/random.h"
+#include "drag.h"
 
 using namespace judge;
 using namespace judge::verlet;
@@ -55,53 +54,23 @@ void comes_to_rest(Student& student, double zeta, const std::string& hint) {
   finding.tolerance_from =
       "in so many steps the right method divides the start by exp(20), and a thousandth is far "
       "more";
-  if (!finding.held) finding.hint = hint;
+  if (!finding.held) {
+    finding.hint = hint;
+    finding.diagnoses = Line::draw().recognised(student);
+  }
   check(finding);
 }
 
 void bears(Student& student, double zeta, const std::string& hint) {
-  is_stable_until(student, zeta, 2, hint);
+  is_stable_until(student, zeta, 2, hint, 0, [&] { return Line::draw().recognised(student); });
   comes_to_rest(student, zeta, "It neither blows up nor calms down. Where is the drag?");
 }
 
 }  // namespace
 
 TEST_CASE("one step takes the drag at the velocity of now", "[5-verlet/braked-verlet][3 points]") {
-  Random random;
-  const Vec x = random.start().x, before = random.start().x, a = random.vector(2, 9);
-  const double h = random.between(0.1, 0.3), c = random.between(2, 12);
   Student student;
-  const std::vector<Vec> yours = as_places(
-      student.call(1, {x.x, x.y, x.z, before.x, before.y, before.z, a.x, a.y, a.z, c, h}, 3));
-  const Vec d = x - before, push = h * h * a;
-  const double half = c * h / 2, left = std::exp(-c * h);
-  Asked asked{"next_place",
-              "x = " + describe(x, 17) + ", x_previous = " + describe(before, 17) +
-                  ", a = " + describe(a, 17) + ", c = " + number(c, 17) + ", h = " + number(h, 17),
-              rounding(length(x) + length(before) + length(a)),
-              "Put your result into the two formulas of the task. Do both sides agree?",
-              {}};
-  const Vec v = (yours[0] - before) / (2 * h), other_side = x + d + push - h * h * c * v;
-  asked.remarks = {"with your place v is " + describe(v) +
-                   ", and then the right side of the formula is " + describe(other_side)};
-  are_places(asked, yours,
-             {"drag at the velocity of now", {x + ((1 - half) * d + push) / (1 + half)}},
-             {{"position Verlet with the drag of half a step ago, as in the chapter",
-               {x + (1 - c * h) * d + push}},
-              {"position Verlet without drag", {x + d + push}},
-              {"drag at the velocity of half a step ahead: x_next - x over h",
-               {x + (d + push) / (1 + c * h)}},
-              {"a push that is not divided", {x + (1 - half) / (1 + half) * d + push}},
-              {"only half of the drag, the half that is known", {x + (1 - half) * d + push}},
-              {"only half of the drag, the half that is divided", {x + (d + push) / (1 + half)}},
-              {"drag with the wrong sign: it drives", {x + ((1 + half) * d + push) / (1 - half)}},
-              {"exp(-c h) on the distance alone: stable a little further, and of order one",
-               {x + left * d + push}},
-              {"exact drag under a constant force: a good method, and another than was asked for",
-               {x + left * d + (1 - left) * h / c * a}},
-              {"drag without the step: c for c h", {x + ((1 - c / 2) * d + push) / (1 + c / 2)}},
-              {"everything divided, the place along with it",
-               {(x + (1 - half) * d + push) / (1 + half)}}});
+  solves(student, Line::draw());
 }
 
 TEST_CASE("on a damped spring half the step leaves a quarter of the error",
@@ -121,6 +90,7 @@ TEST_CASE("on a damped spring half the step leaves a quarter of the error",
     runs.steps.push_back(2.0 / count);
     runs.errors.push_back(error_of(student, start, spring, count));
   }
+  runs.remarks = Line::draw().recognised(student);
   has_order_two(runs);
 }
 

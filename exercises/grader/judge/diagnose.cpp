@@ -58,9 +58,14 @@ bool never_changes(const Path& path) {
 }
 
 // Right to about seven digits after one step, and no further: something went through a float.
-bool single_precision(const Path& yours, const Path& expected) {
+// Right to nine: a float that counts little, or a number that was typed.
+std::string too_few_digits(const Path& yours, const Path& expected) {
   const double first = distance(yours.states[1], expected.states[1]) / size(expected);
-  return first > 1e-9 && first < 2e-6;
+  if (first > 4e-9 && first < 2e-6)
+    return "right to seven digits and no further: a float, or a constant with an f?";
+  if (first > ten_digits && first <= 4e-9)
+    return "right to nine digits and no further: a constant with too few digits, or a float?";
+  return "";
 }
 
 struct Part {
@@ -240,8 +245,8 @@ std::vector<std::string> diagnose(const Path& yours, const Method& asked,
   if (alike(yours, negative(expected))) found.push_back("this is minus the right path");
   if (shifted(yours, expected, 0, 1)) found.push_back("this is one step ahead");
   if (shifted(yours, expected, 1, 0)) found.push_back("this is one step behind");
-  if (single_precision(yours, expected)) {
-    found.push_back("right to seven digits and no further: a float, or a constant with an f?");
+  if (const std::string digits = too_few_digits(yours, expected); !digits.empty()) {
+    found.push_back(digits);
     return found;
   }
   if (first_step_alone(yours, expected)) {

@@ -49,7 +49,7 @@ grade::Plot plot(const Path& path) {
 
 // omega is drawn: it must be h omega that counts.
 void check_side(Student& student, double zeta, double limit, bool inside, const std::string& hint,
-                int function) {
+                int function, const Remarks& remarks) {
   Random random;
   const double omega = random.between(3, 9);
   const double h = limit * (inside ? 1 - margin : 1 + margin) / omega;
@@ -73,6 +73,7 @@ void check_side(Student& student, double zeta, double limit, bool inside, const 
                                   : "so far over the limit the right method grows by far more";
   if (!finding.held) {
     finding.hint = hint;
+    if (remarks) finding.diagnoses = remarks();
     if (stands) finding.diagnoses = {"the spring stays near where it was let go"};
     finding.plot = plot(path);
   }
@@ -82,9 +83,9 @@ void check_side(Student& student, double zeta, double limit, bool inside, const 
 }  // namespace
 
 void is_stable_until(Student& student, double zeta, double limit, const std::string& hint,
-                     int function) {
-  check_side(student, zeta, limit, true, hint, function);
-  check_side(student, zeta, limit, false, hint, function);
+                     int function, const Remarks& remarks) {
+  check_side(student, zeta, limit, true, hint, function, remarks);
+  check_side(student, zeta, limit, false, hint, function, remarks);
 }
 
 }  // namespace judge

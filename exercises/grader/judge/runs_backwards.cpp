@@ -24,7 +24,8 @@ bool moves(const Path& there, const Start& start, const harness::Force& force) {
 
 }  // namespace
 
-void runs_backwards(Student& student, const std::string& hint, int function) {
+void runs_backwards(Student& student, const std::string& hint, int function,
+                    const Remarks& remarks) {
   Random random;
   const Start start = random.start();
   harness::Force force = random.wild();
@@ -48,7 +49,11 @@ void runs_backwards(Student& student, const std::string& hint, int function) {
   if (!moved)
     finding.diagnoses.emplace_back(
         "on its way it is further from the truth than half of what a straight line is");
-  if (!finding.held) finding.hint = hint;
+  if (!finding.held) {
+    finding.hint = hint;
+    for (const std::string& remark : remarks ? remarks() : std::vector<std::string>{})
+      finding.diagnoses.push_back(remark);
+  }
   check(finding);
 }
 

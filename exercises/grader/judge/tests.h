@@ -19,6 +19,9 @@ struct Mistaken {
   std::string says;
 };
 
+/// What an exercise has to say of an answer besides, asked for only if the answer is wrong.
+using Remarks = std::function<std::vector<std::string>()>;
+
 /// Five coarse steps under forces that only the judge knows are those of the method, in every
 /// digit that rounding leaves. Nothing else passes, however accurate it is.
 /// @param function  of harness.h, if it is not the first
@@ -37,11 +40,11 @@ void evaluates(Student& student, const Method& method, int per_step, int to_begi
 void has_order(Student& student, double p, int most_steps, const std::string& hint,
                int function = 0);
 
-/// On a spring the run stays bounded with a step 2 % below the limit and blows up with one 2 %
-/// above it.
+/// On a spring the run moves and stays bounded with a step 2 % below the limit, and blows up with
+/// one 2 % above it.
 /// @param limit  of h omega
 void is_stable_until(Student& student, double zeta, double limit, const std::string& hint,
-                     int function = 0);
+                     int function = 0, const Remarks& remarks = {});
 
 /// Over many turns of an orbit its energy error goes where the method's goes: drifts as far, sways
 /// as far.
@@ -56,7 +59,8 @@ void keeps_energy(Student& student, double eccentricity, int turns, int per_turn
                   const std::string& hint, int function = 0);
 
 /// There and back again, with -h: the start, to rounding.
-void runs_backwards(Student& student, const std::string& hint, int function = 0);
+void runs_backwards(Student& student, const std::string& hint, int function = 0,
+                    const Remarks& remarks = {});
 
 /// One number of a formula.
 /// @param asked  what the number is, in words
