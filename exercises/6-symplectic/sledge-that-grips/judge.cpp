@@ -86,5 +86,8 @@ TEST_CASE("a braked spring lets go at 2 (sqrt(1 + zeta^2) + zeta), and not befor
       student, zeta, 2 * (std::sqrt(1 + zeta * zeta) + zeta),
       "Divided after the push, a brake gives room; divided before it, or as a force, it "
       "takes room away. (The spring's drag is the same in all directions here.)",
-      1);
+      1, [&] {
+        const Ride ride{Sledge::draw(random), random.start(), random.wild(), 0.1, 2};
+        return recognised(ride, ride.by(student));
+      });
 }

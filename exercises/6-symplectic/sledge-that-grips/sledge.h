@@ -44,18 +44,40 @@ inline double exponential(double ch) {
   return std::exp(-ch);
 }
 
-enum Order { push_first, brake_first, brake_last };
+enum Order { push_first, brake_first, brake_last, push_braked_along };
+
+// What people make of the two drags.
+inline Sledge as_it_is(const Sledge& sledge, double) {
+  return sledge;
+}
+inline Sledge swapped(const Sledge& sledge, double) {
+  return {sledge.along, sledge.c_across, sledge.c_along};
+}
+inline Sledge easy(const Sledge& sledge, double) {
+  return {sledge.along, sledge.c_along, sledge.c_along};
+}
+inline Sledge stiff(const Sledge& sledge, double) {
+  return {sledge.along, sledge.c_across, sledge.c_across};
+}
+inline Sledge twice_along(const Sledge& sledge, double h) {
+  const double both = sledge.c_along + sledge.c_across + sledge.c_along * sledge.c_across * h;
+  return {sledge.along, both, sledge.c_across};
+}
 
 /// A way to brake.
 struct Way {
   std::string name;
   double (*factor)(double);
   Order order;
+  Sledge (*as)(const Sledge&, double h) = as_it_is;
 
-  void step(const Sledge& sledge, State& s, double t, double h, const harness::Force& push) const {
+  void step(const Sledge& real, State& s, double t, double h, const harness::Force& push) const {
+    const Sledge sledge = as(real, h);
     const Vec kick = h * push(s.x, s.v, t);
     if (order == brake_first) {
       s.v = sledge.braked(s.v, h, factor) + kick;
+    } else if (order == push_braked_along) {
+      s.v = sledge.braked(s.v, h, factor) + factor(sledge.c_along * h) * kick;
     } else {
       s.v += kick;
     }
@@ -75,6 +97,12 @@ inline const std::vector<Way> others{
     {"drag by 1 - c h cut off at zero, before the push", cut_off, brake_first},
     {"drag by exp(-c h), after the push", exponential, push_first},
     {"drag by exp(-c h), before the push", exponential, brake_first},
+    {"the two drags at each other's places", divided, push_first, swapped},
+    {"one drag for all directions, that along the runners", divided, push_first, easy},
+    {"one drag for all directions, that across the runners", divided, push_first, stiff},
+    {"both drags on what glides, one after the other", divided, push_first, twice_along},
+    {"a velocity that was split before the push, and the push braked along as a whole", divided,
+     push_braked_along},
 };
 
 struct Ride {

@@ -25,7 +25,10 @@ TEST_CASE("a few steps of hidden stars are those of symplectic Euler",
               start, h);
     compare(yours[n], expected[n], tolerance.value, finding);
     finding.tolerance_from = tolerance.from;
-    if (!finding.held) finding.hint = "Which stars come out right, and what have they in common?";
+    if (!finding.held) {
+      finding.hint = "Which stars come out right, and what have they in common?";
+      finding.diagnoses = recognised(start, yours[0], expected[0], h);
+    }
     check(finding);
   }
 }
@@ -40,7 +43,8 @@ TEST_CASE("two stars that turn around each other stay where they are together",
   const auto yours = by(student, start, h, steps);
   grade::Finding finding =
       asked(std::to_string(steps) + " steps of two stars that together do not move", start, h);
-  check_kicks(start, yours[0], by_method(start, h, 1)[0], finding);
+  const Stars right = by_method(start, h, 1)[0];
+  check_kicks(start, yours[0], right, h, finding);
   const Tolerance tolerance = rounding(steps, length(start.at[0].v) + length(start.at[1].v));
   double fastest = 0;
   grade::Curve path{"the middle of your stars", {}, {}};
@@ -62,6 +66,7 @@ TEST_CASE("two stars that turn around each other stay where they are together",
     finding.hint =
         "Two pulls cancel if both are computed from the same two places, and each from "
         "the other's mass.";
+    finding.diagnoses = recognised(start, yours[0], right, h);
     finding.plot = {"Where the pair goes", "x [m]", "y [m]", {path}, true};
   }
   check(finding);
@@ -75,13 +80,17 @@ TEST_CASE("the order of the stars in the list makes no difference",
   const double h = random.between(0.1, 0.2);
   grade::Finding finding = asked("one step, and one with the list turned round", start, h);
   const Stars first = by(student, start, h, 1)[0];
-  check_kicks(start, first, by_method(start, h, 1)[0], finding);
+  const Stars right = by_method(start, h, 1)[0];
+  check_kicks(start, first, right, h, finding);
   const Tolerance tolerance = rounding(1, 3);
   compare(turned_round(by(student, turned_round(start), h, 1)[0]), first, tolerance.value, finding);
   finding.expected += ", as in the first order";
   finding.got += ", in the other";
   finding.tolerance_from = tolerance.from;
-  if (!finding.held) finding.hint = "Does what a star feels depend on whose turn it was before?";
+  if (!finding.held) {
+    finding.hint = "Does what a star feels depend on whose turn it was before?";
+    finding.diagnoses = recognised(start, first, right, h);
+  }
   check(finding);
 }
 
@@ -95,7 +104,7 @@ TEST_CASE("a step keeps the sum of the areas", "[6-symplectic/stars-that-wander]
   const auto right = [&](const Stars& from) { return by_method(from, h, 1)[0]; };
   grade::Finding finding =
       asked("one step of three stars, and of those a little beside them", start, h);
-  check_kicks(start, yours(start), right(start), finding);
+  check_kicks(start, yours(start), right(start), h, finding);
   constexpr double share = 1e-4;
   const auto area_after = [&](const auto& step, double part) {
     return area(start.mu, carried(step, start, a, part), carried(step, start, b, part));
@@ -115,6 +124,7 @@ TEST_CASE("a step keeps the sum of the areas", "[6-symplectic/stars-that-wander]
     finding.hint =
         "A kick that looks at places and changes velocities keeps the sum, and so does a "
         "drift; each of all stars at once.";
+    finding.diagnoses = recognised(start, yours(start), right(start), h);
   }
   check(finding);
 }

@@ -95,6 +95,16 @@ inline std::string describe(const Stars& stars, double h) {
   return text + "h = " + grade::number(h, 17);
 }
 
+/// The largest difference of a star's state; infinite if a number is not finite.
+inline double apart(const Stars& a, const Stars& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.at.size(); ++i) {
+    const double now = judge::distance(a.at[i], b.at[i]);
+    largest = std::isfinite(now) ? std::max(largest, now) : INFINITY;
+  }
+  return largest;
+}
+
 // How fast the whole moves.
 inline Vec drift(const Stars& stars) {
   Vec momentum;

@@ -1,4 +1,5 @@
 // Fails: a step keeps the sum of the areas
+// Says: what the stars drift is taken out again
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

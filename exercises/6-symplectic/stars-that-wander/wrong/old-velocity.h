@@ -1,4 +1,5 @@
 // Fails: a step keeps the sum of the areas
+// Says: this is Euler's method: the stars moved with their old velocities
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
 // Fails: a few steps of hidden stars are those of symplectic Euler
+// Says: is the pull softened, or a float?
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
