@@ -2,6 +2,9 @@
 /// @file
 /// Frames of changing length, and where they lead.
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include "../places.h"
 #include "judge/random.h"
 
@@ -23,16 +26,20 @@ struct Flight {
     return as_places(student.call(0, request, 3 * frames.size()));
   }
 
+  /// What the force is asked for.
+  enum Asked { as_it_should, one_frame_later, with_next_frame };
+
   /// The same frames where the next place is x + far (x - x_previous) + push a.
   /// @param far, push  callable `(h, h_previous)`
   template <class Far, class Push>
-  std::vector<Vec> by(Far far, Push push) const {
+  std::vector<Vec> by(Far far, Push push, Asked asked = as_it_should) const {
     std::vector<Vec> places{x_previous, x};
     double now = t, last = h_previous;
     for (const double h : frames) {
       const Vec here = places.back(), distance = here - places[places.size() - 2];
       places.push_back(here + far(h, last) * distance +
-                       push(h, last) * force(here, distance / last, now));
+                       push(h, last) * force(here, distance / (asked == with_next_frame ? h : last),
+                                             asked == one_frame_later ? now + h : now));
       now += h;
       last = h;
     }
@@ -73,6 +80,7 @@ inline double squared(double h, double) {
 inline std::vector<Places> mistakes(const Flight& flight) {
   const auto with_last = [](double h, double last) { return h * last; };
   const auto upside_down = [](double h, double last) { return last / h; };
+  const auto squares = [](double h, double last) { return (h * h + last * last) / 2; };
   Flight forgetful = flight;
   forgetful.h_previous = flight.frames[0];
   return {
@@ -82,9 +90,43 @@ inline std::vector<Places> mistakes(const Flight& flight) {
       {"a push of h h_previous: as if both halves were the last frame's",
        flight.by(ratio, with_last)},
       {"the ratio of the frames upside down", flight.by(upside_down, half_of_both)},
+      {"a push by the mean of both frames' squares", flight.by(ratio, squares)},
+      {"the right formula with a force at t + h",
+       flight.by(ratio, half_of_both, Flight::one_frame_later)},
+      {"the right formula with a drag that sees the last distance over h, not over h_previous",
+       flight.by(ratio, half_of_both, Flight::with_next_frame)},
       {"right from the second frame on: in the first, h_previous is taken for h",
        forgetful.by(ratio, half_of_both)},
   };
+}
+
+/// Where a constant force moves the places in some frames as it should, and in others not: what is
+/// different about those.
+inline std::vector<std::string> kept_within(const Flight& flight, const std::vector<Vec>& yours,
+                                            const Tolerance& tolerance) {
+  double low = 1, high = 1, too_low = 0, too_high = INFINITY;  // ratios of frames
+  int wrong = 0;
+  Flight one = flight;
+  for (std::size_t n = 0; n < yours.size(); ++n) {
+    one.frames = {flight.frames[n]};
+    const double now = one.frames[0] / one.h_previous;
+    const bool right = length(one.by(ratio, half_of_both)[0] - yours[n]) <= tolerance.value;
+    if (right) {
+      low = std::min(low, now);
+      high = std::max(high, now);
+    } else if (++wrong; now < 1) {
+      too_low = std::max(too_low, now);
+    } else {
+      too_high = std::min(too_high, now);
+    }
+    one.x_previous = one.x;
+    one.x = yours[n];
+    one.h_previous = one.frames[0];
+  }
+  const bool bounds = low < high && too_low < low && high < too_high;
+  if (!bounds || wrong < 3) return {};
+  return {"right while a frame is " + grade::number(low, 2) + " to " + grade::number(high, 2) +
+          " times as long as the one before, and wrong beyond: is something kept within bounds?"};
 }
 
 }  // namespace judge::verlet

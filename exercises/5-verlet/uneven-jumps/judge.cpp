@@ -18,8 +18,9 @@ std::vector<double> draw_frames(Random& random, std::size_t count) {
 }
 
 // The largest error of a free spring's places, at the ends of eight equal parts.
+// @param remarks  on what the places look like, if that is known
 double error_on_spring(Student& student, const std::vector<double>& pattern, double omega,
-                       const Start& start, int parts) {
+                       const Start& start, int parts, std::vector<std::string>& remarks) {
   const auto exact = [&](double t) {
     return std::cos(omega * t) * start.x + std::sin(omega * t) / omega * start.v;
   };
@@ -30,6 +31,8 @@ double error_on_spring(Student& student, const std::vector<double>& pattern, dou
   }
   const std::vector<Vec> yours = flight.by(student);
   const std::vector<double> ends = flight.ends();
+  remarks = recognised(yours, {exact(ends[0])}, mistakes(flight),
+                       rounding(static_cast<int>(ends.size()), 1));
   const std::size_t part = pattern.size() * static_cast<std::size_t>(parts);
   double largest = 0;
   for (std::size_t n = part - 1; n < yours.size(); n += part) {
@@ -60,12 +63,14 @@ TEST_CASE("a throw passes through its true places, whatever the frames",
   Student student;
   Places exact{"true", {}};
   for (const double end : flight.ends()) exact.x.push_back(true_place(end));
-  are_places({"thirty frames of a throw, g = " + grade::number(g, 17) + " m/s^2 along -y",
+  Asked asked{"thirty frames of a throw, g = " + grade::number(g, 17) + " m/s^2 along -y",
               flight.in_words(), rounding(30, 1 + length(exact.x.back())),
               "Gravity changes the velocity of the last frame's middle into that of this frame's. "
               "How long is it from one middle to the other?",
-              flight.ends()},
-             flight.by(student), exact, mistakes(flight));
+              flight.ends()};
+  const std::vector<Vec> yours = flight.by(student);
+  asked.remarks = kept_within(flight, yours, asked.tolerance);
+  are_places(asked, yours, exact, mistakes(flight));
 }
 
 TEST_CASE("six frames under a hidden force are those of the corrected formula",
@@ -106,7 +111,7 @@ TEST_CASE("half as long frames leave a quarter of the error on a spring",
   for (const double h : pattern) runs.input += " " + grade::number(h, 17);
   for (const int parts : {1, 2, 4, 8}) {
     runs.steps.push_back(*std::max_element(pattern.begin(), pattern.end()) / parts);
-    runs.errors.push_back(error_on_spring(student, pattern, omega, start, parts));
+    runs.errors.push_back(error_on_spring(student, pattern, omega, start, parts, runs.remarks));
   }
   has_order_two(runs);
 }

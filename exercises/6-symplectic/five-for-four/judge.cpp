@@ -34,6 +34,15 @@ std::vector<std::string> recognised(const Path& yours,
   return diagnose(yours, suzuki::asked, by);
 }
 
+// The same of three steps that were taken for no other end.
+std::vector<std::string> recognised(Student& student) {
+  Random random;
+  const Start start = random.start();
+  const harness::Force force = suzuki::draw_force(random);
+  const auto by = [&](const Method& method) { return watch(method, start, 0.4, 3, force); };
+  return recognised(student.watch(start, 0.4, 3, force), by);
+}
+
 grade::Curve curve(const std::string& name, const Path& path) {
   grade::Curve curve{name, {}, {}};
   for (const State& state : path.states) {
@@ -115,6 +124,7 @@ TEST_CASE("half the step leaves a sixteenth of the error",
                     {{"yours", h, errors}, {"order 4", h, slope}},
                     false,
                     true};
+    finding.diagnoses = recognised(student);
   }
   check(finding);
 }
@@ -122,7 +132,8 @@ TEST_CASE("half the step leaves a sixteenth of the error",
 TEST_CASE("twenty steps there and twenty back lead home",
           "[6-symplectic/five-for-four][2 points]") {
   Student student;
-  runs_backwards(student, "The parts must read the same from both ends, and their times too.");
+  runs_backwards(student, "The parts must read the same from both ends, and their times too.", 0,
+                 [&] { return recognised(student); });
 }
 
 TEST_CASE("at the same price the probe lands four times nearer than Yoshida's",
@@ -164,6 +175,11 @@ TEST_CASE("at the same price the probe lands four times nearer than Yoshida's",
     finding.hint =
         "The shorter the longest part, the less "
         "it errs.";
+    finding.diagnoses = recognised(student);
+    if (finding.diagnoses.empty() && count < price)
+      finding.diagnoses = {"it asked " + std::to_string(count) +
+                           " times: what stands in for the other answers knows nothing of the "
+                           "moons"};
     finding.plot = {"Two turns and a half", "x [m]", "y [m]", {curve("yours", yours)}, true};
   }
   check(finding);

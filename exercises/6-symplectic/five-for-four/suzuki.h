@@ -16,20 +16,23 @@ using judge::Method;
 using judge::Step;
 
 /// @param parts  of a step
-inline Method composed(const std::string& name, const std::vector<double>& parts) {
-  return {name, [parts]() -> Step {
-            return [parts, a = Vec{}, begun = false](Vec& x, Vec& v, double t, double h,
-                                                     const Acceleration& acceleration) mutable {
-              if (!begun) a = acceleration(x, v, t);
-              begun = true;
-              for (const double part : parts) {
-                v += part * h / 2 * a;
-                x += part * h * v;
-                t += part * h;
-                a = acceleration(x, v, t);
-                v += part * h / 2 * a;
-              }
-            };
+/// @param clock_runs  from one part to the next
+inline Method composed(const std::string& name, const std::vector<double>& parts,
+                       bool clock_runs = true) {
+  return {name, [parts, clock_runs]() -> Step {
+            return
+                [parts, clock_runs, a = Vec{}, begun = false](
+                    Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) mutable {
+                  if (!begun) a = acceleration(x, v, t);
+                  begun = true;
+                  for (const double part : parts) {
+                    v += part * h / 2 * a;
+                    x += part * h * v;
+                    a = acceleration(x, v, t + part * h);
+                    if (clock_runs) t += part * h;
+                    v += part * h / 2 * a;
+                  }
+                };
           }};
 }
 
@@ -42,6 +45,7 @@ inline const Method asked =
 
 /// A function, since the judge's own methods may be made after what stands in this header.
 inline std::vector<Method> others() {
+  const double outer = 1 / (4 - std::cbrt(4.0)), middle = 1 - 4 * outer;
   return {
       judge::velocity_verlet,
       judge::yoshida4,
@@ -52,6 +56,14 @@ inline std::vector<Method> others() {
       composed("five parts with alpha = 1 / (2 - cbrt(2)), Yoshida's",
                five(1 / (2 - std::cbrt(2.0)))),
       composed("five parts with alpha = 1 / (4 - sqrt(4))", five(0.5)),
+      composed("the five parts with the one back first: they don't read the same from both ends",
+               {middle, outer, outer, outer, outer}),
+      composed("the five parts with the one back last: they don't read the same from both ends",
+               {outer, outer, outer, outer, middle}),
+      composed("the five parts with the one back turned forward: beta is less than nothing",
+               {outer, outer, -middle, outer, outer}),
+      composed("the five parts, all of them told the time at which the step starts", five(outer),
+               false),
   };
 }
 

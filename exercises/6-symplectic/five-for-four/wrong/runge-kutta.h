@@ -1,4 +1,5 @@
 // Fails: twenty steps there and twenty back lead home
+// Says: this is RK4
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
