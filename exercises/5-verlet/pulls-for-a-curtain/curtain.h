@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "format_values.h"
@@ -27,6 +28,28 @@ struct Split {
 inline double rule(int links, double frame, const Split& split) {
   const double h = frame / split.substeps;
   return gravity * h * h * links * links / (2.0 * split.iterations);
+}
+
+/// What there is to say of a stretch that is not the rule's.
+inline std::vector<std::string> why_foretold(double got, int links, double frame,
+                                             const Split& split) {
+  if (got == 0) return {"this is nothing: a division of integers, such as 1 / 2?"};
+  const double n = links, substeps = split.substeps, step = frame / substeps;
+  const std::pair<double, const char*> known[] = {
+      {1 / n, "the links count once"},
+      {1 / step, "the step counts once"},
+      {substeps, "the step counts once, and beside it stands a whole frame"},
+      {substeps * substeps, "the frame is not split"},
+      {split.iterations, "the iterations don't count"},
+      {1.0 / split.iterations, "the iterations count twice"},
+      {2, "twice what the rule says"},
+      {0.5, "half of what the rule says"},
+      {1 / gravity, "gravity is missing"},
+  };
+  for (const auto& [factor, says] : known) {
+    if (std::abs(got / rule(links, frame, split) / factor - 1) < 1e-10) return {says};
+  }
+  return {};
 }
 
 /// The stretch of the chapter's rope, hung up and left alone for a minute [m]. It hangs along one

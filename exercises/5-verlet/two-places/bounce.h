@@ -51,6 +51,8 @@ inline std::string wrong_with(const Spark& before, const Spark& after) {
   if (alike(left.y, before.restitution * came.y)) return "this is a spark that falls on, slower";
   if (alike(left.y + came.y, 0))
     return "this is a spark that loses nothing: the restitution is missing";
+  if (alike(left.y, std::sqrt(before.restitution) * -came.y))
+    return "this is the square root of the restitution, as if it were a share of the energy";
   return "it flies off with another speed than the one that it fell with, times the restitution";
 }
 

@@ -32,9 +32,27 @@ inline void let_bounce(harness::Call& call) {
   call.answer(x_previous);
 }
 
+// Its height above the floor, after each step.
+inline void let_fall(harness::Call& call) {
+  constexpr double floor = 0.25;
+  Vec x{0, floor + call.number(), 0};
+  const double restitution = call.number();
+  const Vec a{0, -call.number(), 0};
+  const double h = call.number();
+  Vec x_previous = wanted_before(x, {0.5, 0, 0.25}, a, h);
+  for (int steps = call.whole_number(); steps > 0; --steps) {
+    const Vec next = wanted(x, x_previous, a, h);
+    x_previous = x;
+    x = next;
+    wanted_bounce(x, x_previous, floor, restitution);
+    call.answer(x.y - floor);
+  }
+}
+
 void answer(harness::Call& call) {
   if (call.function() == 0) return take_steps(call);
   if (call.function() == 3) return let_bounce(call);
+  if (call.function() == 4) return let_fall(call);
   const Vec x = call.vector(), other = call.vector(), a = call.vector();
   call.answer((call.function() == 1 ? wanted : wanted_before)(x, other, a, call.number()));
 }

@@ -36,6 +36,48 @@ struct Line {
   Tolerance tolerance() const { return rounding(length(x) + length(other) + length(a)); }
 };
 
+// A drag that nobody asked for: less than the whole distance, or more.
+std::vector<std::string> part_of_distance(const Vec& went, const Vec& distance) {
+  const double part = dot(went, distance) / dot(distance, distance);
+  if (!(length(went - part * distance) <= 1e-10) || part == 0) return {};
+  return {"the last distance counts " + grade::number(part, 4) + " times"};
+}
+
+// A spark that falls, bounces and rises, by the lines of the student.
+struct Fall {
+  double top = 0, restitution = 0, g = 0, h = 0;
+
+  static Fall draw() {
+    Random random;
+    return {random.between(1, 2), random.between(0.75, 0.9), random.between(8, 12), 0.002};
+  }
+
+  /// How high it came, at first and after each bounce.
+  std::vector<double> tops(Student& student, std::size_t count) const {
+    std::vector<double> request{top, restitution, g, h, static_cast<double>(steps())};
+    const std::vector<double> y = student.call(4, request, steps());
+    std::vector<double> tops{top};
+    for (std::size_t n = 1; n + 1 < y.size() && tops.size() < count; ++n) {
+      if (y[n - 1] < y[n] && y[n] >= y[n + 1]) tops.push_back(y[n]);
+    }
+    return tops;
+  }
+
+  std::vector<std::string> what_is_lost(const std::vector<double>& tops) const {
+    if (tops.size() < 2) return {"it does not bounce"};
+    const double left = tops[1] / tops[0];
+    if (std::abs(left - 1) < 0.03) return {"it comes as high as before: nothing is lost"};
+    if (std::abs(left - restitution) < 0.03)
+      return {
+          "it comes the restitution times as high: the velocity should be multiplied, and the "
+          "height is"};
+    return {};
+  }
+
+  /// Time enough for three bounces.
+  std::size_t steps() const { return static_cast<std::size_t>(6.5 * std::sqrt(2 * top / g) / h); }
+};
+
 }  // namespace
 
 TEST_CASE("the next place is as far again and a push further", "[5-verlet/two-places][2 points]") {
@@ -43,13 +85,15 @@ TEST_CASE("the next place is as far again and a push further", "[5-verlet/two-pl
   const Line line = Line::draw();
   const auto& [x, before, a, h] = line;
   const Vec far = x + (x - before);
-  are_places({"next_place",
+  const std::vector<Vec> yours = line.by(student, next_place);
+  Asked asked{"next_place",
               line.in_words("x_previous"),
               line.tolerance(),
               "In the last step it went from x_previous to x. It goes as far again, and the push "
               "comes on top.",
-              {}},
-             line.by(student, next_place), {"position Verlet", {far + h * h * a}},
+              {}};
+  asked.remarks = part_of_distance(yours[0] - x - h * h * a, x - before);
+  are_places(asked, yours, {"position Verlet", {far + h * h * a}},
              {{"where it would be without a push", {far}},
               {"a push of half that size: the half belongs to the start", {far + h * h / 2 * a}},
               {"a push of h instead of h^2", {far + h * a}},
@@ -113,7 +157,7 @@ TEST_CASE("a spark that only falls passes through its true places",
   are_places(asked, yours, exact, {swapped});
 }
 
-TEST_CASE("a spark below the floor bounces, and no other does", "[5-verlet/two-places][4 points]") {
+TEST_CASE("a spark below the floor bounces, and no other does", "[5-verlet/two-places][3 points]") {
   Student student;
   Random random;
   for (const double below : {random.between(0.05, 0.1), random.between(0.01, 0.02), -0.01, -0.3}) {
@@ -122,4 +166,42 @@ TEST_CASE("a spark below the floor bounces, and no other does", "[5-verlet/two-p
   Spark dead = Spark::draw(random, 0.03);
   dead.restitution = 0;
   bounces(student, dead);
+}
+
+TEST_CASE("after each bounce a spark comes as high as the restitution lets it",
+          "[5-verlet/two-places][1 point]") {
+  Student student;
+  const Fall fall = Fall::draw();
+  constexpr std::size_t bounces = 3;
+  const std::vector<double> tops = fall.tops(student, bounces + 1);
+  grade::Finding finding;
+  finding.held = tops.size() == bounces + 1;
+  finding.asked = "three bounces of a spark that is let go, with the first two functions as well";
+  finding.input = "from " + grade::number(fall.top, 17) +
+                  " m above the floor, restitution = " + grade::number(fall.restitution, 17) +
+                  ", g = " + grade::number(fall.g, 17) + " m/s^2, h = " + grade::number(fall.h) +
+                  " s";
+  finding.expected = "each time the restitution squared of the height before";
+  finding.got = "heights";
+  for (const double top : tops) finding.got += " " + grade::number(top, 3);
+  finding.got += " m";
+  finding.error = std::to_string(tops.size() - 1) + " bounces";
+  const double share = fall.restitution * fall.restitution, within = 0.03;
+  for (std::size_t n = 1; finding.held && n < tops.size(); ++n) {
+    const double off = tops[n] / tops[n - 1] / share - 1;
+    finding.held = std::abs(off) <= within;
+    finding.error =
+        grade::number(100 * off, 3) + " % of the height, in bounce " + std::to_string(n);
+  }
+  finding.tolerance = "3 %";
+  finding.tolerance_from =
+      "a spark lands within a step, not at its end, and so with a velocity that is g h off at the "
+      "most: 1 % of that of the lowest fall, and 2 % of its height";
+  if (!finding.held) {
+    finding.hint =
+        "The height goes with the square of the velocity. Is each bounce the restitution times "
+        "the velocity, and nothing else?";
+    finding.diagnoses = fall.what_is_lost(tops);
+  }
+  check(finding);
 }

@@ -61,9 +61,9 @@ bool never_changes(const Path& path) {
 // Right to nine: a float that counts little, or a number that was typed.
 std::string too_few_digits(const Path& yours, const Path& expected) {
   const double first = distance(yours.states[1], expected.states[1]) / size(expected);
-  if (first > 4e-9 && first < 2e-6)
+  if (first > 1e-9 && first < 2e-6)
     return "right to seven digits and no further: a float, or a constant with an f?";
-  if (first > ten_digits && first <= 4e-9)
+  if (first > ten_digits && first <= 1e-9)
     return "right to nine digits and no further: a constant with too few digits, or a float?";
   return "";
 }

@@ -1,4 +1,5 @@
 // Fails: the stretch is foretold within a seventh
+// Says: the step counts once, and beside it stands a whole frame
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
 // Fails: the stretch is foretold within a seventh
+// Says: this is nothing: a division of integers, such as 1 / 2?
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
