@@ -74,7 +74,8 @@ int run_and_print(const Command& command) {
   std::fputs(printable(ran.out).c_str(), stdout);
   std::fflush(stdout);
   std::fputs(printable(ran.err).c_str(), stderr);
-  return ran.why.empty() ? Exit::graded : refuse(Exit::did_not_run, printable(ran.why));
+  if (ran.why.empty()) return Exit::graded;
+  return refuse(ran.unreadable ? Exit::unreadable : Exit::did_not_run, printable(ran.why));
 }
 
 }  // namespace grade

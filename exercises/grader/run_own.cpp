@@ -41,10 +41,10 @@ std::string ending(const cage::Ended& ended) {
 
 Ran run_own(const std::filesystem::path& file, cage::Sandbox sandbox) {
   const Submission submission = take_in(file, "", file.filename().string());
-  if (!submission.refused.empty()) return {"", "", submission.refused};
+  if (!submission.refused.empty()) return {"", "", submission.refused, submission.unreadable};
   const cage::Kit kit = kit_in(installed().kit);
   if (sandbox == cage::Sandbox::bubblewrap) {
-    if (const auto why = cage::unsafe(kit)) return {"", "", *why};
+    if (const auto why = cage::unsafe(kit)) return {"", "", *why, false};
   }
   cage::Limits to_compile = patient();
   to_compile.memory = 2'500'000'000;
@@ -53,12 +53,12 @@ Ran run_own(const std::filesystem::path& file, cage::Sandbox sandbox) {
   const auto named = [&](const std::string& said) {
     return replace_all(said, header, submission.name);
   };
-  if (compiled.failed) return {"", "", named(compiled.message)};
+  if (compiled.failed) return {"", "", named(compiled.message), false};
   const cage::Ended ended =
       cage::run(sandbox, kit, compiled.driver, patient(), cage::Build::own).finish();
   const std::string told = told_by_checker(ended.err, header);
-  if (!told.empty()) return {ended.out, "", named(told)};
-  return {ended.out, named(ended.err), ending(ended)};
+  if (!told.empty()) return {ended.out, "", named(told), false};
+  return {ended.out, named(ended.err), ending(ended), false};
 }
 
 }  // namespace grade

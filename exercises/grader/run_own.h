@@ -13,7 +13,8 @@ namespace grade {
 struct Ran {
   std::string out;  ///< what it printed, of much of it the beginning and the end
   std::string err;
-  std::string why;  ///< why it did not run or did not end by itself; empty if all was well
+  std::string why;          ///< why it did not run or did not end by itself; empty if all was well
+  bool unreadable = false;  ///< the header, that is
 };
 
 /// Compiles a header with the main that it has where GRADING is not defined, under the checkers of

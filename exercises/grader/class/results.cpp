@@ -7,8 +7,11 @@ namespace grade {
 
 Results collect(const std::vector<Student>& students, const std::vector<Exercise>& exercises,
                 const std::vector<Job>& jobs) {
-  Results results{students, exercises, {}};
-  for (const Job& job : jobs) results.reports.push_back(kept_report(job));
+  Results results{students, exercises, {}, {}};
+  for (const Job& job : jobs) {
+    results.reports.push_back(kept_report(job));
+    results.are_handed_in.push_back(has(job.student, job.exercise));
+  }
   return results;
 }
 

@@ -12,11 +12,17 @@ namespace grade {
 struct Results {
   std::vector<Student> students;
   std::vector<Exercise> exercises;
-  std::vector<Report> reports;  ///< student by student, each with every exercise
-  bool assigned = false;        ///< what was not handed in counts, as nothing
+  std::vector<Report> reports;      ///< student by student, each with every exercise
+  std::vector<bool> are_handed_in;  ///< beside the reports
+  bool assigned = false;            ///< what was not handed in counts, as nothing
 
   const Report& report(std::size_t student, std::size_t exercise) const {
     return reports[student * exercises.size() + exercise];
+  }
+
+  /// Whether its score, or the lack of one, belongs in the sum.
+  bool counts(std::size_t student, std::size_t exercise) const {
+    return assigned || are_handed_in[student * exercises.size() + exercise];
   }
 };
 

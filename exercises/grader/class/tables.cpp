@@ -35,7 +35,7 @@ std::string grades_csv(const Results& results) {
     bool whole = true;
     for (std::size_t e = 0; e < results.exercises.size(); ++e) {
       const Report& report = results.report(s, e);
-      const bool counts = results.assigned || has(results.students[s], results.exercises[e]);
+      const bool counts = results.counts(s, e);
       cells.push_back(counts && is_graded(report) ? std::to_string(report.score) : "");
       if (!counts) continue;
       total += report.score;

@@ -22,8 +22,7 @@ constexpr const char* looks =
     "set border 3 lw 1 lc rgb '#635f58'\n"
     "set tics out nomirror scale 0.6,0.3\n"
     "set grid back lc rgb '#e6e1d6' lw 1\n"
-    "set tmargin 5\n"
-    "set key at graph 0,1.02 left bottom horizontal Left reverse samplen 3 width 1\n";
+    "set key at graph 0,1.02 left bottom vertical maxcols 1 Left reverse samplen 3\n";
 
 /// Each with another dash, for those who don't see the colours. The first is the student's.
 constexpr std::array styles{"lc rgb '#c8420a' lw 2.2 pt 7 ps 0.5",
@@ -101,7 +100,11 @@ std::string drawn(std::size_t index, const Curve& curve, const Box& box) {
 
 std::string plot_script(const Plot& plot, const std::vector<Curve>& curves, const Box& box) {
   std::string text = looks;
-  text += "set title " + in_quotes(plot.title) + " offset 0,1.2\n";
+  // The key has a line for each curve, since gnuplot cuts what does not fit beside another, and the
+  // title stands above it.
+  const double lines = static_cast<double>(curves.size());
+  text += "set tmargin " + number(3 + lines) + "\n";
+  text += "set title " + in_quotes(plot.title) + " offset 0," + number(0.8 * lines) + "\n";
   text +=
       "set xlabel " + in_quotes(plot.x_label) + "\nset ylabel " + in_quotes(plot.y_label) + "\n";
   if (plot.same_scale) text += "set size ratio -1\n";

@@ -79,4 +79,5 @@ test("a main of one's own is run, its prints are shown, and so is what it must n
   assert.match(ran('int main() { return 3; }').stderr, /^grade: it ended with exit code 3\n$/);
   assert.match(ran('int main() { return x; }').stderr, /own.h:6:21: error: 'x' was not declared/);
   assert.match(ran('').stderr, /there is no main\(\) in it/);
+  assert.equal(spawnSync(grade, ['--run', at('nothing.h')]).status, 3);
 });
