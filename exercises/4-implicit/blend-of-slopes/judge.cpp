@@ -31,6 +31,23 @@ std::string with(const std::string& name, double value) {
   return name + " = " + number(value, 17);
 }
 
+constexpr const char* swapped = "theta and 1 - theta have changed places";
+
+// What is taken for the least theta that does not turn a brake round.
+std::vector<Mistaken> slips(double ch) {
+  const double zero = 1 - 1 / ch;
+  std::vector<Mistaken> known{{1, "this is backward Euler, and less than that would do"}};
+  if (ch > 2) {
+    known.push_back({0.5, "one half keeps the size below 1 and turns the brake round: R = " +
+                              number(factor(0.5, -ch).real(), 3)});
+  } else {
+    known.push_back({zero,
+                     "this makes the numerator zero; with a theta below one half a spring "
+                     "grows"});
+  }
+  return known;
+}
+
 struct Spring {
   static constexpr double halved_until = 1e-14;
 
@@ -83,6 +100,8 @@ void holds_until(Student& student, const Spring& spring) {
         "What are the spring's two lambda here, and what does the condition say of "
         "each? Which way does it turn when theta passes one half?";
     finding.diagnoses = diagnose(got, expected);
+    if (got < 0)
+      finding.diagnoses.emplace_back("no step is negative: is this the formula for another theta?");
     if (std::isfinite(got) && got > 0) {
       finding.diagnoses.emplace_back("a step a thousandth shorter than yours multiplies by " +
                                      number(spring.growth(0.999 * got), 8) +
@@ -106,7 +125,8 @@ TEST_CASE("a brake keeps what the factor says, with its sign",
              with("theta", theta) + ", " + with("c h", ch), ask(student, brake, theta, ch),
              factor(theta, -ch).real(), rounding((1 + ch) / (1 + theta * ch)),
              "A brake has lambda = -c, and the share of the end stands in the divisor. Long steps "
-             "turn the velocity round, and the sign tells.");
+             "turn the velocity round, and the sign tells.",
+             {{factor(1 - theta, -ch).real(), swapped}});
   }
 }
 
@@ -121,7 +141,12 @@ TEST_CASE("an undamped spring keeps what the factor says",
              with("theta", theta) + ", " + with("h omega", homega),
              ask(student, swing, theta, homega), expected, rounding(expected),
              "An undamped spring has lambda = i omega. The swing goes with the size of R, which "
-             "is a root of two squares.");
+             "is a root of two squares.",
+             {{std::abs(factor(1 - theta, Rate(0, homega))), swapped},
+              {expected * expected, "this is what is left of the energy, which is the square"},
+              {std::abs(factor(theta, -homega)),
+               "this is the factor of a brake, with a real "
+               "lambda"}});
   }
 }
 
@@ -147,6 +172,7 @@ TEST_CASE("the least theta brakes to a stop and no further",
        {random.between(3, 10), random.between(0.2, 1.8), random.between(50, 500)}) {
     is_exact("the least theta, from one half on, that does not turn a brake round", with("c h", ch),
              ask(student, least, ch), ch > 2 ? (ch - 1) / ch : 0.5, rounding(1),
-             "Where is the numerator of R zero? And which theta may the dial not go below?");
+             "Where is the numerator of R zero? And which theta may the dial not go below?",
+             slips(ch));
   }
 }

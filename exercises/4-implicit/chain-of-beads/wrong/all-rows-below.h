@@ -1,4 +1,5 @@
 // Fails: a hundred thousand beads take a step in the time that there is
+// Says: work that grows faster than what it is asked for
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
 // Fails: a stiff chain loses energy in every step and never gains
+// Says: the accelerations are those of the start: nothing is solved
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

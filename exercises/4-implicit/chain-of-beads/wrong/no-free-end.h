@@ -1,4 +1,5 @@
 // Fails: a single bead is a spring
+// Says: the last bead's row has a spring beyond it, too
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
 // Fails: short chains end where the slope of the end leads back to the start
+// Says: the diagonal was eliminated, and the right side was not
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

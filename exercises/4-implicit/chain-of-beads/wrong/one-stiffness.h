@@ -1,4 +1,5 @@
 // Fails: short chains end where the slope of the end leads back to the start
+// Says: in the matrix all springs are like the first
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
 // Fails: a hundred thousand beads take a step in the time that there is
+// Says: an iteration that was ended too soon?
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,4 +1,5 @@
 // Fails: at 30 frames a second, too
+// Says: it asks 10 times in each frame
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// A chain of beads, and the two lines of backward Euler for each.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "format_values.h"
+#include "judge/random.h"
+#include "judge/rounding.h"
+#include "judge/student.h"
+
+namespace judge {
+
+using Column = std::vector<double>;
+
+struct Beads {
+  Column x, v;
+};
+
+/// Of beads of 1 kg.
+struct Chain {
+  Beads start;
+  Column k;
+  double h = 0;
+  double beyond = 0;  ///< of a spring that holds the last bead from beyond; there is none
+
+  /// How stiff the springs are beside the step: h^2 k up to this.
+  static Chain draw(Random& random, std::size_t count, double stiff) {
+    Chain chain;
+    chain.h = random.between(0.01, 0.04);
+    for (std::size_t i = 0; i < count; ++i) {
+      chain.start.x.push_back(random.between(-0.3, 0.3));
+      chain.start.v.push_back(random.between(-1, 1));
+      chain.k.push_back(random.between(0.1, 1) * stiff / (chain.h * chain.h));
+    }
+    return chain;
+  }
+
+  std::size_t count() const { return k.size(); }
+
+  Beads after_one(Student& student, const Beads& from) const {
+    Column n{static_cast<double>(count()), h};
+    for (const Column* column : {&from.x, &from.v, &k}) {
+      n.insert(n.end(), column->begin(), column->end());
+    }
+    const Column end = student.call(0, n, 2 * count());
+    const auto middle = end.begin() + static_cast<std::ptrdiff_t>(count());
+    return {{end.begin(), middle}, {middle, end.end()}};
+  }
+
+  double stretch(const Beads& beads, std::size_t i) const {
+    return beads.x[i] - (i > 0 ? beads.x[i - 1] : 0);
+  }
+
+  double acceleration(const Beads& beads, std::size_t i) const {
+    const double left = k[i] * stretch(beads, i);
+    const double right = i + 1 < count() ? k[i + 1] * stretch(beads, i + 1) : -beyond * beads.x[i];
+    return right - left;
+  }
+
+  double energy(const Beads& beads) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < count(); ++i) {
+      sum += (k[i] * stretch(beads, i) * stretch(beads, i) + beads.v[i] * beads.v[i]) / 2;
+    }
+    return sum;
+  }
+
+  /// By how much the end misses the two lines of backward Euler at a bead [m/s].
+  double miss(const Beads& end, std::size_t i) const {
+    const double moved = (end.x[i] - start.x[i]) / h - end.v[i];
+    const double kicked = start.v[i] + h * acceleration(end, i) - end.v[i];
+    return std::max(std::abs(moved), std::abs(kicked));
+  }
+
+  /// Each of an end's numbers is a double, so that its lines cannot be met better than to the
+  /// rounding of what they add up.
+  Tolerance tolerance(const Beads& end) const {
+    const auto largest = [](const Column& column) {
+      double most = 0;
+      for (const double value : column) most = std::max(most, std::abs(value));
+      return most;
+    };
+    const double place = largest(end.x) + largest(start.x) + h * largest(end.v);
+    const double stiffest = largest(k);
+    return rounding(largest(start.v) + largest(end.v) + place / h + 4 * h * stiffest * place);
+  }
+
+  std::string described() const {
+    std::string text = std::to_string(count()) + " beads, h = " + grade::number(h, 17);
+    if (count() > 6) return text + ", and stiffnesses drawn from the seed";
+    for (std::size_t i = 0; i < count(); ++i) {
+      text += "; bead " + std::to_string(i) + ": x = " + grade::number(start.x[i], 17) +
+              ", v = " + grade::number(start.v[i], 17) + ", k = " + grade::number(k[i], 17);
+    }
+    return text;
+  }
+};
+
+}  // namespace judge

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What a wrong end of a chain's step often is.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "chain.h"
+#include "format_values.h"
+
+namespace judge {
+
+inline std::size_t worst(const Chain& chain, const Beads& end) {
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < chain.count(); ++i) {
+    if (!std::isfinite(chain.miss(end, i))) return i;
+    if (chain.miss(end, i) > chain.miss(end, found)) found = i;
+  }
+  return found;
+}
+
+inline std::string who_misses(const Chain& chain, const Beads& end, double within) {
+  std::size_t count = 0, first = 0;
+  for (std::size_t i = chain.count(); i-- > 0;) {
+    if (chain.miss(end, i) <= within) continue;
+    ++count;
+    first = i;
+  }
+  return "the lines are missed at " + std::to_string(count) + " of " +
+         std::to_string(chain.count()) + " beads, first at bead " + std::to_string(first);
+}
+
+// Whether the end solves (1 + h^2 K) v = v_old + h a(x_old), with the K of one chain and the a of
+// another.
+inline bool solves(const Beads& end, const Chain& matrix, const Chain& right, double within) {
+  const double h = matrix.h;
+  for (std::size_t i = 0; i < matrix.count(); ++i) {
+    const double back = h * h * matrix.acceleration({end.v, {}}, i);
+    const double kick = h * right.acceleration(right.start, i);
+    if (!(std::abs(end.v[i] - back - right.start.v[i] - kick) <= within)) return false;
+  }
+  return true;
+}
+
+// Whether the rows were eliminated, and their right sides left as they were.
+inline bool right_side_is_old(const Chain& chain, const Beads& end, double within) {
+  const double h = chain.h;
+  const auto beside = [&](std::size_t i) { return i < chain.count() ? h * h * chain.k[i] : 0; };
+  double middle = INFINITY;
+  for (std::size_t i = 0; i < chain.count(); ++i) {
+    middle = 1 + beside(i) + beside(i + 1) - beside(i) * beside(i) / middle;
+    const double next = i + 1 < chain.count() ? end.v[i + 1] : 0;
+    const double right = chain.start.v[i] + h * chain.acceleration(chain.start, i);
+    if (!(std::abs(middle * end.v[i] - beside(i + 1) * next - right) <= within)) return false;
+  }
+  return true;
+}
+
+// How far the worst line is met, where none is met and all are nearly.
+inline std::string ended_too_soon(const Chain& chain, const Beads& end) {
+  const double left = chain.miss(end, worst(chain, end));
+  const double at_first = chain.miss(chain.start, worst(chain, chain.start));
+  if (!(left < 0.1 * at_first && left > 1e-5 * at_first)) return "";
+  return "the worst line is missed by " + grade::number(100 * left / at_first, 2) +
+         " % of what no step at all would miss: an iteration that was ended too soon?";
+}
+
+inline std::vector<std::string> recognised(const Chain& chain, const Beads& end, double within) {
+  bool still = true, borrowed = true, at_rest = true, moved = true;
+  Beads change = end;
+  for (std::size_t i = 0; i < chain.count(); ++i) change.x[i] = end.v[i] - chain.start.v[i];
+  for (std::size_t i = 0; i < chain.count(); ++i) {
+    const double kick = chain.h * chain.acceleration(chain.start, i);
+    const double back = chain.h * chain.h * chain.acceleration(change, i);
+    still = still && change.x[i] == 0;
+    borrowed = borrowed && std::abs(change.x[i] - kick) <= within;
+    at_rest = at_rest && std::abs(change.x[i] - kick - back) <= within;
+    moved = moved && std::abs((end.x[i] - chain.start.x[i]) / chain.h - end.v[i]) <= within;
+  }
+  if (still) return {"no velocity changes"};
+  if (borrowed) return {"the accelerations are those of the start: nothing is solved"};
+  if (at_rest) return {"on the right of a system for the change belongs a(x + h v), not a(x)"};
+  if (!moved) return {"the beads do not move with their new velocities"};
+  Chain alike = chain, held = chain;
+  std::ranges::fill(alike.k, chain.k.front());
+  held.beyond = chain.k.back();
+  const double rounded = 100 * within;
+  if (solves(end, alike, chain, rounded)) return {"in the matrix all springs are like the first"};
+  if (solves(end, held, held, rounded))
+    return {"the last bead's row has a spring beyond it, too, and there is none"};
+  if (right_side_is_old(chain, end, rounded))
+    return {"the diagonal was eliminated, and the right side was not"};
+  const std::string nearly = ended_too_soon(chain, end);
+  return {nearly.empty() ? who_misses(chain, end, within) : nearly};
+}
+
+}  // namespace judge
