@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT-0
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <utility>
 
 #include "format_values.h"
 #include "judge/describe.h"
-#include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
+#include "slips.h"
 
 using namespace judge;
 
@@ -15,145 +14,151 @@ namespace {
 
 using grade::number;
 
-struct Drag {
-  State start;
-  double h = 0;
-  Vec hand;
-  double omega = 0, zeta = 0;
-
-  static Drag draw(Random& random, double angle, double zeta) {
-    const Start start = random.start();
-    const double h = random.between(0.01, 0.04);
-    return {{start.x, start.v}, h, random.vector(-3, 3), angle / h, zeta};
-  }
-
-  State by(Student& student) const {
-    const auto [x, v] = start;
-    const auto n =
-        student.call(0, {x.x, x.y, x.z, v.x, v.y, v.z, h, hand.x, hand.y, hand.z, omega, zeta}, 6);
-    return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
-  }
-
-  // Both lines of the method as two equations for the end, by Cramer's rule:
-  // x1 - h v1 = x0,  h omega^2 x1 + (1 + 2 zeta h omega) v1 = v0 + h omega^2 hand.
-  State end() const {
-    const double pull = h * omega * omega, brake = 1 + 2 * zeta * h * omega;
-    const double determinant = brake + h * pull;
-    const Vec right = start.v + pull * hand;
-    return {(brake * start.x + h * right) / determinant, (right - pull * start.x) / determinant};
-  }
-
-  double energy(const State& s) const {
-    const Vec off = s.x - hand;
-    return (dot(s.v, s.v) + omega * omega * dot(off, off)) / 2;
-  }
-
-  Tolerance tolerance() const {
-    Tolerance found = rounding((1 + distance(end(), State{}) + length(hand)) / h);
-    found.from += "; more by 1/h, since a velocity may be found from two places";
-    return found;
-  }
-
-  std::string described() const {
-    return describe(start, 17) + ", h = " + number(h, 17) + ", hand = " + describe(hand, 17) +
-           ", omega = " + number(omega, 17) + ", zeta = " + number(zeta, 17);
-  }
-};
-
-// What a wrong end often is.
-std::vector<std::string> recognised(const Drag& drag, const State& got, double within) {
-  if (distance(got, drag.start) == 0) return {"the crate never moves"};
-  if (!is_finite(got)) return {"this is not a finite number: a division by zero?"};
-  const auto [x, v] = drag.start;
-  const double h = drag.h, pull = h * drag.omega * drag.omega;
-  const double brake = 2 * drag.zeta * h * drag.omega;
-  const Vec pulled = v + pull * (drag.hand - x), kicked = pulled - brake * v;
-  Drag at_zero = drag, soft = drag;
-  at_zero.hand = {};
-  soft.zeta /= 2;
-  const auto moved = [&](const Vec& velocity) { return State{x + h * velocity, velocity}; };
-  const std::pair<State, const char*> known[] = {
-      {{x + h * v, kicked}, "this is Euler's method"},
-      {moved(kicked), "this is symplectic Euler: its acceleration is the one of the start"},
-      {{x + h * v, drag.end().v}, "the velocity is right; the position moved with the old one"},
-      {at_zero.end(), "this is the step of a spring that pulls to zero"},
-      {soft.end(), "this is the step of a spring with half the damping"},
-      {moved(kicked / (1 + h * pull)), "the damping is the one of the start"},
-      {moved(pulled / (1 + brake + pull)), "the divisor has h omega^2 where (h omega)^2 belongs"},
-  };
-  for (const auto& [end, says] : known) {
-    if (distance(got, end) <= within) return {says};
-  }
-  return {};
-}
-
-void ends_right(Student& student, const Drag& drag, const std::string& asked,
-                const std::string& hint) {
-  const State expected = drag.end(), got = drag.by(student);
-  const Tolerance tolerance = drag.tolerance();
-  grade::Finding finding = off_by(distance(got, expected), tolerance);
+void meets_its_lines(Student& student, const Drag& drag, const std::string& asked,
+                     const std::string& hint) {
+  const State end = drag.by(student);
+  const Tolerance tolerance = drag.tolerance(end);
+  grade::Finding finding = off_by(drag.miss(end), tolerance, " m/s");
   finding.asked = asked;
   finding.input = drag.described();
-  finding.expected = describe(expected);
-  finding.got = describe(got);
+  finding.expected =
+      "the velocity " + describe(drag.start.v + drag.h * drag.acceleration(end.x, end.v)) +
+      ", which is v_old + h a with the acceleration at your end, and a way of h times "
+      "your new velocity";
+  finding.got = describe(end);
   if (!finding.held) {
     finding.hint = hint;
-    finding.diagnoses = recognised(drag, got, tolerance.value);
+    finding.diagnoses = slips(drag, end, tolerance.value);
+  }
+  check(finding);
+}
+
+// How far the end is from a change of the right length along what the spring asks for.
+double off(const Drag& drag, const State& end) {
+  const Vec change = end.v - drag.start.v, towards = drag.asked_for();
+  const double along = dot(change, towards) / length(towards);
+  const Vec moved = (end.x - drag.start.x) / drag.h - end.v;
+  return std::max({length(moved), std::abs(along - drag.h * drag.strongest),
+                   length(change - along / length(towards) * towards)});
+}
+
+void goes_on(Student& student, const Drag& drag, const std::string& asked,
+             const std::string& hint) {
+  const State end = drag.by(student);
+  const auto [x, v] = drag.start;
+  const Tolerance tolerance = rounding((1 + length(x) + length(v)) / drag.h);
+  grade::Finding finding = off_by(distance(end, {x + drag.h * v, v}), tolerance);
+  finding.asked = asked;
+  finding.input = drag.described();
+  finding.expected = "the old velocity, and h times that on";
+  finding.got = describe(end);
+  if (!finding.held) {
+    finding.hint = hint;
+    finding.diagnoses = slips(drag, end, tolerance.value);
   }
   check(finding);
 }
 
 }  // namespace
 
-TEST_CASE("the slope at the end leads back to the start", "[4-implicit/dragged-crate][4 points]") {
+TEST_CASE("with a strong hand the slope at the end leads back to the start",
+          "[4-implicit/dragged-crate][3 points]") {
   Student student;
   Random random;
   for (int n = 0; n < 3; ++n) {
-    ends_right(student, Drag::draw(random, random.between(0.5, 4), random.between(0.1, 1.6)),
-               "one step after which x = x_old + h v and v = v_old + h a, all new on the right",
-               "Every x and v of the acceleration is a new one. Put the new x into it before you "
-               "collect.");
+    meets_its_lines(
+        student, Drag::draw(random, random.between(0.5, 4), random.between(0.1, 1.6)),
+        "one step after which x = x_old + h v and v = v_old + h a, all new on the right",
+        "Every x and v of the acceleration is a new one. Put the new x into it before you "
+        "collect.");
+  }
+}
+
+TEST_CASE("a weak hand changes the velocity by as much as it can, in the same direction",
+          "[4-implicit/dragged-crate][3 points]") {
+  Student student;
+  Random random;
+  for (int n = 0; n < 3; ++n) {
+    Drag drag = Drag::draw(random, random.between(0.5, 4), random.between(0.1, 1.6));
+    drag.strongest = random.between(0.1, 0.5) * length(drag.asked_for()) / drag.divisor() / drag.h;
+    const State end = drag.by(student);
+    const Tolerance tolerance = drag.tolerance(end);
+    grade::Finding finding = off_by(off(drag, end), tolerance, " m/s");
+    finding.asked = "one step with a hand that gives at most half of what the spring asks for";
+    finding.input = drag.described();
+    finding.expected = "a change of velocity of " + number(drag.h * drag.strongest) +
+                       " m/s along " + describe(drag.asked_for() / length(drag.asked_for()));
+    const Vec change = end.v - drag.start.v;
+    finding.got = describe(end) + ", a change of " + number(length(change)) + " m/s";
+    if (!finding.held) {
+      finding.hint =
+          "Work out the new velocity of a strong hand first. How far is it from the old one, and "
+          "which way?";
+      finding.diagnoses = slips_of_weak(drag, end, tolerance.value);
+    }
+    check(finding);
   }
 }
 
 TEST_CASE("without damping a step divides the energy by 1 + (h omega)^2",
-          "[4-implicit/dragged-crate][2 points]") {
+          "[4-implicit/dragged-crate][1 point]") {
   Student student;
   Random random;
   for (int n = 0; n < 3; ++n) {
     const Drag drag = Drag::draw(random, random.between(0.5, 4), 0);
-    const double angle = drag.h * drag.omega, expected = 1 + angle * angle;
+    const auto energy = [&](const State& s) {
+      const Vec far = s.x - drag.hand;
+      return (dot(s.v, s.v) + drag.omega * drag.omega * dot(far, far)) / 2;
+    };
+    const State end = drag.by(student);
     // The energy is a square, so what is wrong with the state counts twice.
-    const double speed = std::sqrt(2 * drag.energy(drag.start) / expected);
-    Tolerance tolerance = drag.tolerance();
-    tolerance.value *= 2 * (1 + angle) / speed * expected;
+    Tolerance tolerance = drag.tolerance(end);
+    tolerance.value *= 4 * drag.divisor() / std::sqrt(2 * energy(drag.start) / drag.divisor());
     is_exact("the energy about the hand before the step, over the one after it", drag.described(),
-             drag.energy(drag.start) / drag.energy(drag.by(student)), expected, tolerance,
+             energy(drag.start) / energy(end), drag.divisor(), tolerance,
              "Without damping only the pull is left. Does the step square h omega where it "
-             "should?");
+             "should?",
+             {{1 / drag.divisor(), "this is what Euler's method multiplies the energy by"}});
   }
 }
 
-TEST_CASE("a spring far too stiff for the step puts the crate into the hand",
-          "[4-implicit/dragged-crate][2 points]") {
+TEST_CASE("a spring far too stiff for the step puts the crate into a strong hand",
+          "[4-implicit/dragged-crate][1 point]") {
   Student student;
   Random random;
   for (int n = 0; n < 3; ++n) {
-    ends_right(student,
-               Drag::draw(random, std::pow(10, random.between(3, 5)), random.between(0, 1)),
-               "one step with h omega above 1000, which no explicit method survives",
-               "The larger h omega, the closer the crate must end to the hand. A polynomial "
-               "cannot do that; what divides?");
+    meets_its_lines(student,
+                    Drag::draw(random, std::pow(10, random.between(3, 5)), random.between(0, 1)),
+                    "one step with h omega above 1000, which no explicit method survives",
+                    "The larger h omega, the closer the crate must end to the hand. A polynomial "
+                    "cannot do that; what divides?");
   }
 }
 
 TEST_CASE("a spring that is switched off lets the crate go on",
-          "[4-implicit/dragged-crate][2 points]") {
+          "[4-implicit/dragged-crate][1 point]") {
   Student student;
   Random random;
   for (const double zeta : {0.0, 0.7}) {
-    ends_right(student, Drag::draw(random, 0, zeta), "one step with omega = 0",
-               "Without a spring the crate keeps its velocity. Do you divide by omega, or by h "
-               "omega?");
+    goes_on(student, Drag::draw(random, 0, zeta), "one step with omega = 0",
+            "Without a spring the crate keeps its velocity. Do you divide by omega, or by h "
+            "omega?");
   }
+}
+
+TEST_CASE("so does a hand without strength, and a crate that rests in the hand stays there",
+          "[4-implicit/dragged-crate][1 point]") {
+  Student student;
+  Random random;
+  Drag drag = Drag::draw(random, random.between(0.5, 4), 0.7);
+  drag.strongest = 0;
+  const std::string hint =
+      "Here the change that the spring asks for, or the one that the hand can give, is zero. Do "
+      "you divide by one of them?";
+  goes_on(student, drag, "one step with strongest = 0", hint);
+  Drag rests = Drag::draw(random, random.between(0.5, 4), 0.7);
+  rests.start = {rests.hand, {}};
+  goes_on(student, rests, "one step of a crate that rests in the hand", hint);
+  rests.strongest = 0;
+  goes_on(student, rests, "the same with strongest = 0", hint);
 }

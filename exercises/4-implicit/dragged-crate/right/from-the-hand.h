@@ -10,8 +10,15 @@ void spring(Vec& off, Vec& v, Real h, Real omega, Real zeta) {
   off = off + h * v;
 }
 
-inline void step(Vec& x, Vec& v, double h, const Vec& hand, double omega, double zeta) {
-  Vec off = x - hand;
-  spring(off, v, h, omega, zeta);
-  x = hand + off;
+inline Vec at_most(double most, const Vec& change) {
+  const double size = length(change);
+  return size > most ? most / size * change : change;
+}
+
+inline void step(Vec& x, Vec& v, double h, const Vec& hand, double omega, double zeta,
+                 double strongest) {
+  Vec off = x - hand, strong = v;
+  spring(off, strong, h, omega, zeta);
+  v += at_most(h * strongest, strong - v);
+  x += h * v;
 }
