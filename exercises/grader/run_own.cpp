@@ -58,7 +58,7 @@ Ran run_own(const std::filesystem::path& file, cage::Sandbox sandbox) {
       cage::run(sandbox, kit, compiled.driver, patient(), cage::Build::own).finish();
   const std::string told = told_by_checker(ended.err, header);
   if (!told.empty()) return {ended.out, "", named(told), false};
-  return {ended.out, named(ended.err), ending(ended), false};
+  return {ended.out, named(without_warnings(ended.err)), ending(ended), false};
 }
 
 }  // namespace grade

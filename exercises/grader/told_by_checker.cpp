@@ -80,4 +80,15 @@ std::string told_by_checker(const std::string& printed, const std::string& heade
          line_of(printed, header) + ". AddressSanitizer calls this " + kind + ".";
 }
 
+std::string without_warnings(const std::string& printed) {
+  static const std::regex warning("^==[0-9]+==WARNING: ");
+  std::string rest;
+  for (std::size_t begin = 0, end = 0; begin < printed.size(); begin = end) {
+    end = std::min(printed.find('\n', begin), printed.size() - 1) + 1;
+    const std::string line = printed.substr(begin, end - begin);
+    if (!std::regex_search(line, warning, std::regex_constants::match_continuous)) rest += line;
+  }
+  return rest;
+}
+
 }  // namespace grade

@@ -2,7 +2,8 @@
 // Proves an exercise's tests: prove 2-euler/orbit-drift [SEEDS]. Its solution and every right/*.h
 // score full marks under SEEDS seeds (3 unless told), its starter scores nothing, and every way in
 // wrong, be it a header or an edit of the solution, fails the test that its first line names and is
-// told what a line `Says:` promises. Prints one line for each; the exit code is 1 if any is not so.
+// told what its line `Says:` promises. Prints one line for each; the exit code is 1 if any is not
+// so.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -111,6 +112,9 @@ bool is_caught(const grade::Exercise& exercise, const std::filesystem::path& fil
     return say(report, file, false, "there is no test \"" + name + "\"");
   if (report.verdict == Verdict::grader_error) return say(report, file, false, "was not judged");
   const bool caught = !named->held && (named->ran || report.verdict != Verdict::partial);
+  if (words.empty())
+    return say(report, file, false,
+               "has no line \"// Says: WORDS\"; is told:" + told(report, *named));
   if (caught && told(report, *named).find(words) == std::string::npos)
     return say(report, file, false, "is not told \"" + words + "\" but:" + told(report, *named));
   return say(

@@ -3,12 +3,12 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "format_values.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
+#include "suspension.h"
 
 using namespace judge;
 
@@ -16,112 +16,8 @@ namespace {
 
 using grade::number;
 
-struct Swing {
-  double x = 0, v = 0;
-};
-
-struct Suspension {
-  Swing start;
-  double h = 0, omega = 0, zeta = 0;
-  int steps = 0;
-
-  static Suspension draw(Random& random, double angle, double zeta, int steps) {
-    const double h = random.between(0.01, 0.04), omega = angle / h;
-    const double sign = 2.0 * random.whole(0, 1) - 1;
-    return {
-        {random.between(0.1, 0.3), sign * omega * random.between(0.1, 0.3)}, h, omega, zeta, steps};
-  }
-
-  // Long enough for a swing that is slower by a hundredth to fall behind.
-  static Suspension a_minute(Random& random) {
-    Suspension scene = draw(random, random.between(0.4, 1.2), 0, 0);
-    scene.steps = static_cast<int>(60 / scene.h);
-    return scene;
-  }
-
-  std::vector<Swing> by(Student& student) const {
-    const auto n = student.call(0, {start.x, start.v, h, omega, zeta, double(steps)},
-                                static_cast<std::size_t>(2 * steps));
-    std::vector<Swing> path{start};
-    for (std::size_t i = 0; i < n.size(); i += 2) path.push_back({n[i], n[i + 1]});
-    return path;
-  }
-
-  // From (1 - h/2 A) end = (1 + h/2 A) start, by Cramer's rule.
-  Swing after_one(const Swing& s) const {
-    const double half = h / 2, k = omega * omega, c = 2 * zeta * omega;
-    const double top = s.x + half * s.v, bottom = s.v + half * (-k * s.x - c * s.v);
-    const double determinant = 1 + half * c + half * half * k;
-    return {((1 + half * c) * top + half * bottom) / determinant,
-            (bottom - half * k * top) / determinant};
-  }
-
-  std::vector<Swing> right() const {
-    std::vector<Swing> path{start};
-    for (int n = 0; n < steps; ++n) path.push_back(after_one(path.back()));
-    return path;
-  }
-
-  // In units of length, in which the energy is a sum of two squares.
-  double size(const Swing& s) const { return std::hypot(s.x, s.v / omega); }
-  double apart(const Swing& a, const Swing& b) const { return size({a.x - b.x, a.v - b.v}); }
-
-  std::string described() const {
-    return "x = " + number(start.x, 17) + ", v = " + number(start.v, 17) +
-           ", h = " + number(h, 17) + ", omega = " + number(omega, 17) +
-           ", zeta = " + number(zeta, 17);
-  }
-
-  grade::Curve sizes(const std::string& name, const std::vector<Swing>& path) const {
-    grade::Curve found = curve(name, path);
-    for (std::size_t n = 0; n < found.y.size(); ++n) found.y[n] = size(path[n]);
-    return found;
-  }
-
-  grade::Curve curve(const std::string& name, const std::vector<Swing>& path) const {
-    grade::Curve curve{name, {}, {}};
-    for (std::size_t n = 0; n < std::min<std::size_t>(path.size(), 60); ++n) {
-      curve.x.push_back(static_cast<double>(n) * h);
-      curve.y.push_back(path[n].x);
-    }
-    return curve;
-  }
-
-  grade::Plot plot(const std::vector<Swing>& yours) const {
-    return {"The suspension",
-            "time [s]",
-            "stretch [m]",
-            {curve("yours", yours), curve("the trapezoid rule", right())}};
-  }
-};
-
 std::string text(const Swing& s) {
   return "x = " + number(s.x) + ", v = " + number(s.v);
-}
-
-// What a wrong first step often is: the trapezoid rule's change of velocity over another divisor,
-// or another move.
-std::vector<std::string> recognised(const Suspension& scene, const Swing& got, double within) {
-  const auto [x, v] = scene.start;
-  const double h = scene.h, half = h / 2;
-  const double k = scene.omega * scene.omega, c = 2 * scene.zeta * scene.omega;
-  const double push = half * (-k * (2 * x + h * v) - 2 * c * v);
-  const auto divided = [&](double by) {
-    return Swing{x + h * v + half * push / by, v + push / by};
-  };
-  const double v_right = scene.after_one(scene.start).v;
-  const double v_backward = (v - h * k * x) / (1 + h * c + h * h * k);
-  const std::pair<Swing, const char*> known[] = {
-      {divided(1 + half * c + half * h * k), "this is the step of the code as it was"},
-      {divided(1), "this is the step of Heun's method: nothing is divided"},
-      {divided(1 + h * c + half * half * k), "the damping in the divisor is not halved"},
-      {{x + h * v_backward, v_backward}, "this is backward Euler"},
-      {{x + h * v_right, v_right}, "the velocity is right; the place moved with the new one alone"},
-  };
-  for (const auto& [end, says] : known) {
-    if (scene.apart(got, end) <= within) return {says};
-  }
-  return {};
 }
 
 // How often it passes through rest.
@@ -133,7 +29,7 @@ int passes(const std::vector<Swing>& path) {
 
 }  // namespace
 
-TEST_CASE("each step takes the mean of both slopes", "[4-implicit/slow-suspension][4 points]") {
+TEST_CASE("each step takes the mean of both slopes", "[4-implicit/slow-suspension][3 points]") {
   Student student;
   Random random;
   for (int trial = 0; trial < 3; ++trial) {
@@ -162,7 +58,7 @@ TEST_CASE("each step takes the mean of both slopes", "[4-implicit/slow-suspensio
 }
 
 TEST_CASE("without a damper its energy stays for a minute",
-          "[4-implicit/slow-suspension][3 points]") {
+          "[4-implicit/slow-suspension][2 points]") {
   Student student;
   Random random;
   const Suspension scene = Suspension::a_minute(random);
@@ -191,13 +87,14 @@ TEST_CASE("without a damper its energy stays for a minute",
     finding.hint =
         "Multiply the line for the velocity by the mean of both velocities, and put in "
         "the line for the place: the energy must cancel. Which factor stops it?";
+    finding.diagnoses = recognised(scene, got[1], rounding(1, size).value);
     finding.plot = {"The swing", "time [s]", "swing [m]", {scene.sizes("yours", got)}};
   }
   check(finding);
 }
 
 TEST_CASE("in a minute it swings as often as the trapezoid rule lets it",
-          "[4-implicit/slow-suspension][3 points]") {
+          "[4-implicit/slow-suspension][2 points]") {
   Student student;
   Random random;
   const Suspension scene = Suspension::a_minute(random);
@@ -221,7 +118,31 @@ TEST_CASE("in a minute it swings as often as the trapezoid rule lets it",
     finding.hint =
         "The divisor acts like a mass: too large, and the swing is slow; too small, and it is "
         "fast.";
+    finding.diagnoses = recognised(scene, got[1], rounding(1, scene.size(scene.start)).value);
     finding.plot = scene.plot(got);
   }
   check(finding);
+}
+
+TEST_CASE("told another omega, the trapezoid rule swings at the one that is wanted",
+          "[4-implicit/slow-suspension][3 points]") {
+  Student student;
+  Random random;
+  for (const double wanted : {random.between(0.3, 0.6), random.between(1, 2.9)}) {
+    const double h = random.between(0.01, 0.04), omega = wanted / h;
+    const double told = student.call(1, {omega, h}, 1)[0];
+    const Swing next = Suspension{{1, 0}, h, told, 0, 1}.after_one({1, 0});
+    const double turned = std::atan2(-next.v / told, next.x);
+    grade::Finding finding = off_by(std::abs(turned - wanted), rounding(4));
+    finding.asked = "by which angle a step of the trapezoid rule turns a spring that is told yours";
+    finding.input = "omega = " + number(omega, 17) + ", h = " + number(h, 17);
+    finding.expected = number(wanted, 12) + ", which is omega h";
+    finding.got = number(turned, 12) + ", told " + number(told, 12) + " rad/s";
+    if (!finding.held) {
+      finding.hint =
+          "Half the angle is what the rule makes of half of h omega, and not the other way round.";
+      finding.diagnoses = slips(told, omega, h);
+    }
+    check(finding);
+  }
 }

@@ -12,3 +12,8 @@ inline void step(double& x, double& v, double h, double omega, double zeta) {
   x = x + h * v + half * change;
   v = v + change;
 }
+
+/// What to hand over as omega, so that an undamped spring swings at the rate that is wanted.
+inline double told(double omega, double h) {
+  return 2 / h * std::tan(omega * h / 2);
+}

@@ -71,8 +71,10 @@ test("a main of one's own is run, its prints are shown, and so is what it must n
     writeFileSync(at('own.h'), main ? own(main) : '#pragma once\n');
     return spawnSync(grade, ['--run', at('own.h')], { encoding: 'utf8' });
   };
-  const good = ran('int main() { std::printf("%g\\n", twice(21)); }');
-  assert.deepEqual([good.status, good.stdout, good.stderr], [0, '42\n', '']);
+  const good = ran(
+    'int main() { std::printf("%g\\n", twice(21)); std::fputs("==2==WARNING: of the checker\\nmine", stderr); }',
+  );
+  assert.deepEqual([good.status, good.stdout, good.stderr], [0, '42\n', 'mine']);
   const beyond = ran('int main() { std::puts("here"); std::vector<int> a(2); return a.data()[2]; }');
   assert.deepEqual([beyond.status, beyond.stdout], [1, 'here\n']);
   assert.match(beyond.stderr, /reads outside of the memory that it has, in line 6/);

@@ -10,3 +10,8 @@ inline void step(double& x, double& v, double h, double omega, double zeta) {
   x = ((1 + brake) * first + half * second) / determinant;
   v = (second - pull * first) / determinant;
 }
+
+inline double told(double omega, double h) {
+  // The tangent of half an angle, by the whole one.
+  return 2 / h * std::sin(omega * h) / (1 + std::cos(omega * h));
+}

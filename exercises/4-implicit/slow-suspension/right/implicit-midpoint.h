@@ -10,3 +10,7 @@ inline void step(double& x, double& v, double h, double omega, double zeta) {
   x += h * middle;
   v = 2 * middle - v;
 }
+
+inline double told(double omega, double h) {
+  return 2 / h * std::tan(omega * h / 2);
+}

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
+#include <complex>
+
 #include "given.h"
 
 // Half a step of Euler's method, then half a step of backward Euler.
@@ -18,4 +20,9 @@ inline void arrive(double& x, double& v, double h, double omega, double zeta) {
 inline void step(double& x, double& v, double h, double omega, double zeta) {
   leave(x, v, h / 2, omega, zeta);
   arrive(x, v, h / 2, omega, zeta);
+}
+
+inline double told(double omega, double h) {
+  const std::complex<double> turn = std::polar(1.0, omega * h);
+  return 2 / h * ((turn - 1.0) / (turn + 1.0)).imag();
 }
