@@ -12,6 +12,8 @@ namespace {
 
 using namespace std::literals;
 
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
 struct Kind {
   std::size_t at;
   std::string_view mark, name;
@@ -45,6 +47,10 @@ bool is(std::string_view content, const Kind& kind) {
          (kind.mark != "MZ" || content.find('\0') != content.npos);
 }
 
+bool utf32(std::string_view content) {
+  return content.starts_with("\xff\xfe\0\0"sv) || content.starts_with("\0\0\xfe\xff"sv);
+}
+
 bool utf16(std::string_view content) {
   if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff")) return true;
   // Without a mark: every other byte of Latin letters is zero.
@@ -74,11 +80,16 @@ std::string not_a_header(std::string_view content) {
   if (content.size() > longest)
     return "is longer than " + std::to_string(longest / 1024) +
            " KiB, which no solution needs; hand in the header alone";
+  if (utf32(content)) return "is saved as UTF-32; save it as UTF-8";
   if (utf16(content)) return "is saved as UTF-16; save it as UTF-8";
   if (content.find('\0') != content.npos) return "is not text: it holds a zero byte";
   if (const long line = broken_line(content))
     return "is not UTF-8 text: see line " + std::to_string(line) + "; save it as UTF-8";
-  if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
+  if (content.starts_with(byte_order_mark)) content.remove_prefix(byte_order_mark.size());
+  if (content.starts_with(byte_order_mark))
+    return "begins with two byte order marks; save it as UTF-8 without any";
+  if (content.find('\x1a') != content.npos)
+    return "holds the character Ctrl-Z, with which old editors end a file; take it out";
   if (content.find_first_not_of(" \t\r\n\f\v") == content.npos)
     return "is empty; it must define what the task asks for";
   return {};

@@ -83,6 +83,8 @@ std::string not_found(const std::string& chapter, const std::string& header,
 Submission take_from_folder(const Entry& folder, const std::string& chapter,
                             const std::string& header) {
   const auto below = entry(folder.file.get(), chapter);
+  if (below && below->is_link())
+    return refused(shown(chapter) + " is a symbolic link; hand in the folder itself");
   const bool chapters = below && below->is_folder();
   // A draft that lies above the chapters does not count where there is one in its place.
   if (chapters) {

@@ -1,7 +1,7 @@
 // Which standard header brings which names of std. A name that several headers bring stands with each of them, and so does a base
 // class with those that derive from it.
 const rows = `
-algorithm: adjacent_find all_of any_of clamp copy count count_if equal erase_if fill fill_n find find_if find_if_not generate lower_bound max max_element min min_element minmax minmax_element mismatch none_of nth_element reverse sort upper_bound ranges::adjacent_find ranges::all_of ranges::any_of ranges::count ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if ranges::max ranges::max_element ranges::min_element ranges::mismatch ranges::none_of ranges::replace ranges::reverse ranges::sort ranges::transform
+algorithm: adjacent_find all_of any_of clamp copy count count_if equal erase_if fill fill_n find find_if find_if_not generate lower_bound max max_element min min_element minmax minmax_element mismatch none_of nth_element reverse sort upper_bound ranges::adjacent_find ranges::all_of ranges::any_of ranges::count ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if ranges::max ranges::max_element ranges::min_element ranges::minmax ranges::mismatch ranges::none_of ranges::replace ranges::reverse ranges::sort ranges::transform
 array: array tuple_size_v get size begin end
 bit: bit_cast
 cctype: isalnum isalpha isdigit isspace tolower toupper

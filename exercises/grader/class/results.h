@@ -12,9 +12,9 @@ namespace grade {
 struct Results {
   std::vector<Student> students;
   std::vector<Exercise> exercises;
-  std::vector<Report> reports;      ///< student by student, each with every exercise
-  std::vector<bool> are_handed_in;  ///< beside the reports
-  bool assigned = false;            ///< what was not handed in counts, as nothing
+  std::vector<Report> reports;        ///< student by student, each with every exercise
+  std::vector<bool> are_handed_in{};  ///< beside the reports
+  bool assigned = false;              ///< what was not handed in counts, as nothing
 
   const Report& report(std::size_t student, std::size_t exercise) const {
     return reports[student * exercises.size() + exercise];

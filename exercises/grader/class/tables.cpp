@@ -22,6 +22,14 @@ std::string row(const std::vector<std::string>& cells) {
   return line + "\r\n";
 }
 
+/// The line that says why: of what a compiler said, the one with the error.
+std::string reason(const Report& report) {
+  const std::size_t error = report.why.find("error: ");
+  const std::size_t before = error == report.why.npos ? error : report.why.rfind('\n', error);
+  const std::size_t begin = before == report.why.npos ? 0 : before + 1;
+  return report.why.substr(begin, report.why.find('\n', begin) - begin);
+}
+
 }  // namespace
 
 std::string grades_csv(const Results& results) {
@@ -55,11 +63,11 @@ std::string report_csv(const Results& results) {
   for (std::size_t s = 0; s < results.students.size(); ++s) {
     for (std::size_t e = 0; e < results.exercises.size(); ++e) {
       const Report& report = results.report(s, e);
-      text += row({printable_name(results.students[s].name), results.exercises[e].name,
-                   std::string(name(report.verdict)),
-                   is_graded(report) ? std::to_string(report.score) : "",
-                   std::to_string(report.points), std::to_string(report.seed), report.version,
-                   printable(report.why.substr(0, report.why.find('\n')))});
+      text +=
+          row({printable_name(results.students[s].name), results.exercises[e].name,
+               std::string(name(report.verdict)),
+               is_graded(report) ? std::to_string(report.score) : "", std::to_string(report.points),
+               std::to_string(report.seed), report.version, printable(reason(report))});
     }
   }
   return text;

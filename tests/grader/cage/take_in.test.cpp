@@ -96,7 +96,7 @@ TEST_CASE("No link is followed") {
 
   fs::create_directory(folder / "c");
   fs::create_directory_symlink(folder / "real", folder / "c" / "2-euler");
-  CHECK_FALSE(take(folder / "c").refused.empty());
+  CHECK_THAT(take(folder / "c").refused, ContainsSubstring("2-euler is a symbolic link"));
 
   fs::create_hard_link(folder / "real" / header, folder / "hard.h");
   CHECK_THAT(take(folder / "hard.h").refused, ContainsSubstring("hard link"));
@@ -129,6 +129,10 @@ TEST_CASE("What is no text is named as what it is") {
              ContainsSubstring("is a compiled program"));
   CHECK_THAT(said_of(std::string(257, 'x') + "ustar"), ContainsSubstring("is a tar archive"));
   CHECK_THAT(said_of("\xff\xfei\0n\0t\0"s), ContainsSubstring("save it as UTF-8"));
+  CHECK_THAT(said_of("\xff\xfe\0\0i\0\0\0"s), ContainsSubstring("is saved as UTF-32"));
+  CHECK_THAT(said_of("\xef\xbb\xbf\xef\xbb\xbfint x;\n"),
+             ContainsSubstring("two byte order marks"));
+  CHECK_THAT(said_of("int x;\n\x1a"), ContainsSubstring("Ctrl-Z"));
   CHECK_THAT(said_of("i\0n\0t\0 \0x\0;\0"s), ContainsSubstring("is saved as UTF-16"));
   CHECK_THAT(said_of("int x;\0"s), ContainsSubstring("zero byte"));
   CHECK_THAT(said_of("int x;\n// Gr\xf6\xdf"

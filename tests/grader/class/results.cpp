@@ -55,3 +55,12 @@ TEST_CASE("a share is of those whose submission was judged") {
   CHECK(all.tests[0].points == 3);
   CHECK(all.verdicts.size() == 5);
 }
+
+TEST_CASE("of what a compiler said the table has the line with the error") {
+  const Exercise exercise = exercises().front();
+  Report report = report_of("v", 1, Verdict::compile_error);
+  report.why =
+      "a.h: In function 'int f()':\na.h:20:25: error: 'nix' was not declared\n   20 | nix;";
+  const Results results{{{"ada", {}}}, {exercise}, {report}, {true}};
+  CHECK(report_csv(results).ends_with(",a.h:20:25: error: 'nix' was not declared\r\n"));
+}
