@@ -57,6 +57,30 @@ grade::Curve curve(const std::string& name, const Path& path) {
   return curve;
 }
 
+// What the step is, by a few of them under a force that only the judge knows.
+std::vector<std::string> recognised(Student& student) {
+  const Replay replay(5);
+  const auto by = [&](const Method& method) {
+    return watch(method, replay.start, replay.h, replay.steps, replay.force);
+  };
+  return diagnose(student.watch(replay.start, replay.h, replay.steps, replay.force),
+                  symplectic_euler, by);
+}
+
+// What an undo is, by the way back that it took.
+std::vector<std::string> recognised(const Replay& replay, const Path& yours) {
+  if (yours.evaluations.empty() && distance(yours.states.back(), yours.states.front()) == 0)
+    return {
+        "undo asks for nothing and changes nothing: what your step has noted down is of no use "
+        "here, where somebody else took the steps"};
+  const auto by = [&](const Method& method) { return replay.by(method); };
+  std::vector<std::string> found = diagnose(yours, symplectic_euler_position_first, by);
+  for (std::string& remark : found) {
+    if (remark.starts_with("this is ")) remark += ", run with -h";
+  }
+  return found;
+}
+
 // Whether an undo asked at the place and the time of the step that it takes back.
 bool asked_alike(const Evaluation& yours, const Evaluation& step, double tolerance) {
   return length(yours.x - step.x) <= tolerance && std::abs(yours.t - step.t) <= tolerance;
@@ -74,7 +98,8 @@ TEST_CASE("a spring swings on while h omega is less than two, and no longer",
           "[6-symplectic/rewind-the-replay][2 points]") {
   Student student;
   is_stable_until(student, 0, 2,
-                  "Move with the velocity that the kick has made, not with the old one.");
+                  "Move with the velocity that the kick has made, not with the old one.", 0,
+                  [&] { return recognised(student); });
 }
 
 TEST_CASE("undone steps lead back to the start of the replay",
@@ -98,11 +123,7 @@ TEST_CASE("undone steps lead back to the start of the replay",
     finding.hint =
         "Take the drift back first: then the acceleration is asked for where the step "
         "asked for it.";
-    const auto by = [&](const Method& method) { return replay.by(method); };
-    finding.diagnoses = diagnose(yours, symplectic_euler_position_first, by);
-    for (std::string& found : finding.diagnoses) {
-      if (found.starts_with("this is ")) found += ", run with -h";
-    }
+    finding.diagnoses = recognised(replay, yours);
     finding.plot = {"Backwards",
                     "time [s]",
                     "place along x [m]",

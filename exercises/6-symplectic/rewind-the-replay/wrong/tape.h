@@ -1,5 +1,5 @@
 // Fails: undone steps lead back to the start of the replay
-// Says: the state never changes
+// Says: undo asks for nothing and changes nothing: what your step has noted down is of no use
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
