@@ -44,7 +44,19 @@ inline double exponential(double ch) {
   return std::exp(-ch);
 }
 
-enum Order { push_first, brake_first, brake_last, push_braked_along };
+inline double driven(double ch) {
+  return 1 / (1 - ch);
+}
+
+/// What comes after what. A push that depends on the velocity also tells when it was asked.
+enum Order {
+  push_first,
+  asked_then_brake,
+  brake_then_asked,
+  move_before_brake,
+  move_with_old,
+  push_braked_along
+};
 
 // What people make of the two drags.
 inline Sledge as_it_is(const Sledge& sledge, double) {
@@ -58,6 +70,12 @@ inline Sledge easy(const Sledge& sledge, double) {
 }
 inline Sledge stiff(const Sledge& sledge, double) {
   return {sledge.along, sledge.c_across, sledge.c_across};
+}
+inline Sledge glides_freely(const Sledge& sledge, double) {
+  return {sledge.along, 0, sledge.c_across};
+}
+inline Sledge brakes_by_c(const Sledge& sledge, double h) {
+  return {sledge.along, sledge.c_along / h, sledge.c_across / h};
 }
 inline Sledge twice_along(const Sledge& sledge, double h) {
   const double both = sledge.c_along + sledge.c_across + sledge.c_along * sledge.c_across * h;
@@ -73,30 +91,41 @@ struct Way {
 
   void step(const Sledge& real, State& s, double t, double h, const harness::Force& push) const {
     const Sledge sledge = as(real, h);
-    const Vec kick = h * push(s.x, s.v, t);
-    if (order == brake_first) {
-      s.v = sledge.braked(s.v, h, factor) + kick;
+    const Vec old = s.v;
+    Vec kick = h * push(s.x, old, t);
+    if (order == brake_then_asked) kick = h * push(s.x, sledge.braked(old, h, factor), t);
+    if (order == push_first || order == move_with_old) {
+      s.v = sledge.braked(old + kick, h, factor);
+    } else if (order == move_before_brake) {
+      s.v = old + kick;
     } else if (order == push_braked_along) {
-      s.v = sledge.braked(s.v, h, factor) + factor(sledge.c_along * h) * kick;
+      s.v = sledge.braked(old, h, factor) + factor(sledge.c_along * h) * kick;
     } else {
-      s.v += kick;
+      s.v = sledge.braked(old, h, factor) + kick;
     }
-    if (order == push_first) s.v = sledge.braked(s.v, h, factor);
-    s.x += h * s.v;
-    if (order == brake_last) s.v = sledge.braked(s.v, h, factor);
+    s.x += h * (order == move_with_old ? old : s.v);
+    if (order == move_before_brake) s.v = sledge.braked(s.v, h, factor);
   }
 };
 
 inline const Way right{"drag divided after the push", divided, push_first};
 inline const std::vector<Way> others{
-    {"drag divided before the push", divided, brake_first},
-    {"drag divided after the move", divided, brake_last},
+    {"drag divided before the push", divided, brake_then_asked},
+    {"drag divided before the push", divided, asked_then_brake},
+    {"drag divided after the move", divided, move_before_brake},
+    {"the right velocity, and a move with the one before it", divided, move_with_old},
     {"drag by 1 - c h, after the push", taken_off, push_first},
-    {"drag as one of the forces, or by 1 - c h before the push", taken_off, brake_first},
+    {"drag as one of the forces, or by 1 - c h before the push", taken_off, asked_then_brake},
+    {"drag by 1 - c h before the push", taken_off, brake_then_asked},
     {"drag by 1 - c h cut off at zero, after the push", cut_off, push_first},
-    {"drag by 1 - c h cut off at zero, before the push", cut_off, brake_first},
+    {"drag by 1 - c h cut off at zero, before the push", cut_off, brake_then_asked},
+    {"drag by 1 - c h cut off at zero, before the push", cut_off, asked_then_brake},
     {"drag by exp(-c h), after the push", exponential, push_first},
-    {"drag by exp(-c h), before the push", exponential, brake_first},
+    {"drag by exp(-c h), before the push", exponential, brake_then_asked},
+    {"drag by exp(-c h), before the push", exponential, asked_then_brake},
+    {"drag with the wrong sign: over 1 - c h, it drives", driven, push_first},
+    {"drag over 1 + c, without h", divided, push_first, brakes_by_c},
+    {"drag across the runners, and none along them", divided, push_first, glides_freely},
     {"the two drags at each other's places", divided, push_first, swapped},
     {"one drag for all directions, that along the runners", divided, push_first, easy},
     {"one drag for all directions, that across the runners", divided, push_first, stiff},
@@ -145,18 +174,25 @@ struct Ride {
   }
 };
 
+/// How far the states are apart, beside their size.
+inline double apart(const std::vector<State>& yours, const std::vector<State>& theirs) {
+  double apart = 0, size = 1;
+  for (std::size_t n = 0; n < yours.size(); ++n) {
+    const double now = judge::distance(yours[n], theirs[n]);
+    apart = std::isfinite(now) ? std::max(apart, now) : INFINITY;
+    size = std::max(size, judge::distance(theirs[n], State{}));
+  }
+  return apart / size;
+}
+
 /// Which of the ways this is, to ten digits.
 inline std::vector<std::string> recognised(const Ride& ride, const std::vector<State>& yours) {
   for (const Way& way : others) {
-    const std::vector<State> theirs = ride.by(way);
-    double apart = 0, size = 1;
-    for (std::size_t n = 0; n < yours.size(); ++n) {
-      const double now = judge::distance(yours[n], theirs[n]);
-      apart = std::isfinite(now) ? std::max(apart, now) : INFINITY;
-      size = std::max(size, judge::distance(theirs[n], State{}));
-    }
-    if (apart <= 1e-10 * size) return {"this is " + way.name};
+    if (apart(yours, ride.by(way)) <= 1e-10) return {"this is " + way.name};
   }
+  const double off = apart(yours, ride.by(right));
+  if (off > 1e-10 && off < 2e-6)
+    return {"right to seven digits and no further: a float, or a constant with an f?"};
   return {};
 }
 
