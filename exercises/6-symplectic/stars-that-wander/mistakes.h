@@ -102,6 +102,35 @@ inline constexpr Mistake mistakes[] = {
      taken_back},
 };
 
+/// Pulls that look at a distance of sqrt(r^2 + share).
+inline Stars softened(Stars stars, double h, double share) {
+  const std::vector<State> before = stars.at;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    for (std::size_t j = 0; j < before.size(); ++j) {
+      const Vec to = before[j].x - before[i].x;
+      if (j != i) stars.at[i].v += h * stars.mu[j] / std::pow(dot(to, to) + share, 1.5) * to;
+    }
+  }
+  move_all(stars, h);
+  return stars;
+}
+
+/// The length by which these stars' pulls are softened [m], by secants; 0 if they are not.
+inline double softening(const Stars& start, const Stars& yours, double h) {
+  const Vec kick = yours.at[0].v - start.at[0].v;
+  const auto missing = [&](double share) {
+    return dot(softened(start, h, share).at[0].v - start.at[0].v - kick, kick);
+  };
+  double last = 0, share = 1e-3;
+  for (int n = 0; n < 40 && share > -0.5 && share != last; ++n) {
+    const double here = missing(share), slope = (here - missing(last)) / (share - last);
+    last = share;
+    if (slope != 0) share -= here / slope;
+  }
+  const bool fits = share > 1e-8 && apart(yours, softened(start, h, share)) <= 1e-10;
+  return fits ? std::sqrt(share) : 0;
+}
+
 /// What there is to say of a student's first step.
 inline std::vector<std::string> recognised(const Stars& start, const Stars& yours,
                                            const Stars& right, double h) {
@@ -113,8 +142,11 @@ inline std::vector<std::string> recognised(const Stars& start, const Stars& your
   const double off = apart(yours, right);
   if (!std::isfinite(off))
     return {"there are numbers that are not finite: is a star pulled by itself?"};
-  if (off > 0 && off < 1e-5)
-    return {"right to six digits or so and no further: is the pull softened, or a float?"};
+  if (const double length = softening(start, yours, h); length > 0)
+    return {"the pull is softened, as if the stars were " + grade::number(length, 2) +
+            " m further off to one side"};
+  if (off > 1e-10 && off < 2e-6)
+    return {"right to seven digits and no further: a float, or a constant with an f?"};
   std::string good, bad;
   for (std::size_t i = 0; i < right.at.size(); ++i) {
     const bool held = judge::distance(yours.at[i], right.at[i]) <= 1e-10;

@@ -1,5 +1,5 @@
 // Fails: a few steps of hidden stars are those of symplectic Euler
-// Says: is the pull softened, or a float?
+// Says: the pull is softened, as if the stars were 0.01 m further off to one side
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
