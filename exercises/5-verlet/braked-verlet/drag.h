@@ -48,12 +48,27 @@ struct Line {
     const Vec v = velocity(next), ago = (x - before) / h, ahead = (next - x) / h;
     const Vec pushed = velocity(next - h * h * a), divided = (next + x - before) / (2 * h);
     const double rest = -std::expm1(-c * h) / h;
+    const Vec distance = (x - before) / (h * h), later = (next - x) / (2 * h);
     return {
-        {"this is position Verlet without drag", {}},
+        {"this is position Verlet without drag: is c left out, or is a half written as 1 / 2, "
+         "which "
+         "is 0 in whole numbers?",
+         {}},
         {"this is position Verlet with the drag of half a step ago, as in the chapter", c * ago},
         {"this is drag at the velocity of half a step ahead: x_next - x over h", c * ahead},
         {"this is drag with the wrong sign: it drives", -c * v},
         {"this is drag without the step: c for c h", c / h * v},
+        {"the drag counts twice: from the place before to the place after it is two steps",
+         2 * c * v},
+        {"the drag counts half: one half too many", c / 2 * v},
+        {"the push is missing", c * v + a},
+        {"the push counts with the wrong sign", c * v + 2 * a},
+        {"the push counts with h instead of h^2", c * v + a - a / h},
+        {"the push counts half: that half belongs to the start", c * v + a / 2},
+        {"the last distance is missing", c * later + distance},
+        {"the last distance counts with the wrong sign: x_previous and x are swapped in it",
+         c * (later - h / 2 * distance) + 2 * distance},
+        {"x and x_previous are swapped", c * later + 3 * distance},
         {"only half of the drag is here, the half that is known", c / 2 * ago},
         {"only half of the drag is here, the half that is divided", c / 2 * ahead},
         {"the push is not divided", c * pushed},
@@ -77,6 +92,9 @@ struct Line {
     heavier.c *= 2;
     if (length(heavier.by(student) - next) == 0)
       return {"twice the c gives the same place: the drag does not know it"};
+    const double off = h * h * length(drag_of(next) - c * velocity(next));
+    if (off > 1e-10 && off < 2e-6)
+      return {"right to seven digits and no further: a float, or a constant with an f?"};
     return {};
   }
 
