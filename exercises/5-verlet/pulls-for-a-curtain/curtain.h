@@ -2,6 +2,7 @@
 /// @file
 /// A rope that hangs straight down, and what a plan for it costs.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -17,6 +18,8 @@ inline constexpr double gravity = 9.81;  ///< [m/s^2]
 /// So many substeps of a frame, and iterations in each.
 struct Split {
   int substeps = 1, iterations = 1;
+
+  bool operator==(const Split&) const = default;
 
   std::string in_words() const {
     return "substeps = " + std::to_string(substeps) +
@@ -46,8 +49,11 @@ inline std::vector<std::string> why_foretold(double got, int links, double frame
       {0.5, "half of what the rule says"},
       {1 / gravity, "gravity is missing"},
   };
-  for (const auto& [factor, says] : known) {
-    if (std::abs(got / rule(links, frame, split) / factor - 1) < 1e-10) return {says};
+  // The formula has n (n - 1), before it says n^2 for many links.
+  for (const double right : {rule(links, frame, split), rule(links, frame, split) * (1 - 1 / n)}) {
+    for (const auto& [factor, says] : known) {
+      if (std::abs(got / right / factor - 1) < 1e-10) return {says};
+    }
   }
   return {};
 }
@@ -84,47 +90,104 @@ struct Curtain {
     return split.substeps * (move + split.iterations * pull);
   }
 
-  /// The cheapest that the rule allows with so many iterations.
-  Split with(int iterations) const {
-    Split split{1, iterations};
-    while (rule(links, frame, split) > most) ++split.substeps;
-    return split;
-  }
-
-  /// The cheapest that the rule allows.
-  Split best() const {
-    Split best = with(1);
-    for (int iterations = 2; iterations <= links; ++iterations) {
-      if (price(with(iterations)) < price(best)) best = with(iterations);
-    }
-    return best;
-  }
-
-  /// What can be said of a plan that is too dear.
-  std::vector<std::string> why_dear(const Split& yours) const {
-    const int iterations = best().iterations;
-    std::vector<std::string> said;
-    if (yours.iterations == 1 && iterations > 1) {
-      said.push_back("a single iteration: each substep pays for its move again");
-    }
-    if (yours.substeps == 1 && best().substeps > 1) {
-      said.push_back("a single substep: iterations count once in the rule, substeps twice");
-    }
-    if (yours.iterations <= links && yours.substeps > with(yours.iterations).substeps) {
-      said.push_back("with so many iterations fewer substeps will do: " +
-                     std::to_string(with(yours.iterations).substeps));
-    }
-    if (std::abs(yours.iterations - iterations) == 1) {
-      said.push_back("near: substeps are whole numbers, so try the neighbours, too");
-    }
-    return said;
-  }
-
   std::string in_words() const {
     const auto full = [](double value) { return grade::number(value, 17); };
     return "links = " + std::to_string(links) + ", frame = " + full(frame) +
            ", most = " + full(most) + ", move = " + full(move) + ", pull = " + full(pull);
   }
 };
+
+inline double by_rule(const Curtain& of, const Split& split) {
+  return rule(of.links, of.frame, split);
+}
+inline double by_price(const Curtain& of, const Split& split) {
+  return of.price(split);
+}
+
+/// A way to a plan: what is taken for the stretch and for the price, and what for the substeps.
+struct Way {
+  const char* says = "";
+  double (*stretch)(const Curtain&, const Split&) = by_rule;
+  double (*price)(const Curtain&, const Split&) = by_price;
+  int too_few = 0;                              ///< substeps
+  int (*iterations)(const Curtain&) = nullptr;  ///< if they are not tried
+
+  /// The cheapest with so many iterations.
+  Split with(const Curtain& of, int so_many) const {
+    Split split{1, so_many};
+    while (stretch(of, split) > of.most) ++split.substeps;
+    split.substeps = std::max(1, split.substeps - too_few);
+    return split;
+  }
+
+  Split best(const Curtain& of) const {
+    if (iterations != nullptr) return with(of, iterations(of));
+    Split best = with(of, 1);
+    for (int so_many = 2; so_many <= of.links; ++so_many) {
+      const Split next = with(of, so_many);
+      if (price(of, next) < price(of, best)) best = next;
+    }
+    return best;
+  }
+};
+
+inline const Way right{};
+
+// What people take for the one and for the other.
+inline double at_sixty(const Curtain& of, const Split& split) {
+  return rule(of.links, 1.0 / 60, split);
+}
+inline double links_once(const Curtain& of, const Split& split) {
+  return by_rule(of, split) / of.links;
+}
+inline double step_once(const Curtain& of, const Split& split) {
+  return by_rule(of, split) * split.substeps;
+}
+inline double iterations_twice(const Curtain& of, const Split& split) {
+  return by_rule(of, split) / split.iterations;
+}
+inline double swapped(const Curtain& of, const Split& split) {
+  return split.substeps * (of.pull + split.iterations * of.move);
+}
+inline double shared(const Curtain& of, const Split& split) {
+  return split.substeps * of.move + split.iterations * of.pull;
+}
+inline int by_derivative(const Curtain& of) {
+  return std::max(1, static_cast<int>(std::lround(of.move / of.pull)));
+}
+
+inline const std::vector<Way> mistakes{
+    {"this is a plan for sixty frames a second, at any frame rate", at_sixty},
+    {"this is the plan of a rule in which the links count once", links_once},
+    {"this is the plan of a rule in which the substeps count once", step_once},
+    {"this is the plan of a rule in which the iterations count as the substeps do: twice",
+     iterations_twice},
+    {"move and pull stand at each other's places in the price", by_rule, swapped},
+    {"the iterations are paid once in a frame here, and not in each substep", by_rule, shared},
+    {"this is one substep short: was a root cut off, and not rounded up?", by_rule, by_price, 1},
+    {"move / pull iterations would be best if substeps need not be whole: try the others, too",
+     by_rule, by_price, 0, by_derivative},
+};
+
+/// What can be said of a single plan that is too dear, or does not hold.
+inline std::vector<std::string> why_wrong(const Curtain& of, const Split& yours) {
+  std::vector<std::string> said;
+  if (yours.iterations == 1 && right.best(of).iterations > 1) {
+    said.push_back("a single iteration: each substep pays for its move again");
+  }
+  if (yours.substeps == 1 && right.best(of).substeps > 1) {
+    said.push_back("a single substep: iterations count once in the rule, substeps twice");
+  }
+  if (yours.iterations > of.links) return said;
+  const int enough = right.with(of, yours.iterations).substeps;
+  if (yours.substeps > enough) {
+    said.push_back("with so many iterations fewer substeps will do: " + std::to_string(enough));
+  }
+  if (yours.substeps < enough) {
+    said.push_back("with so many iterations the rule wants more substeps: " +
+                   std::to_string(enough));
+  }
+  return said;
+}
 
 }  // namespace judge::verlet

@@ -41,9 +41,38 @@ void is_plan(const Curtain& curtain, double substeps, double iterations) {
   check(finding);
 }
 
+Split plan_of(Student& student, const Curtain& curtain) {
+  const std::vector<double> got = student.call(
+      plan,
+      {static_cast<double>(curtain.links), curtain.frame, curtain.most, curtain.move, curtain.pull},
+      2);
+  is_plan(curtain, got[0], got[1]);
+  return {static_cast<int>(got[0]), static_cast<int>(got[1])};
+}
+
+// A mistake that explains every plan of a dozen scenes; else what there is to say of this one.
+std::vector<std::string> why(Student& student, const Curtain& curtain, const Split& yours) {
+  Random random;
+  std::vector<Curtain> others;
+  std::vector<Split> plans;
+  for (const double rate : {24, 60, 120}) {
+    for (const double most : {0.5, 2.0, 8.0, 12.0}) {
+      others.push_back(draw(random, 1 / rate, most / 2, most));
+      plans.push_back(plan_of(student, others.back()));
+    }
+  }
+  for (const Way& way : mistakes) {
+    const auto explains = [&](const Curtain& other, const Split& theirs) {
+      return way.best(other) == theirs;
+    };
+    if (std::equal(others.begin(), others.end(), plans.begin(), explains)) return {way.says};
+  }
+  return why_wrong(curtain, yours);
+}
+
 // The price first, so that no plan takes the judge longer than the right one.
-void is_cheap(const Curtain& curtain, const Split& yours) {
-  const Split best = curtain.best();
+void is_cheap(Student& student, const Curtain& curtain, const Split& yours) {
+  const Split best = right.best(curtain);
   const double price = curtain.price(yours), least = curtain.price(best);
   grade::Finding finding;
   finding.held = price <= least * (1 + 1e-12);
@@ -56,12 +85,12 @@ void is_cheap(const Curtain& curtain, const Split& yours) {
   finding.tolerance_from = "the judge tries every number of iterations up to that of the links";
   if (!finding.held) {
     finding.hint = "What is the price of n iterations, each with as few substeps as will do?";
-    finding.diagnoses = curtain.why_dear(yours);
+    finding.diagnoses = why(student, curtain, yours);
   }
   check(finding);
 }
 
-void holds(const Curtain& curtain, const Split& yours) {
+void holds(Student& student, const Curtain& curtain, const Split& yours) {
   const double stretched = hung_up(curtain.links, curtain.frame, yours);
   grade::Finding finding;
   finding.held = stretched <= curtain.most;
@@ -76,21 +105,15 @@ void holds(const Curtain& curtain, const Split& yours) {
       "rope does, so that a plan by the rule holds";
   if (!finding.held) {
     finding.hint = "Is the number of substeps rounded up, and does the step count twice?";
-    finding.diagnoses = {"by the rule your plan leaves " +
-                         number(rule(curtain.links, curtain.frame, yours), 3) + " m"};
+    finding.diagnoses = why(student, curtain, yours);
   }
   check(finding);
 }
 
 void check_plan(Student& student, const Curtain& curtain) {
-  const std::vector<double> got = student.call(
-      plan,
-      {static_cast<double>(curtain.links), curtain.frame, curtain.most, curtain.move, curtain.pull},
-      2);
-  is_plan(curtain, got[0], got[1]);
-  const Split yours{static_cast<int>(got[0]), static_cast<int>(got[1])};
-  is_cheap(curtain, yours);
-  holds(curtain, yours);
+  const Split yours = plan_of(student, curtain);
+  is_cheap(student, curtain, yours);
+  holds(student, curtain, yours);
 }
 
 }  // namespace

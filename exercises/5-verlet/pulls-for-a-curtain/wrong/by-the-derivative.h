@@ -1,5 +1,5 @@
 // Fails: where a move costs many pulls the curtain holds at the least price
-// Says: near: substeps are whole numbers, so try the neighbours, too
+// Says: move / pull iterations would be best if substeps need not be whole
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: where a move costs many pulls the curtain holds at the least price
-// Says: by the rule your plan leaves
+// Says: this is one substep short: was a root cut off, and not rounded up?
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

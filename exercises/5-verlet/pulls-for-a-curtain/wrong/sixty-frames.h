@@ -1,5 +1,5 @@
 // Fails: at every frame rate the curtain holds at the least price
-// Says: by the rule your plan leaves
+// Says: this is a plan for sixty frames a second, at any frame rate
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,0 +1,30 @@
+// Fails: where a move costs many pulls the curtain holds at the least price
+// Says: this is the plan of a rule in which the iterations count as the substeps do: twice
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+struct Plan {
+  int substeps = 1;
+  int iterations = 1;
+};
+
+inline double stretch(int links, double frame, const Plan& how) {
+  const double h = frame / how.substeps;
+  return 9.81 * h * h * links * links / (2.0 * how.iterations);
+}
+
+// What the substeps do, the iterations do not.
+inline Plan plan(int links, double frame, double most, double move, double pull) {
+  Plan best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int iterations = 1; iterations <= links; ++iterations) {
+    const double needed = std::sqrt(stretch(links, frame, {1, iterations}) / iterations / most);
+    const int substeps = std::max(1, static_cast<int>(std::ceil(needed)));
+    const double price = substeps * (move + iterations * pull);
+    if (price >= least) continue;
+    least = price;
+    best = {substeps, iterations};
+  }
+  return best;
+}

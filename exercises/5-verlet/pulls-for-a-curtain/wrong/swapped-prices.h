@@ -1,0 +1,30 @@
+// Fails: where a move costs many pulls the curtain holds at the least price
+// Says: move and pull stand at each other's places in the price
+// SPDX-License-Identifier: MIT-0
+#pragma once
+#include "given.h"
+
+struct Plan {
+  int substeps = 1;
+  int iterations = 1;
+};
+
+inline double stretch(int links, double frame, const Plan& how) {
+  const double h = frame / how.substeps;
+  return 9.81 * h * h * links * links / (2.0 * how.iterations);
+}
+
+// The two prices are handed over in the other order.
+inline Plan plan(int links, double frame, double most, double move, double pull) {
+  Plan best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int iterations = 1; iterations <= links; ++iterations) {
+    const double needed = std::sqrt(stretch(links, frame, {1, iterations}) / most);
+    const int substeps = std::max(1, static_cast<int>(std::ceil(needed)));
+    const double price = substeps * (pull + iterations * move);
+    if (price >= least) continue;
+    least = price;
+    best = {substeps, iterations};
+  }
+  return best;
+}
