@@ -8,11 +8,20 @@ using namespace judge::verlet;
 
 namespace {
 
-void check_link(Student& student, const Link& link, const std::string& what,
+// Where the ends are after the pull, if they are where they should be.
+Link check_link(Student& student, const Link& link, const std::string& what,
                 const std::string& hint) {
-  grade::Finding finding = pulled(link, link.after(student), what);
-  if (!finding.held) finding.hint = hint;
+  const Link after = link.after(student);
+  grade::Finding finding = pulled(link, after, what);
+  if (!finding.held) {
+    finding.hint = hint;
+    Student fresh;
+    if (wrong_with(link, link.after(fresh)).empty())
+      finding.diagnoses = {
+          "alone this link comes out right: something is remembered from one link to the next"};
+  }
   check(finding);
+  return after;
 }
 
 // Four links with a lantern at the end, held up above the hook and let go: they fall together
@@ -105,20 +114,11 @@ TEST_CASE("every pull is right while a lantern falls on its chain",
   for (int frame = 1; frame <= 24; ++frame) {
     chain.fall(1.0 / 60);
     for (std::size_t i = 1; i < chain.x.size(); ++i) {
-      const Link link = chain.link(i), after = link.after(student);
-      grade::Finding finding =
-          pulled(link, after,
-                 "link " + std::to_string(i) + " in frame " + std::to_string(frame) +
-                     " of a chain of four links that is let go, with a lantern at its end");
-      if (!finding.held) {
-        finding.hint = "Each link is pulled once in a frame. Put this one into your function.";
-        Student fresh;
-        if (wrong_with(link, link.after(fresh)).empty())
-          finding.diagnoses = {
-              "alone this link comes out right: something is remembered from one "
-              "link to the next"};
-      }
-      check(finding);
+      const Link after =
+          check_link(student, chain.link(i),
+                     "link " + std::to_string(i) + " in frame " + std::to_string(frame) +
+                         " of a chain of four links that is let go, with a lantern at its end",
+                     "Each link is pulled once in a frame. Put this one into your function.");
       chain.x[i - 1] = after.a;
       chain.x[i] = after.b;
     }

@@ -93,7 +93,10 @@ inline std::string wrong_length(const Link& before, double part) {
   for (const auto& [factor, says] : known) {
     if (std::abs(part - factor) <= 1e-9 * (1 + std::abs(factor))) return says;
   }
-  if (std::abs(part - 1) < 2e-6) return "right to seven digits and no further: a float?";
+  // A float counts beside the link, however short the way.
+  const double off = std::abs(part - 1) * std::min(1.0, std::abs(way) / now);
+  if (std::abs(part - 1) < 2e-6 || off < 1e-7)
+    return "right to seven digits and no further: a float?";
   return "the ends came " + grade::number(part, 6) + " of the way to the bound";
 }
 
@@ -104,7 +107,27 @@ inline std::string wrong_place(const Link& before, const Vec& way_a, const Vec& 
   if (none(before.inverse_a * way_a + before.inverse_b * way_b))
     return "the heavier end moved further: the shares are swapped";
   if (none(way_a) || none(way_b)) return "one end alone has moved, and none is pinned";
+  const double share = length(way_a) / (length(way_a) + length(way_b));
+  const double right = before.inverse_a / (before.inverse_a + before.inverse_b);
+  if (std::abs(share - right) < 2e-7)
+    return "the shares are right to seven digits and no further: a float?";
+  if (std::abs(share - right) < 0.05 && std::abs(share - 0.5) < std::abs(right - 0.5))
+    return "the shares are a little too alike: was something added to the inverse masses?";
   return "the common centre of mass has moved";
+}
+
+/// A pinned end that moved.
+inline std::string wrong_pin(const Link& before, const Vec& way_a, const Vec& way_b) {
+  const bool a_pinned = before.inverse_a == 0;
+  const double pinned = length(a_pinned ? way_a : way_b), free = length(a_pinned ? way_b : way_a);
+  if (free <= before.tolerance())
+    return "the pinned end moved in place of the other: the shares are swapped";
+  if (std::abs(pinned - free) <= before.tolerance())
+    return "the pinned end moved, as far as the other: the inverse masses don't count";
+  if (pinned < free / 20)
+    return "the pinned end moved a little: was something added, so that nothing is divided by "
+           "zero?";
+  return "the pinned end moved";
 }
 
 /// The first thing that is wrong with a link after it was pulled; empty if nothing is.
@@ -117,10 +140,13 @@ inline std::string wrong_with(const Link& before, const Link& after) {
                        : "with both ends pinned the shares are 0 / 0, which is no number";
   if (before.has_play()) return wrong_within_play(before, after);
   if (weights == 0) return moved > 0 ? "both ends are pinned, and one moved" : "";
-  if (moved == 0) return "nothing moved";
+  if (moved == 0)
+    return before.length_now() < before.shortest
+               ? "nothing moved: a link that is too short wants to be pushed apart"
+               : "nothing moved: a link that is too long wants to be drawn together";
   const bool pin_gave_way = (before.inverse_a == 0 && length(way_a) > before.tolerance()) ||
                             (before.inverse_b == 0 && length(way_b) > before.tolerance());
-  if (pin_gave_way) return "the pinned end moved";
+  if (pin_gave_way) return wrong_pin(before, way_a, way_b);
   const auto sideways = [&](const Vec& way) {
     return length(way - dot(way, line) / dot(line, line) * line) > before.tolerance();
   };
