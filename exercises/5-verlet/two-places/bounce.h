@@ -40,6 +40,10 @@ inline std::string wrong_with(const Spark& before, const Spark& after) {
         length(after.x - before.x) + length(after.x_previous - before.x_previous) > 0;
     return moved ? "it is not below the floor, and was moved all the same" : "";
   }
+  if (length(after.x - before.x) + length(after.x_previous - before.x_previous) == 0)
+    return "it is below the floor, and was left there";
+  if (alike(after.x.y - before.floor, before.floor - before.x.y))
+    return "the spark was put as far above the floor as it was below: it should lie on it";
   if (!alike(after.x.y, before.floor)) return "the spark does not lie on the floor";
   const bool sideways = alike(after.x.x, before.x.x) && alike(after.x.z, before.x.z) &&
                         alike(left.x, came.x) && alike(left.z, came.z);
@@ -51,6 +55,10 @@ inline std::string wrong_with(const Spark& before, const Spark& after) {
   if (alike(left.y, before.restitution * came.y)) return "this is a spark that falls on, slower";
   if (alike(left.y + came.y, 0))
     return "this is a spark that loses nothing: the restitution is missing";
+  if (alike(left.y, before.restitution * (before.x_previous.y - before.floor)))
+    return "it flies off by its way to the floor, and not by the last distance: was that worked "
+           "out "
+           "after the spark was lifted?";
   if (alike(left.y, std::sqrt(before.restitution) * -came.y))
     return "this is the square root of the restitution, as if it were a share of the energy";
   return "it flies off with another speed than the one that it fell with, times the restitution";
@@ -80,7 +88,11 @@ inline void bounces(Student& student, const Spark& before) {
     finding.hint =
         "Work out the last distance before you move anything. What should it be afterwards, and "
         "where must x_previous lie so that it is?";
-    finding.diagnoses = {wrong};
+    Student fresh;
+    const bool remembers = wrong_with(before, before.after(fresh)).empty();
+    finding.diagnoses = {remembers ? "alone this bounce comes out right: something is remembered "
+                                     "from one spark to the next"
+                                   : wrong};
   }
   check(finding);
 }
