@@ -65,11 +65,15 @@ inline std::vector<std::string> recognised(const std::vector<Vec>& yours,
   for (const Places& known : mistakes) {
     if (alike(yours, known.x, tolerance)) return {"this is " + known.name};
   }
-  const double off = length(yours[0] - expected[0]) / length(expected[0]);
-  if (off > 1e-10 && off < 2e-6) {
-    return {"right to seven digits and no further: a float, or a constant with an f?"};
+  // A float is off from the first place on; what it is off by grows, but not to be seen.
+  const auto off = [&](std::size_t n) {
+    return length(yours[n] - expected[n]) / length(expected[n]);
+  };
+  if (!(off(0) > 1e-10 && off(0) < 2e-6)) return {};
+  for (std::size_t n = 1; n < yours.size(); ++n) {
+    if (off(n) > 1e-4) return {};
   }
-  return {};
+  return {"right to seven digits and no further: a float, or a constant with an f?"};
 }
 
 /// What a message calls place n.

@@ -53,7 +53,10 @@ inline void falls_as_fast(Student& student, const Fall& fall) {
               {"the velocity of the next frame's middle", {fall.over(0, h)}},
               {"the plain mean of both frames' velocities, which is right for even frames",
                {(fall.over(-last, 0) + fall.over(0, h)) / 2}},
-              {"half of the right one", {fall.v / 2}}});
+              {"half of the right one", {fall.v / 2}},
+              {"minus the right one: x_next is later than x_previous", {-fall.v}},
+              {"the right one times the whole time: the weights should add up to one",
+               {(h + last) * fall.v}}});
 }
 
 }  // namespace judge::verlet

@@ -75,11 +75,18 @@ inline double half_of_both(double h, double last) {
 inline double squared(double h, double) {
   return h * h;
 }
+inline double nothing(double, double) {
+  return 0;
+}
 
 /// What people make of it.
 inline std::vector<Places> mistakes(const Flight& flight) {
   const auto with_last = [](double h, double last) { return h * last; };
   const auto upside_down = [](double h, double last) { return last / h; };
+  const auto times = [](double factor) {
+    return [factor](double h, double last) { return factor * half_of_both(h, last); };
+  };
+  const auto middles_alone = [](double h, double last) { return (h + last) / 2; };
   const auto squares = [](double h, double last) { return (h * h + last * last) / 2; };
   Flight forgetful = flight;
   forgetful.h_previous = flight.frames[0];
@@ -91,6 +98,15 @@ inline std::vector<Places> mistakes(const Flight& flight) {
        flight.by(ratio, with_last)},
       {"the ratio of the frames upside down", flight.by(upside_down, half_of_both)},
       {"a push by the mean of both frames' squares", flight.by(ratio, squares)},
+      {"the corrected distance and no push at all: 1 / 2 is 0 in whole numbers",
+       flight.by(ratio, nothing)},
+      {"twice the push: from middle to middle it is half of both frames",
+       flight.by(ratio, times(2))},
+      {"half the push", flight.by(ratio, times(0.5))},
+      {"a push to the other side", flight.by(ratio, times(-1))},
+      {"a push of the time between the middles alone: it changes the velocity, which still has to "
+       "last a frame",
+       flight.by(ratio, middles_alone)},
       {"the right formula with a force at t + h",
        flight.by(ratio, half_of_both, Flight::one_frame_later)},
       {"the right formula with a drag that sees the last distance over h, not over h_previous",
@@ -100,8 +116,8 @@ inline std::vector<Places> mistakes(const Flight& flight) {
   };
 }
 
-/// Where a constant force moves the places in some frames as it should, and in others not: what is
-/// different about those.
+/// Where the places move in some frames as they should, and in others not: what is different about
+/// those.
 inline std::vector<std::string> kept_within(const Flight& flight, const std::vector<Vec>& yours,
                                             const Tolerance& tolerance) {
   double low = 1, high = 1, too_low = 0, too_high = INFINITY;  // ratios of frames

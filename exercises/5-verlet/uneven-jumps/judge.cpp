@@ -18,7 +18,7 @@ std::vector<double> draw_frames(Random& random, std::size_t count) {
 }
 
 // The largest error of a free spring's places, at the ends of eight equal parts.
-// @param remarks  on what the places look like, if that is known
+// @param remarks  on what the places look like, if that is known and nothing has been said yet
 double error_on_spring(Student& student, const std::vector<double>& pattern, double omega,
                        const Start& start, int parts, std::vector<std::string>& remarks) {
   const auto exact = [&](double t) {
@@ -31,8 +31,10 @@ double error_on_spring(Student& student, const std::vector<double>& pattern, dou
   }
   const std::vector<Vec> yours = flight.by(student);
   const std::vector<double> ends = flight.ends();
-  remarks = recognised(yours, {exact(ends[0])}, mistakes(flight),
-                       rounding(static_cast<int>(ends.size()), 1));
+  const Tolerance tolerance = rounding(static_cast<int>(ends.size()), 1);
+  if (remarks.empty())
+    remarks = recognised(yours, flight.by(ratio, half_of_both), mistakes(flight), tolerance);
+  if (remarks.empty()) remarks = kept_within(flight, yours, tolerance);
   const std::size_t part = pattern.size() * static_cast<std::size_t>(parts);
   double largest = 0;
   for (std::size_t n = part - 1; n < yours.size(); n += part) {
@@ -82,12 +84,14 @@ TEST_CASE("six frames under a hidden force are those of the corrected formula",
   for (int n = 0; n < 6; ++n) flight.frames.push_back(random.between(0.05, 0.3));
   Student student;
   const Places expected{"the corrected formula", flight.by(ratio, half_of_both)};
-  are_places({"six long frames, " + describe(flight.force), flight.in_words(),
+  Asked asked{"six long frames, " + describe(flight.force), flight.in_words(),
               rounding(6, 1 + length(expected.x.back())),
               "Drag sees the last distance over h_previous, and all is asked for at t. Is one of "
               "these off, or one of the two corrections?",
-              flight.ends()},
-             flight.by(student), expected, mistakes(flight));
+              flight.ends()};
+  const std::vector<Vec> yours = flight.by(student);
+  asked.remarks = kept_within(flight, yours, asked.tolerance);
+  are_places(asked, yours, expected, mistakes(flight));
 }
 
 TEST_CASE("half as long frames leave a quarter of the error on a spring",
