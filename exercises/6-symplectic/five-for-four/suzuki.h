@@ -79,8 +79,8 @@ inline bool asks_again(const judge::Path& path) {
   const auto alike = [](const judge::Evaluation& one, const judge::Evaluation& next) {
     return length(next.x - one.x) + std::abs(next.t - one.t) <= 1e-10;
   };
-  const auto& asked = path.evaluations;
-  return std::adjacent_find(asked.begin(), asked.end(), alike) != asked.end();
+  const auto& questions = path.evaluations;
+  return std::adjacent_find(questions.begin(), questions.end(), alike) != questions.end();
 }
 
 /// Bends with place and time, and brakes nothing.
