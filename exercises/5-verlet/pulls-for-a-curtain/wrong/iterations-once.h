@@ -1,4 +1,4 @@
-// Fails: where a move is cheap the curtain holds at the least price
+// Fails: at every frame rate the curtain holds at the least price
 // Says: the iterations are paid once in a frame here, and not in each substep
 // SPDX-License-Identifier: MIT-0
 #pragma once
