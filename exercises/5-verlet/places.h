@@ -69,7 +69,7 @@ inline std::vector<std::string> recognised(const std::vector<Vec>& yours,
   const auto off = [&](std::size_t n) {
     return length(yours[n] - expected[n]) / length(expected[n]);
   };
-  if (!(off(0) > 1e-10 && off(0) < 2e-6)) return {};
+  if (!(off(0) > 1e-12 && off(0) < 2e-6)) return {};
   for (std::size_t n = 1; n < yours.size(); ++n) {
     if (off(n) > 1e-4) return {};
   }
