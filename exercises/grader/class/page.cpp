@@ -53,11 +53,12 @@ std::string verdicts(const ExerciseCount& all) {
 
 std::string section(const Results& results, std::size_t exercise) {
   const ExerciseCount all = count(results, exercise);
-  std::string text =
-      "<section>\n<h2>" + html(results.exercises[exercise].name) + "</h2>\n" + verdicts(all) +
-      "<div class=\"wide\" tabindex=\"0\">\n<table>\n<thead><tr>"
-      "<th scope=\"col\">Test</th><th scope=\"col\">Points</th>"
-      "<th scope=\"col\">Held</th><th scope=\"col\">Share</th></tr></thead>\n<tbody>\n";
+  std::string text = "<section>\n<h2>" + html(results.exercises[exercise].name) + "</h2>\n" +
+                     verdicts(all) +
+                     "<div class=\"wide\" tabindex=\"0\">\n<table>\n<thead><tr>"
+                     "<th scope=\"col\">Test</th><th scope=\"col\">Points</th>"
+                     "<th scope=\"col\">Held</th><th scope=\"col\" "
+                     "class=\"bar\">Share</th></tr></thead>\n<tbody>\n";
   for (const TestCount& test : all.tests) text += bar(test, all.judged);
   return text + "</tbody>\n</table>\n</div>\n</section>\n";
 }

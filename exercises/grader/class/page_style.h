@@ -28,7 +28,7 @@ thead th { color: var(--soft); font-size: .85rem; }
 .verdicts { list-style: none; display: flex; flex-wrap: wrap; gap: .2rem 1.2rem; margin: 0 0 .5rem; padding: 0; font-size: .85rem; }
 .verdict { color: var(--soft); font-size: .72rem; margin-left: .3rem; }
 .students tbody th { position: sticky; left: 0; background: var(--paper); max-width: 14rem; overflow-wrap: anywhere; }
-@media (max-width: 40rem) { .bar { min-width: 4rem; } main { padding: 1rem .8rem 3rem; } }
+@media (max-width: 40rem) { .bar { display: none; } main { padding: 1rem .8rem 3rem; } }
 )css";
 
 }  // namespace grade
