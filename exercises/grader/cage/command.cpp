@@ -128,7 +128,13 @@ Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits, bool 
     return words;
   }
   add(words, bubblewrap);
-  if (proc) add(words, {"--proc", "/proc"});
+  // Where the cage can have no /proc, the checker still asks there for the program's name: without
+  // it, a report names no lines.
+  if (proc) {
+    add(words, {"--proc", "/proc"});
+  } else {
+    add(words, {"--symlink", "/driver", "/proc/self/exe"});
+  }
   add_system(words, kit);
   add(words, {"--perms", "0555", "--ro-bind-data", "8", "/driver", "--remount-ro", "/", "--chdir",
               "/", "--seccomp", "9", "--", "prlimit", "--nproc=24", "--", "/driver"});
