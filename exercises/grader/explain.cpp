@@ -71,7 +71,9 @@ std::string shown(const Diagnostic& found, const std::string& header) {
       return found.kind == "note" ? "" : found.kind + ": " + in_our_words(found) + "\n";
     case Owner::outside:  // what stands in another file is not for the student to read here
       return found.is_error()
-                 ? "error: " + header + " includes a file that is no header: " + found.file + "\n"
+                 ? "error: " + header +
+                       " includes a file that is no header, or names it by #line: " + found.file +
+                       "\n"
                  : "";
     case Owner::nobody:
       break;

@@ -274,6 +274,9 @@ TEST_CASE("The cage shows nothing of the machine but its compiler") {
   check({"#include \"/usr/lib/os-release\"\n",
          Verdict::compile_error,
          {"includes a file that is no header"}});
+  check({"#line 1 \"/etc/shadow\"\n#error no\n",
+         Verdict::compile_error,
+         {"names it by #line: /etc/shadow"}});
 }
 
 TEST_CASE("Known mistakes get a hint") {
