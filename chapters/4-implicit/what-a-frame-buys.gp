@@ -51,7 +51,7 @@ best = "'symplectic Euler' 'backward Euler' BDF2 trapezoid 'BDF2 twice'"
 panel(m) = txt("net") eq nets[1] ? 1 : txt("net") eq nets[2] ? 2 : 3
 answer(m) = txt("method") eq m ? val("work") : NaN
 level(m) = height(panel(m))
-# A method's name stands at its first answer in a panel, and the steps in a frame above, if more than one.
+# A method's name stands at its first answer in a panel (backward Euler's, in the first one, at the end of its line), and the steps in a frame above, if more than one.
 fewest(m) = txt("net") eq nets[3] ? exact("cloth-substeps") : exact("chain-fewest")
 first(m) = m eq "symplectic Euler" ? fewest(m) : m eq "trapezoid" ? 2 : 1
 begun(m) = val("steps") == first(m) ? answer(m) : NaN
@@ -61,6 +61,6 @@ plot for [m in best] file("seen-answers") using (answer(m)):(level(m)):(length(m
      for [j=1:3] for [i=1:6] file("seen") using (at(j, more[i])):(height(j)) with points ls look[i] pt shape[i] ps 0.9, \
      for [j=1:3] file("seen") using (txt("net") eq nets[j] ? val("work") : NaN):(height(j)):(tip(j)) with labels hypertext point ls CONTEXT ps 0.2, \
      for [m in "BDF2 'BDF2 twice' 'symplectic Euler' ".(NARROW ? "" : "trapezoid")] file("seen-answers") using (begun(m)):(level(m)):(m) with labels right offset -1,-0.1 tc ls like(m), \
-     for [m in "'backward Euler'"] file("seen-answers") using (panel(m) == 1 ? begun(m) : NaN):(level(m)):(m) with labels left offset (NARROW ? 5 : 2.5),0.9 tc ls like(m), \
+     for [m in "'backward Euler'"] file("seen") using (val("steps") == 16 ? at(1, m) : NaN):(height(1)):(m) with labels left offset 0.8,0 tc ls like(m), \
      for [m in "'backward Euler'"] file("seen-answers") using (panel(m) == 1 ? NaN : begun(m)):(level(m)):(m) with labels right offset -1,0.8 tc ls like(m), \
      for [m in "'symplectic Euler' trapezoid"] file("seen-answers") using (counted(m)):(level(m)):(sprintf("%d", val("steps"))) with labels left offset 0.2,0.75 tc ls style(m)
