@@ -76,7 +76,7 @@ std::vector<std::string> recognise(const Shot& shot, const Vec& before, const Ve
       {0, "the camera does not move"},
       {1, "the camera is at its target at once"},
       {part, "each frame goes the part, however long it is"},
-      {60 * frame * part, "a step of Euler's method: the way grows with the frame, without end"},
+      {60 * frame * part, "a step of Euler's method: the way is in proportion to the frame"},
       {1 - std::exp(-60 * frame * part),
        "the part is taken for a rate; at sixty frames a second this goes " +
            number(1 - std::exp(-part)) + " of the way instead of " + number(part)},

@@ -66,6 +66,8 @@ inline Signs jumps_over(const Path& path, double moment) {
     (late < 0 ? before : after) = std::min(late < 0 ? before : after, std::abs(late));
   }
   if (before + after < 0.05) return {};
+  if (!std::isfinite(after)) return {"it asked nothing after the engine's start"};
+  if (!std::isfinite(before)) return {"it asked nothing before the engine's start"};
   return {"its last question before the engine starts and its first one after that are " +
           grade::number(before + after, 2) + " s apart: was the step that met it made again?"};
 }

@@ -18,7 +18,7 @@ struct Drag {
   double h = 0;
   Vec hand;
   double omega = 0, zeta = 0;
-  double strongest = 1e12;
+  double strongest = 1e100;
 
   static Drag draw(Random& random, double angle, double zeta) {
     const Start start = random.start();

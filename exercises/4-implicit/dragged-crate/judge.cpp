@@ -54,7 +54,8 @@ void goes_on(Student& student, const Drag& drag, const std::string& asked,
   finding.got = describe(end);
   if (!finding.held) {
     finding.hint = hint;
-    finding.diagnoses = slips(drag, end, tolerance.value);
+    finding.diagnoses = drag.strongest > 0 ? slips(drag, end, tolerance.value)
+                                           : slips_of_weak(drag, end, tolerance.value);
   }
   check(finding);
 }

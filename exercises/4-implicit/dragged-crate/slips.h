@@ -45,7 +45,8 @@ inline std::vector<std::string> slips(const Drag& drag, const State& end, double
       {is(drag.miss(end, guessed, x + h * v, guessed)),
        "the end is guessed by a step of Euler's method, and not solved for"},
       {is(length(unsquared)), "the divisor has h omega^2 where (h omega)^2 belongs"},
-      {std::abs(length(change) - h * drag.strongest) <= within,
+      {length(drag.asked_for()) < drag.divisor() * h * drag.strongest &&
+           std::abs(length(change) - h * drag.strongest) <= within,
        "the change is as long as the hand allows, although the spring asks for less"},
   });
 }
@@ -64,13 +65,14 @@ inline std::vector<std::string> slips_of_weak(const Drag& drag, const State& end
       {is(drag.miss(end)),
        "this is what a strong hand does: nothing limited the change. Is the limit h times "
        "`strongest`?"},
-      {is(length(change - each)), "each axis is limited by itself, which turns the change"},
-      {is(length(end.v) - most), "the velocity is limited, and not its change"},
-      {is(drag.divisor() * length(change) - most),
-       "the pull is limited before the division, which then takes its share of what is left"},
       {is(length((end.x - x) / drag.h - v - asked)),
        "the crate moved with the velocity that a strong hand would have given it"},
       {is(length((end.x - x) / drag.h - v)), "the crate moved with the old velocity"},
+      {most > 0 && is(length(change - each)),
+       "each axis is limited by itself, which turns the change"},
+      {is(length(end.v) - most), "the velocity is limited, and not its change"},
+      {most > 0 && is(drag.divisor() * length(change) - most),
+       "the pull is limited before the division, which then takes its share of what is left"},
   });
 }
 
