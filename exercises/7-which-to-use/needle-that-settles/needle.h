@@ -103,8 +103,10 @@ inline std::string recognise(double omega, const State& from, const Frame& frame
   if (alike(got, needle.after(from, frame.at((frame.target + frame.end()) / 2))))
     return "this is right for a target that stands halfway";
   if (alike(got.x, Needle{omega, 1}.after(from, frame).x))
-    return "this is right for a damper that moves along with the target; here it is fixed to the "
-           "dial, and the needle trails";
+    return std::string(alike(got.x, frame.end()) ? "this ends at the target, as with "
+                                                 : "this is right for ") +
+           "a damper that moves along with the target; here it is fixed to the dial, and the "
+           "needle trails";
   if (alike(got.x, Needle{omega, 2}.after(from, frame).x))
     return "this needle runs ahead of its target by as much as it should trail";
   if (alike(got.x + frame.end(), right.x) || alike(got.x + frame.target, right.x))
