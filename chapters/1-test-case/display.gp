@@ -1,14 +1,30 @@
-eval axis_names("frame", "where the runner is drawn  [cm]")
-last = NARROW ? 12 : 19
-set xrange [-0.5:last + 0.5]
-set yrange [0:2.2*last]
-set xtics 0,4
-set ytics 0,10
-set label 1 "newest state" at 0.42*last,1.3*last right tc ls FIRST
-set label 2 "blended" at 0.7*last,1.05*last left tc ls SECOND
+eval NARROW ? canvas(400, 400) : canvas(720, 400)
+# Two strips of film side by side: a frame below the other, and in each a runner from left to right.
+frames = NARROW ? 11 : 15
+wide = 2.4*frames + 1.2
+apart = NARROW ? 3 : 5
+left(i) = (i - 1)*(wide + apart)
+array tables = ["newest state", "blended"]
+unset border
+unset xtics
+set ytics 0,4 scale 0
+set grid noxtics noytics
+set lmargin NARROW ? 5 : 6
+set tmargin 2
+set bmargin 1.6
+set xrange [-0.5:left(2) + wide + 0.5]
+set yrange [frames - 0.3:-0.6]
+do for [i=1:2] {
+  set label i tables[i] at left(i) + wide/2,-1.1 center tc ls (i == 1 ? FIRST : SECOND)
+  set object i rectangle from left(i),-0.5 to left(i) + wide,frames - 0.5 lw 0.6 fs empty border lc rgb "#000009"
+  do for [n=1:frames - 1] { set arrow 100*i + n from left(i),n - 0.5 to left(i) + wide,n - 0.5 nohead ls GRID }
+}
+set label 3 "frame" at left(1) - 0.8,-1.1 right tc ls EXACT
+bar = 10
+set label 4 sprintf("%g cm", bar) at left(2) + wide - bar - 0.8,frames + 0.1 right tc ls EXACT
+set arrow 300 from left(2) + wide - bar,frames + 0.1 to left(2) + wide,frames + 0.1 heads size screen 0.008,90 ls EXACT dt solid
 from = cell("display", 10, "blended")
-plot file("display") every ::9::last + 9 using (val("frame") - 9):(val("newest state") - from) with steps ls FIRST lw 1, \
-     file("display") every ::9::last + 9 using (val("frame") - 9):(val("newest state") - from) with points ls FIRST, \
-     file("display") every ::9::last + 9 using (val("frame") - 9):(val("blended") - from) with linespoints ls SECOND lw 1.4, \
-     file("display") every ::9::last + 9 using (val("frame") - 9):(val("newest state") - from):(sprintf("newest state: %.2f cm", val("newest state"))) with labels hypertext point ls FIRST, \
-     file("display") every ::9::last + 9 using (val("frame") - 9):(val("blended") - from):(sprintf("blended: %.2f cm", val("blended"))) with labels hypertext point ls SECOND
+across(i) = left(i) + 1.2 + val(tables[i]) - from
+said(i) = sprintf("%s: %.2f cm", tables[i], val(tables[i]))
+plot for [i=1:2] file("display") every ::9::frames + 9 using (across(i)):(val("frame") - 9) with points ls (i == 1 ? FIRST : SECOND) pt 7 ps (NARROW ? 1 : 1.25), \
+     for [i=1:2] file("display") every ::9::frames + 9 using (across(i)):(val("frame") - 9):(said(i)) with labels hypertext point ls (i == 1 ? FIRST : SECOND) ps 0.2
