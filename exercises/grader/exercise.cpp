@@ -3,30 +3,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
-#include <utility>
 
 #include "installed.h"
+#include "nearest.h"
 #include "version.h"
 
 namespace grade {
-namespace {
-
-// How many letters must be put in, taken out or changed (Levenshtein).
-std::size_t edits(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = std::exchange(row[j], std::min({changed, row[j] + 1, row[j - 1] + 1}));
-    }
-  }
-  return row.back();
-}
-
-}  // namespace
 
 std::string Exercise::chapter() const {
   return name.substr(0, name.find('/'));
@@ -53,9 +35,13 @@ std::optional<Exercise> exercise(const std::string& name) {
 
 std::string nearest_exercise(const std::string& name) {
   const std::vector<Exercise> all = exercises();
-  const auto nearest = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
-    return edits(a.name, name) < edits(b.name, name);
-  });
+  // Whoever leaves out the chapter, or writes a part of the name, means that exercise.
+  const auto away = [&](const Exercise& one) {
+    if (one.name.find(name) != std::string::npos) return std::size_t{0};
+    return std::min(edits(one.name, name), edits(one.name.substr(one.name.find('/') + 1), name));
+  };
+  const auto nearest = std::min_element(
+      all.begin(), all.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });
   return nearest->name;
 }
 

@@ -20,8 +20,9 @@ std::string core(const std::string& name) {
   return letters;
 }
 
-/// Levenshtein's distance: letters to insert, remove or replace.
-std::size_t distance(const std::string& a, const std::string& b) {
+}  // namespace
+
+std::size_t edits(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -35,14 +36,12 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-}  // namespace
-
 std::string nearest(const std::string& wanted, const std::vector<std::string>& names) {
   const std::string sought = core(wanted);
   std::size_t least = sought.size() / 3 + 1;  // further off it is another word
   std::string best;
   for (const std::string& name : names) {
-    const std::size_t away = distance(sought, core(name));
+    const std::size_t away = edits(sought, core(name));
     if (away >= least) continue;
     least = away;
     best = name;

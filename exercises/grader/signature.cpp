@@ -30,6 +30,7 @@ std::string function(const Diagnostic& error) {
 /// `void(Vec&)` as one would write it: `void step(Vec&)`.
 std::string declaration(std::string type, const std::string& name) {
   for (const char* left_out : {"struct ", "class "}) type = replace_all(type, left_out, "");
+  type = replace_all(type, "std::function<Vec(const Vec&, const Vec&, double)>", "Acceleration");
   const std::size_t parameters = type.find('(');
   return parameters == type.npos ? type : type.insert(parameters, " " + name);
 }

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "around.h"
+#include "signature.h"
 
 using cage::Sandbox;
 using Catch::Matchers::ContainsSubstring;
@@ -163,6 +164,14 @@ TEST_CASE("A function that cannot be called as asked for is shown beside the one
   check({"template <class V> void step(V&, V&) {}\n",
          Verdict::compile_error,
          {"wanted is void step(Vec&)"}});
+  grade::Diagnostic error;
+  error.text =
+      "conversion from 'void(Vec&)' to non-scalar type 'const harness::Wanted<void(Vec&, "
+      "const std::function<Vec(const Vec&, const Vec&, double)>&)>' requested";
+  error.excerpt = {
+      "    6 |   const harness::Wanted<void(Vec&, const Acceleration&)> wanted = step;"};
+  CHECK(grade::wanted_and_found(error) ==
+        "wanted is void step(Vec&, const Acceleration&), but found is void step(Vec&)");
   check({"// nothing\n", Verdict::compile_error, {"step is missing: the header has to define it"}});
   check({"namespace mine { inline void step(Vec&) {} }\n",
          Verdict::compile_error,

@@ -40,6 +40,7 @@ function refuses(code, says, ...words) {
 refuses(2, /name an exercise and a file/);
 refuses(2, /name the file to grade/, '1-first/one');
 refuses(2, /no exercise '1-first\/onee'; did you mean '1-first\/one'/, '1-first/onee', 'full.h');
+refuses(2, /no exercise 'one'; did you mean '1-first\/one'/, 'one', 'full.h');
 refuses(2, /--fast/, '1-first/one', 'full.h', '--fast');
 refuses(2, /third/, '1-first/one', 'full.h', 'third');
 refuses(2, /whole number below 2\^64, not '-1'/, '1-first/one', 'full.h', '--seed=-1');
