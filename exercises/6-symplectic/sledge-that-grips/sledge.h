@@ -77,6 +77,12 @@ inline Sledge glides_freely(const Sledge& sledge, double) {
 inline Sledge brakes_by_c(const Sledge& sledge, double h) {
   return {sledge.along, sledge.c_along / h, sledge.c_across / h};
 }
+inline Sledge glides_by_c(const Sledge& sledge, double h) {
+  return {sledge.along, sledge.c_along / h, sledge.c_across};
+}
+inline Sledge grips_by_c(const Sledge& sledge, double h) {
+  return {sledge.along, sledge.c_along, sledge.c_across / h};
+}
 inline Sledge twice_along(const Sledge& sledge, double h) {
   const double both = sledge.c_along + sledge.c_across + sledge.c_along * sledge.c_across * h;
   return {sledge.along, both, sledge.c_across};
@@ -125,6 +131,8 @@ inline const std::vector<Way> others{
     {"drag by exp(-c h), before the push", exponential, asked_then_brake},
     {"drag with the wrong sign: over 1 - c h, it drives", driven, push_first},
     {"drag over 1 + c, without h", divided, push_first, brakes_by_c},
+    {"drag over 1 + c, without h, along the runners", divided, push_first, glides_by_c},
+    {"drag over 1 + c, without h, across the runners", divided, push_first, grips_by_c},
     {"drag across the runners, and none along them", divided, push_first, glides_freely},
     {"the two drags at each other's places", divided, push_first, swapped},
     {"one drag for all directions, that along the runners", divided, push_first, easy},
