@@ -14,8 +14,12 @@ std::string Exercise::chapter() const {
   return name.substr(0, name.find('/'));
 }
 
+std::string Exercise::task() const {
+  return name.substr(name.find('/') + 1);
+}
+
 std::string Exercise::header() const {
-  return name.substr(name.find('/') + 1) + ".h";
+  return task() + ".h";
 }
 
 std::vector<Exercise> exercises() {
@@ -38,7 +42,7 @@ std::string nearest_exercise(const std::string& name) {
   // Whoever leaves out the chapter, or writes a part of the name, means that exercise.
   const auto away = [&](const Exercise& one) {
     if (one.name.find(name) != std::string::npos) return std::size_t{0};
-    return std::min(edits(one.name, name), edits(one.name.substr(one.name.find('/') + 1), name));
+    return std::min(edits(one.name, name), edits(one.task(), name));
   };
   const auto nearest = std::min_element(
       all.begin(), all.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });

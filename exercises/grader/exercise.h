@@ -13,6 +13,7 @@ struct Exercise {
   std::string name;              ///< chapter and folder: `2-euler/orbit-drift`
   std::filesystem::path folder;  ///< that holds task.md, starter.h, harness.h and judge.cpp
   std::string chapter() const;   ///< `2-euler`
+  std::string task() const;      ///< `orbit-drift`
   std::string header() const;    ///< what a submission is called: `orbit-drift.h`
 };
 
