@@ -54,8 +54,7 @@ void goes_on(Student& student, const Drag& drag, const std::string& asked,
   finding.got = describe(end);
   if (!finding.held) {
     finding.hint = hint;
-    finding.diagnoses = drag.strongest > 0 ? slips(drag, end, tolerance.value)
-                                           : slips_of_weak(drag, end, tolerance.value);
+    finding.diagnoses = slips(drag, end, tolerance.value);
   }
   check(finding);
 }
@@ -95,7 +94,7 @@ TEST_CASE("a weak hand changes the velocity by as much as it can, in the same di
       finding.hint =
           "Work out the new velocity of a strong hand first. How far is it from the old one, and "
           "which way?";
-      finding.diagnoses = slips_of_weak(drag, end, tolerance.value);
+      finding.diagnoses = slips(drag, end, tolerance.value);
     }
     check(finding);
   }

@@ -20,7 +20,7 @@ inline std::vector<std::string> first_of(const std::vector<std::pair<bool, const
 }
 
 /// Of a hand that is strong enough.
-inline std::vector<std::string> slips(const Drag& drag, const State& end, double within) {
+inline std::vector<std::string> slips_of_strong(const Drag& drag, const State& end, double within) {
   const auto [x, v] = drag.start;
   const double h = drag.h, pull = h * drag.omega * drag.omega;
   const Vec change = end.v - v, with_new = x + h * end.v;
@@ -45,8 +45,7 @@ inline std::vector<std::string> slips(const Drag& drag, const State& end, double
       {is(drag.miss(end, guessed, x + h * v, guessed)),
        "the end is guessed by a step of Euler's method, and not solved for"},
       {is(length(unsquared)), "the divisor has h omega^2 where (h omega)^2 belongs"},
-      {length(drag.asked_for()) < drag.divisor() * h * drag.strongest &&
-           std::abs(length(change) - h * drag.strongest) <= within,
+      {std::abs(length(change) - h * drag.strongest) <= within,
        "the change is as long as the hand allows, although the spring asks for less"},
   });
 }
@@ -74,6 +73,11 @@ inline std::vector<std::string> slips_of_weak(const Drag& drag, const State& end
       {most > 0 && is(drag.divisor() * length(change) - most),
        "the pull is limited before the division, which then takes its share of what is left"},
   });
+}
+
+inline std::vector<std::string> slips(const Drag& drag, const State& end, double within) {
+  const bool strong = length(drag.asked_for()) < drag.divisor() * drag.h * drag.strongest;
+  return strong ? slips_of_strong(drag, end, within) : slips_of_weak(drag, end, within);
 }
 
 }  // namespace judge
