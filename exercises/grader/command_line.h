@@ -23,6 +23,7 @@ struct Command {
   std::set<Emit> emits;
   bool limits_given = false;  ///< by the grader of a class, that calibrated them
   bool exit_by_verdict = false;
+  std::string listed;         ///< part of the names that are listed; empty for all
   bool all = false;           ///< of the tests that failed in full
   Class classroom;            ///< of a whole class
   std::filesystem::path own;  ///< header whose own main is run

@@ -124,7 +124,7 @@ Compiled not_compiled(const cage::Ended& ended, const std::string& header) {
     return failed(ended, Verdict::compile_limit,
                   "the compiler ran out of " + what + "\n" + message);
   if (message.empty()) message = "the compiler refused it and did not say why";
-  if (const std::string more = hint(all); !more.empty()) message += more + "\n";
+  if (const std::string more = hint(all, header); !more.empty()) message += more + "\n";
   return failed(ended, Verdict::compile_error, message);
 }
 

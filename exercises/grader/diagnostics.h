@@ -29,6 +29,7 @@ std::string errors(const std::vector<Diagnostic>& all, const std::string& header
 std::string warnings(const std::vector<Diagnostic>& all, const std::string& header);
 
 /// One sentence on what is behind these errors, if it is well known; else empty.
-std::string hint(const std::vector<Diagnostic>& all);
+/// @param header  what the student's file is called
+std::string hint(const std::vector<Diagnostic>& all, const std::string& header);
 
 }  // namespace grade

@@ -83,7 +83,7 @@ std::string shown(const Diagnostic& found, const std::string& header) {
 
 using All = std::vector<Diagnostic>;
 
-bool any(const All& all, auto&& holds) {
+bool any(const auto& all, auto&& holds) {
   return std::ranges::any_of(all, holds);
 }
 
@@ -95,6 +95,11 @@ bool consequence(const Diagnostic& found, const All& all, const std::string& hea
   });
   const bool lacking = any(all, [](const Diagnostic& other) { return !missing(other).empty(); });
   return theirs || (lacking && missing(found).empty());
+}
+
+bool misses_a_file_of_theirs(const Diagnostic& found, const std::string& header) {
+  return found.file == header && contains(found.text, ": No such file") &&
+         any(found.excerpt, [](const std::string& line) { return contains(line, "include \""); });
 }
 
 }  // namespace
@@ -123,7 +128,7 @@ std::string warnings(const All& all, const std::string& header) {
   return text;
 }
 
-std::string hint(const All& all) {
+std::string hint(const All& all, const std::string& header) {
   const auto said = [&](std::string_view part) {
     return any(all, [&](const Diagnostic& found) { return contains(found.text, part); });
   };
@@ -137,6 +142,8 @@ std::string hint(const All& all) {
                            "flat_map", "flat_set", "stacktrace"})
     if (said("'" + std::string(name) + "' is not a member of 'std'"))
       return "std::" + std::string(name) + " came with C++23, and this is compiled as C++20.";
+  if (any(all, [&](const Diagnostic& found) { return misses_a_file_of_theirs(found, header); }))
+    return "Only this one header is compiled: what it includes of yours has to stand in it.";
   if (said("C++23") || said("-std=c++23") || said("-std=c++2b"))
     return "This is compiled as C++20.";
   return {};

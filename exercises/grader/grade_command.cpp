@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "exit_codes.h"
+#include "installed.h"
 #include "judge/session.h"
 #include "report/escape.h"
 #include "report/terminal.h"
@@ -49,13 +50,20 @@ Report grade_fairly(const Command& command) {
   return slow && met_a_time_limit(report) ? grade_submission(calibrated) : report;
 }
 
+/// From where it was called.
+Place place() {
+  const auto own = std::filesystem::read_symlink("/proc/self/exe");
+  return {std::filesystem::proximate(own).string(),
+          std::filesystem::proximate(installed().exercises).string()};
+}
+
 void print(const Report& report, bool all) {
   if (report.unreadable) {
     refuse(Exit::unreadable, printable(report.why));
     return;
   }
   const bool colour = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
-  std::fputs(terminal(report, colour, all).c_str(), stdout);
+  std::fputs(terminal(report, colour, all, place()).c_str(), stdout);
 }
 
 }  // namespace

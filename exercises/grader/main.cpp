@@ -25,7 +25,7 @@ int run(const Command& command) {
     case Command::What::whole_class:
       return grade::grade_class(command.classroom);
     case Command::What::list:
-      std::fputs(grade::list_of_exercises().c_str(), stdout);
+      std::fputs(grade::list_of_exercises(command.listed).c_str(), stdout);
       break;
     case Command::What::run:
       return grade::run_and_print(command);

@@ -14,8 +14,8 @@ constexpr const char* header = "yours.h";
 
 cage::Limits patient() {
   cage::Limits limits;
-  limits.processor = 30;
-  limits.wall = 60;
+  limits.processor = 10;
+  limits.wall = 30;
   return limits;
 }
 
@@ -28,7 +28,8 @@ std::string ending(const cage::Ended& ended) {
       return "it was ended by signal " + std::to_string(ended.code);
     case How::wall_limit:
     case How::processor_limit:
-      return "it was stopped after " + std::to_string(static_cast<int>(ended.wall)) + " s";
+      return "it was stopped after " + std::to_string(static_cast<int>(ended.wall)) +
+             " s. Is there a loop that never ends?";
     case How::chatter_limit:
       return "it printed without end";
     case How::never_started:

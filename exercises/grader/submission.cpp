@@ -70,11 +70,13 @@ std::optional<Submission> take_from(const Entry& folder, const std::string& head
   return taken;
 }
 
-std::string not_found(const std::string& chapter, const std::string& header,
+std::string not_found(const Entry& folder, const std::string& chapter, const std::string& header,
                       const std::vector<std::string>& names) {
   std::string why = "there is no " + header + " here, nor " + chapter + "/" + header;
   if (names.empty()) return why + ": the folder is empty";
   const std::string near = nearest(header, names);
+  const auto found = near.empty() ? std::nullopt : entry(folder.file.get(), near);
+  if (found && found->is_folder()) return why + "; " + shown(near) + " is a folder, too";
   if (near.ends_with(".zip")) return why + "; unpack " + shown(near);
   if (!near.empty()) return why + "; is it " + shown(near) + "? Then name it " + header;
   return why + "; there is " + listed(names);
@@ -97,7 +99,7 @@ Submission take_from_folder(const Entry& folder, const std::string& chapter,
     const auto more = names_in(*below);
     names.insert(names.begin(), more.begin(), more.end());
   }
-  return refused(not_found(chapter, header, names));
+  return refused(not_found(folder, chapter, header, names));
 }
 
 }  // namespace

@@ -33,9 +33,10 @@ Task task(const Exercise& exercise) {
   return task;
 }
 
-std::string list_of_exercises() {
+std::string list_of_exercises(const std::string& part) {
   std::string text;
   for (const Exercise& exercise : exercises()) {
+    if (exercise.name.find(part) == std::string::npos) continue;
     const Task about = task(exercise);
     if (about.title.empty()) {
       text += exercise.name + "\n";

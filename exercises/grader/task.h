@@ -15,6 +15,7 @@ struct Task {
 Task task(const Exercise& exercise);
 
 /// A line for each exercise: its name, kind, minutes, points and title.
-std::string list_of_exercises();
+/// @param part  of the names; empty for all
+std::string list_of_exercises(const std::string& part);
 
 }  // namespace grade

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <regex>
 
+#include "broken_rule.h"
 #include "printable.h"
 
 namespace grade {
@@ -62,7 +63,6 @@ std::string what_happened(const std::string& kind, bool writes) {
   if (contains(kind, "overflow") && kind != "stack-overflow")
     return does + " outside of the memory that it has";
   if (contains(kind, "use-after")) return does + " memory that is no longer its own";
-  if (kind == "ABRT") return "uses a container of the library as it must not";
   if (kind == "SEGV") return "uses an address where there is no memory";
   if (kind == "stack-overflow") return "calls itself without end";
   return "uses memory wrongly";
@@ -76,6 +76,10 @@ std::string told_by_checker(const std::string& printed, const std::string& heade
            ".";
   const std::string kind = kind_of(printed);
   if (kind.empty() || kind == "hard") return {};
+  if (kind == "ABRT") {
+    const std::string rule = broken_rule(printed);
+    return "Your code " + (rule.empty() ? "calls abort" : rule) + line_of(printed, header) + ".";
+  }
   return "Your code " + what_happened(kind, contains(printed, "WRITE of size")) +
          line_of(printed, header) + ". AddressSanitizer calls this " + kind + ".";
 }

@@ -26,7 +26,9 @@ File part(const fs::path& path) {
 /// what one wants to see.
 constexpr const char* own_main =
     "#include <cstdio>\n"
-    "extern \"C\" const char* __asan_default_options() { return \"detect_leaks=0\"; }\n"
+    "extern \"C\" const char* __asan_default_options() {\n"
+    "  return \"detect_leaks=0:handle_abort=1\";\n"
+    "}\n"
     "static const int at_once = std::setvbuf(stdout, nullptr, _IONBF, 0);\n";
 
 std::string glue(const std::string& header, Build build) {

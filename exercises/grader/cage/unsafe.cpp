@@ -46,12 +46,17 @@ std::string not_started(const Ended& ended) {
 
 }  // namespace
 
+static std::string not_whole(const std::string& lacks) {
+  return "the grader is not whole: " + lacks +
+         " cannot be read. Was its folder moved? Then delete the folder build in it, and make the "
+         "grader ready again: cmake --workflow --preset grader";
+}
+
 std::optional<std::string> unsafe(const Kit& kit) {
   const File canary(::open(kit.canary.c_str(), O_RDONLY | O_CLOEXEC));
   const std::string object = std::filesystem::absolute(kit.harness) / "harness.o";
-  if (!canary) return "the grader is not whole: " + kit.canary + " cannot be read";
-  if (::access(object.c_str(), R_OK) != 0)
-    return "the grader is not whole: " + object + " cannot be read";
+  if (!canary) return not_whole(kit.canary);
+  if (::access(object.c_str(), R_OK) != 0) return not_whole(object);
 
   Process process = run(Sandbox::bubblewrap, kit, canary, {});
   const std::string answer = process.receive_all(256);

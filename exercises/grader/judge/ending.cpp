@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 
+#include "broken_rule.h"
 #include "format_values.h"
 #include "judge/session.h"
 #include "printable.h"
@@ -47,14 +48,13 @@ void note_signal(const cage::Ended& ended) {
          ended.err);
   } else if (ended.code == SIGILL) {
     note(Verdict::runtime_error,
-         "Your code was stopped where it did what C++ gives no meaning to: an index past the end "
-         "of an array, a pointer to nothing, or a whole number that grew too large for its type.",
+         "Your code was stopped where it did what C++ gives no meaning to, such as an index past "
+         "the end of an array, a pointer to nothing, a whole number too large for its type, or a "
+         "function that ends without its return.",
          ended.err);
-  } else if (ended.code == SIGABRT && ended.err.find("this->size()") != std::string::npos) {
-    note(Verdict::runtime_error,
-         "Your code was stopped at an index that is past the end of its vector, or at the first or "
-         "last of an empty one.",
-         ended.err);
+  } else if (const std::string rule = grade::broken_rule(ended.err);
+             ended.code == SIGABRT && !rule.empty()) {
+    note(Verdict::runtime_error, "Your code was stopped where it " + rule + ".");
   } else {
     note(Verdict::runtime_error, std::string("Your code crashed: ") + strsignal(ended.code) + ".",
          ended.err);

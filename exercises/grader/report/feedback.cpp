@@ -25,7 +25,7 @@ std::string table(const Report& report) {
   std::string text = "| Test | Points | |\n|:-----|-------:|:--|\n";
   for (const TestResult& test : report.tests) {
     text += "| " + markdown(test.name) + " | " + std::to_string(earned(test)) + " of " +
-            std::to_string(test.points) + " | " + std::string(outcome(test)) + " |\n";
+            std::to_string(test.points) + " | " + std::string(outcome(report, test)) + " |\n";
   }
   return text + "\n";
 }

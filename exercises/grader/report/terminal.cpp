@@ -2,12 +2,12 @@
 #include "report/terminal.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <regex>
 #include <sstream>
 #include <vector>
 
+#include "format_values.h"
 #include "printable.h"
 #include "report/escape.h"
 #include "report/plot.h"
@@ -79,8 +79,8 @@ std::string points(const TestResult& test) {
   return std::to_string(earned(test)) + "/" + std::to_string(test.points);
 }
 
-std::string row(const TestResult& test, const Paint& paint) {
-  const std::string text(outcome(test));
+std::string row(const Report& report, const TestResult& test, const Paint& paint) {
+  const std::string text(outcome(report, test));
   const std::string label = text + std::string(14 - text.size(), ' ');
   const std::string score =
       std::string(6 - std::min<std::size_t>(6, points(test).size()), ' ') + points(test) + "  ";
@@ -89,24 +89,45 @@ std::string row(const TestResult& test, const Paint& paint) {
          wrapped(test.name, before);
 }
 
-/// Numbers of more than six digits in the shortest form that has six. All of them stand in
+constexpr int few = 6;
+
+/// Numbers of more than six digits in the shortest form that has so many. All of them stand in
 /// report.json.
-std::string six_digits(const std::string& text) {
+std::string shortened(const std::string& text, int digits = few) {
   static const std::regex longer(R"(-?\d+\.\d{5,}(e[-+]?\d+)?)");
   std::string result;
   auto from = text.begin();
   for (std::sregex_iterator found(text.begin(), text.end(), longer), end; found != end; ++found) {
     result.append(from, (*found)[0].first);
-    char shorter[32];
-    std::snprintf(shorter, sizeof shorter, "%.6g", std::strtod(found->str().c_str(), nullptr));
-    result += shorter;
+    result += number(std::strtod(found->str().c_str(), nullptr), digits);
     from = (*found)[0].second;
   }
   return result.append(from, text.end());
 }
 
-std::string labelled(const Line& found) {
-  const Line line{found.label, six_digits(found.text)};
+std::vector<double> numbers_in(const std::string& text) {
+  static const std::regex any(R"(-?\d+(\.\d+)?(e[-+]?\d+)?)");
+  std::vector<double> all;
+  for (std::sregex_iterator found(text.begin(), text.end(), any), end; found != end; ++found)
+    all.push_back(std::strtod(found->str().c_str(), nullptr));
+  return all;
+}
+
+/// As many as it takes to tell what came from what is expected.
+int digits_for(const Finding& finding) {
+  const std::vector<double> expected = numbers_in(finding.expected), got = numbers_in(finding.got);
+  const std::size_t both = std::min(expected.size(), got.size());
+  const auto alike = [&](int digits) {
+    return std::equal(expected.begin(), expected.begin() + std::ptrdiff_t(both), got.begin(),
+                      [=](double a, double b) { return number(a, digits) == number(b, digits); });
+  };
+  int digits = few;
+  while (digits < 17 && alike(digits) && !alike(17)) ++digits;
+  return digits;
+}
+
+std::string labelled(const Line& found, int digits = few) {
+  const Line line{found.label, shortened(found.text, digits)};
   const std::string label = "    " + line.label + std::string(label_width - line.label.size(), ' ');
   if (line.text.find('\n') == std::string::npos) {
     return label + wrapped(line.text, 4 + label_width);
@@ -124,7 +145,10 @@ std::string section(const TestResult& test, const Paint& paint) {
   std::string text = "\n" + paint.strong("  " + wrapped(test.name, 2));
   for (const Finding& finding : test.findings) {
     if (finding.held) continue;
-    for (const Line& line : lines(finding)) text += labelled(line);
+    for (const Line& line : lines(finding)) {
+      const bool compared = line.label == "Expected" || line.label == "Got";
+      text += labelled(line, compared ? digits_for(finding) : few);
+    }
     if (has_plot(finding)) text += labelled({"Picture", where(finding.plot)});
   }
   return text;
@@ -151,7 +175,7 @@ std::string failures(const Report& report, const Paint& paint, bool all) {
       text += section(failed[i], paint);
     } else {
       text += (i == 1 ? "\n" : "") +
-              ("  " + wrapped(failed[i].name + ": " + six_digits(in_short(failed[i])), 4));
+              ("  " + wrapped(failed[i].name + ": " + shortened(in_short(failed[i])), 4));
     }
   }
   return failed.size() > 1 && !all ? text + "  --all shows each of them in full.\n" : text;
@@ -167,19 +191,22 @@ std::string ignored(const Report& report) {
 
 }  // namespace
 
-std::string terminal(const Report& report, bool colour, bool all) {
+std::string terminal(const Report& report, bool colour, bool all, const Place& place) {
   const Paint paint(colour);
   const bool full = report.verdict == Verdict::accepted;
+  // What the checker of memory says of a crash is more exact than what its signal tells.
+  const bool stopped = report.verdict == Verdict::runtime_error && !report.memory.empty();
   std::string text = printable(report.exercise) + ": " +
                      (full ? paint.good(headline(report)) : paint.bad(headline(report))) + "\n" +
-                     std::string(sentence(report.verdict)) + "\n" + paragraph(report.why);
+                     std::string(sentence(report.verdict)) + "\n" +
+                     (stopped ? wrapped(report.memory, 0) : "") + paragraph(report.why);
   if (!report.tests.empty()) text += "\n";
-  for (const TestResult& test : report.tests) text += row(test, paint);
+  for (const TestResult& test : report.tests) text += row(report, test, paint);
   text += failures(report, paint, all);
-  if (!report.memory.empty()) text += "\n" + wrapped(report.memory, 0);
+  if (!report.memory.empty() && !stopped) text += "\n" + wrapped(report.memory, 0);
   if (!report.warnings.empty()) text += "\nThe compiler warns:\n" + barred(report.warnings);
   text += ignored(report) + "\n" + wrapped(provenance(report), 0);
-  for (const std::string& command : next_commands(report, report.submission)) {
+  for (const std::string& command : next_commands(report, report.submission, place)) {
     text += "Next: " + command + "\n";
   }
   return text;

@@ -19,16 +19,35 @@ bool is_plain(const std::string& file) {
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) || std::string_view("._/+-").find(char(c)) != std::string_view::npos;
   };
-  return !file.empty() && file[0] != '-' && std::all_of(file.begin(), file.end(), plain);
+  return std::all_of(file.begin(), file.end(), plain);
+}
+
+/// Whether the tests had begun, and came to no end.
+bool has_ended(Verdict verdict) {
+  constexpr Verdict before[] = {Verdict::compile_error, Verdict::compile_limit, Verdict::link_error,
+                                Verdict::rejected, Verdict::grader_error};
+  return !is_judged(verdict) && std::ranges::find(before, verdict) == std::end(before);
+}
+
+/// A name as one word for a shell; empty if it has other letters than those of most names.
+std::string word(const std::string& file) {
+  const bool strange = std::ranges::any_of(file, [](unsigned char c) {
+    return c < ' ' || c > '~' ||
+           std::string_view("'\"`$\\!").find(char(c)) != std::string_view::npos;
+  });
+  if (file.empty() || file[0] == '-' || strange) return "";
+  return is_plain(file) ? file : "'" + file + "'";
 }
 
 /// How to begin with the exercise behind this one in the book.
-std::vector<std::string> commands_for_next(const std::string& exercise) {
+std::vector<std::string> commands_for_next(const std::string& exercise, const Place& place) {
+  const std::string grade = word(place.grade);
   const std::vector<Exercise> all = exercises();
   auto next = std::ranges::find(all, exercise, &Exercise::name);
-  if (next == all.end() || ++next == all.end()) return {"build/exercises/grade --list"};
-  return {"cp exercises/" + next->name + "/starter.h " + next->header(),
-          "build/exercises/grade " + next->name + " " + next->header()};
+  if (next == all.end() || ++next == all.end()) return {grade + " --list"};
+  const std::string starter = place.exercises + "/" + next->name + "/starter.h";
+  return {"cp -n " + word(starter) + " " + next->header(),
+          grade + " " + next->name + " " + next->header()};
 }
 
 }  // namespace
@@ -77,8 +96,10 @@ std::string headline(const Report& report) {
          std::to_string(report.points) + (report.points == 1 ? " point" : " points");
 }
 
-std::string_view outcome(const TestResult& test) {
-  if (!test.ran) return "not run";
+std::string_view outcome(const Report& report, const TestResult& test) {
+  const auto ended = std::ranges::find(report.tests, false, &TestResult::ran);
+  if (!test.ran)
+    return has_ended(report.verdict) && test.name == ended->name ? "ended here" : "not run";
   return test.held ? "held" : "did not hold";
 }
 
@@ -103,11 +124,13 @@ bool has_plot(const Finding& finding) {
   return !finding.plot.curves.empty();
 }
 
-std::vector<std::string> next_commands(const Report& report, const std::string& file) {
-  if (report.verdict == Verdict::accepted) return commands_for_next(report.exercise);
+std::vector<std::string> next_commands(const Report& report, const std::string& file,
+                                       const Place& place) {
+  if (report.verdict == Verdict::accepted) return commands_for_next(report.exercise, place);
   const std::string own = report.exercise.substr(report.exercise.find('/') + 1) + ".h";
-  const bool usable = is_plain(file) && file.ends_with(".h");
-  std::string command = "build/exercises/grade " + report.exercise + " " + (usable ? file : own);
+  const std::string same = word(file);
+  std::string command =
+      word(place.grade) + " " + report.exercise + " " + (same.empty() ? own : same);
   if (report.seed != public_seed) command += " --seed " + std::to_string(report.seed);
   return {command};
 }

@@ -19,8 +19,9 @@ bool is_graded(const Report& report);
 /// `PARTIAL, 4 of 10 points`, or that there is no grade
 std::string headline(const Report& report);
 
-/// `held`, `did not hold` or `not run`
-std::string_view outcome(const TestResult& test);
+/// `held`, `did not hold` or `not run`; `ended here` of the test in which the program did
+/// @param test  of this report
+std::string_view outcome(const Report& report, const TestResult& test);
 
 /// Points earned in this test.
 int earned(const TestResult& test);
@@ -34,10 +35,17 @@ std::vector<Line> lines(const Finding& finding);
 /// Whether its picture can be drawn.
 bool has_plot(const Finding& finding);
 
-/// What to run next, as commands for a shell.
-/// @param file  the submission as the student calls it; if that is no plain name of a header, the
-///              exercise's own takes its place
-std::vector<std::string> next_commands(const Report& report, const std::string& file);
+/// Where the grader and the exercises are, as a shell finds them.
+struct Place {
+  std::string grade = "build/exercises/grade", exercises = "exercises";
+};
+
+/// What to run next, as commands for a shell. None of them overwrites a file.
+/// @param file  the submission as the student calls it; if that has letters which no shell should
+///              see, the exercise's own takes its place
+/// @param place  if it is not seen from the folder in which the exercises were unpacked
+std::vector<std::string> next_commands(const Report& report, const std::string& file,
+                                       const Place& place = {});
 
 /// With which seed, grader and sandbox it was graded, as a sentence.
 std::string provenance(const Report& report);

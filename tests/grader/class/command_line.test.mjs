@@ -64,6 +64,7 @@ refuses(2, /can't read the file of what was assigned/, '--class', 'class', '--ou
 refuses(2, /names no exercise/, '--class', 'class', '--out', 'o', '--assigned', 'file');
 refuses(2, /did you mean/, '--class', 'class', '--out', 'o', '--assigned', 'words');
 refuses(2, /--assigned requires --class/, '1-first/one', 'full.h', '--assigned', 'words');
+refuses(2, /no exercise has '3-none' in its name/, '3-none', '--list');
 refuses(2, /--run takes one header/, '1-first/one', '--run', 'full.h');
 refuses(2, /no exercise '1-first\/four'/, '--class', 'class', '--out', 'o', '--exercise', '1-first/four');
 for (const shard of ['0/2', '3/2', '1/0', '2', '/', 'a/b', '1/2/3']) {

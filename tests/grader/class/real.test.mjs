@@ -78,6 +78,12 @@ test("a main of one's own is run, its prints are shown, and so is what it must n
   const beyond = ran('int main() { std::puts("here"); std::vector<int> a(2); return a.data()[2]; }');
   assert.deepEqual([beyond.status, beyond.stdout], [1, 'here\n']);
   assert.match(beyond.stderr, /reads outside of the memory that it has, in line 6/);
+  const index = ran('int main() { std::vector<int> a(2); return a[2]; }');
+  assert.match(index.stderr, /uses an index that is past the end of its vector, array or string, in line 6/);
+  assert.match(
+    ran('int main() { return std::vector<int>(2).at(2); }').stderr,
+    /throws std::out_of_range .*, in line 6/,
+  );
   assert.match(ran('int main() { return 3; }').stderr, /^grade: it ended with exit code 3\n$/);
   assert.match(ran('int main() { return x; }').stderr, /own.h:6:21: error: 'x' was not declared/);
   assert.match(ran('').stderr, /there is no main\(\) in it/);

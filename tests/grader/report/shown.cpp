@@ -140,10 +140,47 @@ TEST_CASE("full marks lead to the next exercise of the book") {
   report.exercise = exercises().front().name;
   const Exercise next = exercises()[1];
   CHECK(next_commands(report, "a.h") ==
-        std::vector<std::string>{"cp exercises/" + next.name + "/starter.h " + next.header(),
+        std::vector<std::string>{"cp -n exercises/" + next.name + "/starter.h " + next.header(),
                                  "build/exercises/grade " + next.name + " " + next.header()});
   report.exercise = exercises().back().name;
   CHECK(next_commands(report, "a.h") == std::vector<std::string>{"build/exercises/grade --list"});
+}
+
+TEST_CASE("a command names the file and the grader as they were called") {
+  const Report report = sample();
+  const auto command = [&](const std::string& file, const Place& place = {}) {
+    return next_commands(report, file, place).front();
+  };
+  CHECK(command("t/my drift.h")
+            .starts_with("build/exercises/grade 2-euler/orbit-drift 't/my drift.h' "));
+  CHECK(command("drift.h", {"../build/exercises/grade", "../exercises"})
+            .starts_with("../build/exercises/grade 2-euler/orbit-drift drift.h "));
+  for (const char* strange : {"", "-x.h", "$(reboot).h", "a'b.h", "a\nb.h"}) {
+    CAPTURE(strange);
+    CHECK(has(command(strange), " orbit-drift.h"));
+  }
+}
+
+TEST_CASE("what is expected and what came differ in the digits that are shown") {
+  Report report = sample();
+  Finding& finding = report.tests[1].findings[0];
+  finding.expected = "32212.254720000001 s, as it should be";
+  finding.got = "32212.254721640001";
+  const std::string text = terminal(report, false);
+  CHECK(has(text, "32212.25472 s"));
+  CHECK(has(text, "32212.254722\n"));
+}
+
+TEST_CASE("of a program that ended, the test in which it did is named") {
+  Report report = sample();
+  report.verdict = Verdict::runtime_error;
+  report.memory = "Your code reads outside of the memory that it has, in line 3.";
+  report.why = "Your code crashed.";
+  const std::string text = terminal(report, false);
+  CHECK(has(text, "ended here"));
+  CHECK(text.find("in line 3") < text.find("Your code crashed."));
+  report.verdict = Verdict::compile_error;
+  CHECK_FALSE(has(terminal(report, false), "ended here"));
 }
 
 TEST_CASE("a student's text does nothing in a terminal") {

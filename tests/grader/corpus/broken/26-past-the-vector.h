@@ -1,5 +1,6 @@
-// RUNTIME_ERROR: reserves room for two and never makes them, and gives the right answer all the
-// same says: an index that is past the end of its vector SPDX-License-Identifier: MIT-0
+// RUNTIME_ERROR: reserves room for two and never makes them, though the answer is right
+// says: an index that is past the end of its vector
+// SPDX-License-Identifier: MIT-0
 #pragma once
 #include <vector>
 
