@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT-0
 #include <catch2/catch_test_macros.hpp>
-#include <numeric>
+#include <cmath>
 
 #include "format_values.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
+#include "screen.h"
 
 using namespace judge;
 
@@ -13,15 +14,9 @@ namespace {
 
 using grade::number;
 
-// After a frame: all steps up to here, and how far the picture is towards the next.
-struct After {
-  double steps, blend;
-  double picture() const { return steps + blend; }
-};
-
-std::vector<After> show(Student& student, double h, const std::vector<double>& frames) {
+std::vector<After> show(Student& student, double h, const std::vector<Frame>& frames) {
   std::vector<double> arguments{h, static_cast<double>(frames.size())};
-  arguments.insert(arguments.end(), frames.begin(), frames.end());
+  for (const Frame& frame : frames) arguments.insert(arguments.end(), {frame.length, frame.pace});
   const std::vector<double> answer = student.call(0, arguments, 2 * frames.size());
   std::vector<After> shown;
   double steps = 0;
@@ -32,80 +27,28 @@ std::vector<After> show(Student& student, double h, const std::vector<double>& f
   return shown;
 }
 
-std::vector<double> times(const std::vector<double>& frames) {
-  std::vector<double> sums(frames.size());
-  std::partial_sum(frames.begin(), frames.end(), sums.begin());
+// Of the game, after each frame [s].
+std::vector<double> times(const std::vector<Frame>& frames) {
+  std::vector<double> sums;
+  double time = 0;
+  for (const Frame& frame : frames) sums.push_back(time += frame.pace * frame.length);
   return sums;
 }
 
 // Yours: a sum a frame and one a step, of numbers up to the longest frame. Ours: a sum a frame, of
 // numbers up to the whole time.
-Tolerance tolerance(double h, const std::vector<double>& frames, double whole) {
-  const double longest = *std::max_element(frames.begin(), frames.end()) / h + 1;
+Tolerance tolerance(double h, const std::vector<Frame>& frames, double whole) {
+  const auto binary = [](double value) { return value == std::ldexp(1.0, std::ilogb(value)); };
+  if (binary(h) && std::ranges::all_of(frames, [&](const Frame& frame) {
+        return frame.pace == 1 && std::fmod(frame.length, h) == 0;
+      }))
+    return {0, "frames of whole steps, whose length is a power of two: nothing is rounded"};
+  double longest = 1;
+  for (const Frame& frame : frames) longest = std::max(longest, frame.pace * frame.length / h + 1);
   const double each = (longest + 4) * longest + whole / h;
   return {static_cast<double>(frames.size()) * each * std::numeric_limits<double>::epsilon(),
           "rounding: one sum a frame and one a step, each wrong by at most half a unit in the "
           "sixteenth digit, in your clock and in the judge's"};
-}
-
-double most_in_a_frame(const std::vector<After>& got) {
-  double most = got.front().steps;
-  for (std::size_t n = 1; n < got.size(); ++n) {
-    most = std::max(most, got[n].steps - got[n - 1].steps);
-  }
-  return most;
-}
-
-bool forgets_the_frame_before(const std::vector<After>& got, const std::vector<double>& time,
-                              double h) {
-  for (std::size_t n = 1; n < got.size(); ++n) {
-    const double taken = got[n].steps - got[n - 1].steps;
-    if (taken != std::floor((time[n] - time[n - 1]) / h)) return false;
-  }
-  return true;
-}
-
-std::vector<std::string> recognise(const std::vector<After>& got, const std::vector<double>& time,
-                                   double h) {
-  const double pace = got.back().picture() * h / time.back();
-  const double a_frame = got.back().steps / static_cast<double>(got.size());
-  std::vector<std::string> found;
-  if (std::abs(pace - 1) > 0.01) {
-    found.push_back("the game runs at " + number(pace, 3) + " times its speed");
-  }
-  if (std::abs(pace / 1000 - 1) < 0.01) found.push_back("milliseconds where seconds are meant?");
-  if (std::abs(pace - 1) > 0.01 && std::abs(a_frame - 1) < 0.02) {
-    found.push_back("about one step in every frame: the steps follow the frames");
-  }
-  const auto always = [&](auto is) { return std::all_of(got.begin(), got.end(), is); };
-  if (always([](const After& now) { return now.blend == 0; })) {
-    found.push_back("the blend is always 0: nothing is left over after a frame");
-  }
-  if (always([](const After& now) { return now.blend == 1; })) {
-    found.push_back("the blend is always 1: this shows the newest state, not one between two");
-  }
-  if (std::any_of(got.begin(), got.end(), [](const After& now) { return now.blend < -1e-9; })) {
-    found.push_back("a blend below 0: more steps were taken than were due");
-  }
-  if (most_in_a_frame(got) == 1 && time.back() / h > 1.1 * static_cast<double>(got.size())) {
-    found.push_back("never more than one step in a frame, and here more are due");
-  }
-  if (forgets_the_frame_before(got, time, h)) {
-    found.push_back(
-        "each frame takes the steps that fit into it alone: what the one before left over is lost");
-  }
-  const double part = time.front() / h - got.front().steps, blend = got.front().blend;
-  if (std::abs(blend - (1 - part)) < 1e-9 && std::abs(blend - part) > 1e-3) {
-    found.push_back(
-        "the blend says how far it still is to the newer state; how far it has come was asked");
-  }
-  if (std::abs(blend - part * h) < 1e-9) {
-    found.push_back("the blend is in seconds; as a share of a step it would be from 0 to 1");
-  }
-  const double first = std::abs(got.front().picture() * h / time.front() - 1);
-  if (first > 1e-10 && first < 2e-6)
-    found.push_back("right to seven digits and no further: a float?");
-  return found;
 }
 
 grade::Plot plot(const std::vector<After>& got, const std::vector<double>& time, double h) {
@@ -116,7 +59,7 @@ grade::Plot plot(const std::vector<After>& got, const std::vector<double>& time,
     right.x.push_back(time[n]);
     right.y.push_back(time[n] / h);
   }
-  return {"What the screen shows", "time [s]", "steps and blend", {yours, right}};
+  return {"What the screen shows", "game time [s]", "steps and blend", {yours, right}};
 }
 
 // The first frame after which the picture is not where the time is; all of them if none.
@@ -129,7 +72,7 @@ std::size_t first_wrong(const std::vector<After>& got, const std::vector<double>
   return got.size();
 }
 
-void keeps_time(Student& student, double h, const std::vector<double>& frames,
+void keeps_time(Student& student, double h, const std::vector<Frame>& frames,
                 const std::string& which, const std::string& hint, const char* before = nullptr) {
   const std::vector<After> got = show(student, h, frames);
   const std::vector<double> time = times(frames);
@@ -140,10 +83,10 @@ void keeps_time(Student& student, double h, const std::vector<double>& frames,
   grade::Finding finding;
   finding.held = bad == frames.size();
   finding.asked = std::to_string(frames.size()) + " frames " + which +
-                  ": after each, steps and blend add up to the time, and the blend is under 1";
+                  ": after each, steps and blend add up to the game time, and the blend is under 1";
   finding.input = "h = " + number(h, 17) + ", frames of";
   for (std::size_t i = 0; i < std::min<std::size_t>(n + 1, 6); ++i) {
-    finding.input += " " + number(frames[i], 17);
+    finding.input += " " + described(frames[i]);
   }
   finding.input += n >= 6 ? " ..." : " s";
   finding.expected = "after frame " + std::to_string(n + 1) + ": " +
@@ -156,36 +99,46 @@ void keeps_time(Student& student, double h, const std::vector<double>& frames,
   finding.tolerance_from = within.from;
   if (!finding.held) {
     finding.hint = hint;
-    finding.diagnoses = recognise(got, time, h);
+    finding.diagnoses = recognise(got, frames, time, h);
     if (before) finding.diagnoses.emplace_back(before);
     finding.plot = plot(got, time, h);
   }
   check(finding);
 }
 
-std::vector<double> equal(int count, double length) {
-  return std::vector<double>(static_cast<std::size_t>(count), length);
+std::vector<Frame> equal(int count, double length) {
+  return std::vector<Frame>(static_cast<std::size_t>(count), {length});
+}
+
+// A while at the usual pace, then slowly, then a pause, then fast, and slowly again.
+std::vector<Frame> of_many_paces(Random& random) {
+  std::vector<Frame> frames;
+  for (const double pace :
+       {1.0, random.between(0.1, 0.4), 0.0, random.between(1.5, 3), random.between(0.1, 0.4)}) {
+    for (int n = 0; n < 60; ++n) frames.push_back({random.between(0.004, 0.02), pace});
+  }
+  return frames;
 }
 
 }  // namespace
 
 TEST_CASE("uneven frames are paid with as many steps as fit into them",
-          "[1-test-case/leftover-time][4 points]") {
+          "[1-test-case/leftover-time][3 points]") {
   Student student;
   Random random;
   const std::string hint =
       "What a frame leaves over belongs to the next one. By how much does a step lessen it?";
   for (const bool again : {false, true}) {
     const double h = 1 / random.between(90, 250);
-    std::vector<double> frames;
-    for (int n = 0; n < 600; ++n) frames.push_back(random.between(0.008, 0.04));
+    std::vector<Frame> frames;
+    for (int n = 0; n < 600; ++n) frames.push_back({random.between(0.008, 0.04)});
     keeps_time(student, h, frames, again ? "of a second level" : "of many lengths", hint,
                again ? "the first level was right: something is remembered from it" : nullptr);
   }
 }
 
 TEST_CASE("on a fast screen the picture moves by the same amount in every frame",
-          "[1-test-case/leftover-time][3 points]") {
+          "[1-test-case/leftover-time][2 points]") {
   Student student;
   Random random;
   const double h = 1 / random.between(40, 80);
@@ -194,11 +147,25 @@ TEST_CASE("on a fast screen the picture moves by the same amount in every frame"
 }
 
 TEST_CASE("on a slow screen several steps are due in a frame, and the rest is kept",
-          "[1-test-case/leftover-time][3 points]") {
+          "[1-test-case/leftover-time][2 points]") {
   Student student;
   Random random;
   const double h = 1 / random.between(200, 400);
   keeps_time(student, h, equal(300, h * (random.whole(2, 6) + random.between(0.2, 0.8))),
              "that are longer than a step",
              "How often must the loop go round, and what is left when it ends?");
+  // Powers of two add up without rounding.
+  const double binary = std::ldexp(1.0, -random.whole(6, 8));
+  keeps_time(student, binary, equal(20, binary * random.whole(2, 5)),
+             "that last just so many steps",
+             "Time for just one step more is there, and nothing is left over then. Is it due?");
+}
+
+TEST_CASE("in slow motion the steps come more rarely, and a change of pace shows no jump",
+          "[1-test-case/leftover-time][3 points]") {
+  Student student;
+  Random random;
+  keeps_time(student, 1 / random.between(40, 80), of_many_paces(random),
+             "whose pace changes now and then",
+             "Let what is saved be game time, and ask what a frame adds to it.");
 }

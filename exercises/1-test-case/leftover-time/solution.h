@@ -3,11 +3,12 @@
 #include "given.h"
 
 /// How many steps are due in a frame.
-/// @param saved  time that the frames before left over [s]; leaves what is not yet spent
-/// @param length  how long the frame took [s]
-/// @param h  step size [s]
-inline int steps_due(double& saved, double length, double h) {
-  saved += length;
+/// @param saved  game time that the frames before left over [s]; leaves what is not yet spent
+/// @param length  how long the frame took for the player [s]
+/// @param pace  seconds of the game in one of the player's: 1, less in slow motion, 0 in a pause
+/// @param h  step size, in game time [s]
+inline int steps_due(double& saved, double length, double pace, double h) {
+  saved += pace * length;
   int steps = 0;
   for (; saved >= h; saved -= h) ++steps;
   return steps;

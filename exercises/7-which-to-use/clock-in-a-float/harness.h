@@ -5,11 +5,14 @@ void (Clock::* const wanted_tick)() = &Clock::tick;
 double (Clock::* const wanted_seconds)() const = &Clock::seconds;
 bool (Clock::* const wanted_strikes)() const = &Clock::strikes;
 
-// Rate, ticks to wait for, seconds to listen for. Answers with the time then, and for each second
-// how often it struck and at which tick the last time; and with the time at the end.
+// Function 1: whether a new clock strikes. Function 0: rate, ticks to wait for, seconds to listen
+// for. Answers with the time then, and for each second how often it struck and at which tick the
+// last time; and with the time at the end.
 void answer(harness::Call& call) {
-  const int rate = call.whole_number(), ticks = call.whole_number();
+  const int rate = call.whole_number();
   Clock clock(rate);
+  if (call.function() == 1) return call.answer((clock.*wanted_strikes)());
+  const int ticks = call.whole_number();
   for (int n = 0; n < ticks; ++n) (clock.*wanted_tick)();
   call.answer((clock.*wanted_seconds)());
   const int seconds = call.whole_number();

@@ -74,6 +74,23 @@ std::string late_or_early(int strokes, int last, int rate) {
          (late ? "late: this is the stroke of the second before" : "early");
 }
 
+void is_silent_at_first(Student& student, int rate) {
+  const bool strikes = student.call(1, {double(rate)}, 1)[0] != 0;
+  grade::Finding finding;
+  finding.held = !strikes;
+  finding.asked = "whether a clock strikes that has not ticked yet";
+  finding.input = std::to_string(rate) + " ticks a second";
+  finding.expected = "no stroke";
+  finding.got = strikes ? "a stroke" : "no stroke";
+  finding.error = "a stroke";
+  if (strikes) {
+    finding.hint = "Which second would it be for?";
+    finding.diagnoses = {
+        "a stroke is for a second that went by, and none has gone by before the first tick"};
+  }
+  check(finding);
+}
+
 }  // namespace
 
 TEST_CASE("after a night the clock is right to a millisecond",
@@ -124,6 +141,7 @@ TEST_CASE("it strikes at each whole second, and never in between",
   Student student;
   Random random;
   const int rate = rates.at(static_cast<std::size_t>(random.whole(0, 2)));
+  is_silent_at_first(student, rate);
   const int ticks = random.whole(hour, 3 * hour) * rate;
   constexpr int seconds = 600;
   const std::vector<double> said =

@@ -11,7 +11,7 @@ class Clock {
 
   double seconds() const { return static_cast<double>(ticks_) / rate_; }
 
-  bool strikes() const { return ticks_ % rate_ == 0; }
+  bool strikes() const { return ticks_ > 0 && ticks_ % rate_ == 0; }
 
  private:
   int rate_;  // [1/s]

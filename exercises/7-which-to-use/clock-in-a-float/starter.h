@@ -17,7 +17,7 @@ class Clock {
   /// The time since the start [s].
   double seconds() const { return time_; }
 
-  /// Whether the last tick completed a whole second.
+  /// Whether the last tick completed a whole second; before the first one, nothing has.
   bool strikes() const { return std::floor(time_) > std::floor(before_); }
 
  private:

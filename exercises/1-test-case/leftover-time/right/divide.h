@@ -2,8 +2,8 @@
 #pragma once
 #include "given.h"
 
-inline int steps_due(double& saved, double length, double h) {
-  saved += length;
+inline int steps_due(double& saved, double length, double pace, double h) {
+  saved += length * pace;
   const int steps = static_cast<int>(saved / h);
   saved -= steps * h;
   return steps;

@@ -3,8 +3,9 @@
 #include "given.h"
 
 // Spends the frame first and what was saved last.
-inline int steps_due(double& saved, double length, double h) {
+inline int steps_due(double& saved, double length, double pace, double h) {
   int due = 0;
+  length *= pace;
   while (length >= h) {
     length -= h;
     due = due + 1;

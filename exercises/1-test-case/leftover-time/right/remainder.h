@@ -2,8 +2,8 @@
 #pragma once
 #include "given.h"
 
-inline int steps_due(double& saved, double length, double h) {
-  const double all = saved + length;
+inline int steps_due(double& saved, double length, double pace, double h) {
+  const double all = saved + pace * length;
   saved = std::fmod(all, h);
   return static_cast<int>(std::lround((all - saved) / h));
 }

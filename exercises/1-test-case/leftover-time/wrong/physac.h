@@ -5,12 +5,12 @@
 #include "given.h"
 
 // Takes the frame off where the step should be taken off, as physac did (raylib, pull request 653).
-inline int steps_due(double& saved, double length, double h) {
-  saved = saved + length;
+inline int steps_due(double& saved, double length, double pace, double h) {
+  saved = saved + pace * length;
   int due = 0;
   while (saved >= h) {
     due++;
-    saved = saved - length;
+    saved = saved - pace * length;
   }
   return due;
 }

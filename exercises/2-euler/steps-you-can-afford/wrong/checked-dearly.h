@@ -1,4 +1,4 @@
-// Fails: finding out costs no more than four runs
+// Fails: finding out steps that will do costs no more than four runs
 // Says: cost more than the replay itself
 // SPDX-License-Identifier: MIT-0
 #pragma once

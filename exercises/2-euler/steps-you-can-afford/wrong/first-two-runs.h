@@ -1,4 +1,4 @@
-// Fails: the thing ends within the wanted error
+// Fails: the thing ends within the wanted error, in less than three times the fewest steps
 // Says: steps, is too coarse to tell how the error goes on
 // SPDX-License-Identifier: MIT-0
 #pragma once

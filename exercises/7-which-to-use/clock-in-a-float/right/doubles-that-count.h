@@ -8,7 +8,7 @@ struct Clock {
 
   void tick() { count += 1; }
   double seconds() const { return count * tick_length; }
-  bool strikes() const { return std::fmod(count, rate) == 0; }
+  bool strikes() const { return count > 0 && std::fmod(count, rate) == 0; }
 
   double tick_length, rate, count = 0;
 };

@@ -17,7 +17,7 @@ class Clock {
     return static_cast<double>(seconds_) + static_cast<double>(ticks_) / rate_;
   }
 
-  bool strikes() const { return ticks_ == 0; }
+  bool strikes() const { return seconds_ > 0 && ticks_ == 0; }
 
  private:
   int rate_, ticks_ = 0;
