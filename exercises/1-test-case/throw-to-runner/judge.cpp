@@ -55,6 +55,12 @@ Throw running(Throw one, const Vec& runner) {
   return one;
 }
 
+Throw thrown(Throw one, const Vec& from, const Vec& target) {
+  one.from = from;
+  one.target = target;
+  return one;
+}
+
 struct Mistake {
   const char* says;
   Throw solved;
@@ -88,7 +94,13 @@ std::vector<std::string> recognise(const Vec& got, const Throw& with) {
       {"this is right for a pull straight down; this one pulls to the side, too",
        pulled(with, {0, a.y, 0})},
       {"this hits the place where the runner was at the throw", running(with, standing)},
-      {"this is right for a runner who runs the other way", running(with, -runner)}};
+      {"this is right for a runner who runs the other way", running(with, -runner)},
+      {"this is right for a throw from the origin: where does the ball start?",
+       thrown(with, {}, with.target)},
+      {"this is right for a target at the origin", thrown(with, with.from, {})},
+      {"from and target are at each other's places", thrown(with, with.target, with.from)},
+      {"this adds from to target, where the way is the difference",
+       thrown(with, -with.from, with.target)}};
   for (const Mistake& mistake : known) {
     if (length(mistake.solved.miss(got)) <= tolerance) return {mistake.says};
   }

@@ -105,6 +105,7 @@ void settles(Student& student, const Machine& machine, const std::string& hint) 
   const double next = machine.next(got);
   grade::Finding finding = off_by(std::abs(next - got), rounding(std::abs(next)), " s");
   finding.held = finding.held && got > 0;
+  if (got <= 0) finding.error = "no frame is as short as that";
   finding.asked = "how long frames are in the end";
   finding.input = describe(machine);
   finding.expected = "a frame behind which the next one is as long, above 0 s";

@@ -13,6 +13,10 @@ using namespace runs;
 
 namespace {
 
+std::string in_evaluations(double count) {
+  return grade::number(count) + (count == 1 ? " evaluation" : " evaluations");
+}
+
 using grade::number;
 
 enum Function { order, step_for, evaluations };
@@ -44,7 +48,7 @@ void counts(Student& student, double duration, double h, int per_step) {
                   " such steps";
   finding.expected = evaluations_of(expected, per_step);
   finding.got = evaluations_of(got, per_step);
-  finding.error = number(std::abs(got - expected)) + " evaluations";
+  finding.error = in_evaluations(std::abs(got - expected));
   finding.tolerance = "none";
   finding.tolerance_from = "evaluations are counted";
   if (!finding.held) {
@@ -178,7 +182,7 @@ TEST_CASE("the price of an error is right for a leaf that fell",
                        number(leaf.error(with.method, static_cast<int>(std::ceil(steps))), 3) +
                        " m off";
     finding.got = evaluations_of(got, with.per_step);
-    finding.error = number(std::abs(got - expected)) + " evaluations";
+    finding.error = in_evaluations(std::abs(got - expected));
     finding.tolerance = "none";
     finding.tolerance_from = "evaluations are counted";
     if (!finding.held) {

@@ -57,7 +57,7 @@ inline std::vector<std::string> recognise(const Turn& turn, int steps) {
   const auto tangents = [](int n) { return n < 1 ? INFINITY : around / n * around / 2; };
   const auto energy = [](int n) { return std::pow(1 + growth(n), 2) - 1; };
   const auto radian = [](int n) { return growth(n, 1); };
-  if (steps < 1) return {"this is no number of steps"};
+  if (steps < 1) return {"this is no number of steps: " + std::to_string(steps)};
   if (is_fewest(turn.growth, added) || is_fewest(turn.growth, tangents))
     return {
         "this adds up by how much each step grows the distance; but each step grows what the "
@@ -66,6 +66,10 @@ inline std::vector<std::string> recognise(const Turn& turn, int steps) {
     return {"so many steps keep the energy within this share, and not the distance"};
   if (is_fewest(turn.growth, one_step))
     return {"so many keep every single step within this share, and not the turn"};
+  if (steps == 1)
+    return {
+        "a single step for the whole turn: is this for the way of one radian, or are whole numbers "
+        "divided?"};
   if (is_fewest(turn.growth, radian))
     return {"this is right for the way of one radian; once around there are 2 pi of them"};
   if (is_fewest(100 * turn.growth, once) || is_fewest(turn.growth / 100, once))

@@ -70,7 +70,8 @@ std::vector<std::string> looks_like(double got, double omega, double zeta) {
     add_if(limit(zeta, 4, 2 * zeta) / omega,
            "the motions shrink with zeta omega; yours do with 2 zeta omega");
   const double off = std::abs(got * omega / limit(zeta, 4) - 1);
-  if (off > 1e-6 && off < 1e-3) found.push_back("nearly: the search ends too soon");
+  if (off > 1e-6 && off < 1e-3)
+    found.push_back("right to three digits, and six are asked for: does a search end too soon?");
   if (zeta > 0) add_if(std::sqrt(8) / omega, "this is the limit without damping");
   if (zeta > 1) {
     const double slow = zeta - std::sqrt(zeta * zeta - 1);

@@ -103,7 +103,8 @@ void holds_until(Student& student, const Spring& spring) {
     if (got < 0)
       finding.diagnoses.emplace_back("no step is negative: is this the formula for another theta?");
     if (std::isfinite(got) && got > 0) {
-      finding.diagnoses.emplace_back("a step a thousandth shorter than yours multiplies by " +
+      finding.diagnoses.emplace_back(std::string(got < expected ? "too short" : "too long") +
+                                     ": a step a thousandth shorter than yours multiplies by " +
                                      number(spring.growth(0.999 * got), 8) +
                                      ", one a thousandth longer by " +
                                      number(spring.growth(1.001 * got), 8));

@@ -21,10 +21,12 @@ void meets_its_lines(Student& student, const Chain& chain, const std::string& hi
   grade::Finding finding = off_by(chain.miss(end, i), tolerance, " m/s");
   finding.asked = "one step of a chain, and whether the slope at its end leads back to the start";
   finding.input = chain.described();
-  finding.expected = "at bead " + std::to_string(i) + " the velocity " +
-                     number(chain.start.v[i] + chain.h * chain.acceleration(end, i)) +
-                     ", which is v_old + h a with the accelerations at your end";
-  finding.got = "the velocity " + number(end.v[i]) + ", at the place " + number(end.x[i]);
+  finding.expected =
+      "at each bead x = x_old + h v and v = v_old + h a, all of it taken at your end";
+  finding.got = "at bead " + std::to_string(i) + " x = " + number(end.x[i]) +
+                ", v = " + number(end.v[i]) + "; there x_old + h v is " +
+                number(chain.start.x[i] + chain.h * end.v[i]) + ", and v_old + h a is " +
+                number(chain.start.v[i] + chain.h * chain.acceleration(end, i));
   finding.error += ", the most of all beads";
   if (!finding.held) {
     finding.hint = hint;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "chain.h"
@@ -28,7 +29,7 @@ inline std::string who_misses(const Chain& chain, const Beads& end, double withi
     ++count;
     first = i;
   }
-  return "the lines are missed at " + std::to_string(count) + " of " +
+  return "the two lines do not hold at " + std::to_string(count) + " of " +
          std::to_string(chain.count()) + " beads, first at bead " + std::to_string(first);
 }
 
@@ -56,6 +57,45 @@ inline bool right_side_is_old(const Chain& chain, const Beads& end, double withi
     if (!(std::abs(middle * end.v[i] - beside(i + 1) * next - right) <= within)) return false;
   }
   return true;
+}
+
+// The signs of an elimination: of what a row takes from the diagonal and from the right side of the
+// next one, and of what goes back.
+struct Signs {
+  double diagonal = 1, right = 1, back = 1;
+};
+
+// Whether rows that are eliminated with these signs end there.
+inline bool eliminates(const Chain& chain, const Beads& end, const Signs& signs, double within) {
+  const double h = chain.h;
+  const std::size_t count = chain.count();
+  const auto beside = [&](std::size_t i) { return i < count ? h * h * chain.k[i] : 0; };
+  Column middle(count), right(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double share = i > 0 ? beside(i) / middle[i - 1] : 0;
+    middle[i] = 1 + beside(i) + beside(i + 1) - signs.diagonal * share * beside(i);
+    right[i] = chain.start.v[i] + h * chain.acceleration(chain.start, i) +
+               (i > 0 ? signs.right * share * right[i - 1] : 0);
+  }
+  for (std::size_t i = count; i-- > 0;) {
+    const double next = i + 1 < count ? beside(i + 1) * end.v[i + 1] : 0;
+    const double off = middle[i] * end.v[i] - right[i] - signs.back * next;
+    if (!(std::abs(off) <= within)) return false;
+  }
+  return true;
+}
+
+inline std::string wrong_sign(const Chain& chain, const Beads& end, double within) {
+  const std::pair<Signs, const char*> known[] = {
+      {{-1, 1, 1}, "in the elimination the diagonal grows, where something is taken from it"},
+      {{1, -1, 1},
+       "in the elimination the right side has the wrong sign: minus times minus is plus"},
+      {{1, 1, -1},
+       "on the way back the next velocity has the wrong sign: beside the diagonal is -h^2 k"},
+      {{1, -1, -1}, "h^2 k stands beside the diagonal, where -h^2 k belongs"}};
+  for (const auto& [signs, says] : known)
+    if (eliminates(chain, end, signs, within)) return says;
+  return "";
 }
 
 // How far the worst line is met, where none is met and all are nearly.
@@ -92,6 +132,8 @@ inline std::vector<std::string> recognised(const Chain& chain, const Beads& end,
     return {"the last bead's row has a spring beyond it, too, and there is none"};
   if (right_side_is_old(chain, end, rounded))
     return {"the diagonal was eliminated, and the right side was not"};
+  const std::string sign = wrong_sign(chain, end, rounded);
+  if (!sign.empty()) return {sign};
   const std::string nearly = ended_too_soon(chain, end);
   return {nearly.empty() ? who_misses(chain, end, within) : nearly};
 }

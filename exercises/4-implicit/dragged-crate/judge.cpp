@@ -21,11 +21,10 @@ void meets_its_lines(Student& student, const Drag& drag, const std::string& aske
   grade::Finding finding = off_by(drag.miss(end), tolerance, " m/s");
   finding.asked = asked;
   finding.input = drag.described();
-  finding.expected =
-      "the velocity " + describe(drag.start.v + drag.h * drag.acceleration(end.x, end.v)) +
-      ", which is v_old + h a with the acceleration at your end, and a way of h times "
-      "your new velocity";
-  finding.got = describe(end);
+  finding.expected = "x = x_old + h v and v = v_old + h a, all of it taken at your end";
+  finding.got = describe(end) + "; there x_old + h v is " +
+                describe(drag.start.x + drag.h * end.v) + ", and v_old + h a is " +
+                describe(drag.start.v + drag.h * drag.acceleration(end.x, end.v));
   if (!finding.held) {
     finding.hint = hint;
     finding.diagnoses = slips(drag, end, tolerance.value);

@@ -30,6 +30,7 @@ inline std::vector<std::string> slips_of_strong(const Drag& drag, const State& e
   soft.zeta /= 2;
   const double over = 1 + 2 * drag.zeta * h * drag.omega + pull;
   const Vec unsquared = over * end.v - v - pull * (drag.hand - x);
+  const Vec pushed = drag.divisor() * end.v - v + pull * (drag.hand - x);
   const auto is = [&](double miss) { return miss <= within; };
   return first_of({
       {distance(end, drag.start) == 0, "the crate never moves"},
@@ -40,6 +41,7 @@ inline std::vector<std::string> slips_of_strong(const Drag& drag, const State& e
       {is(drag.miss(end, v, with_new, end.v)),
        "the velocity is right; the position moved with the old one"},
       {is(at_zero.miss(end)), "this is the step of a spring that pulls to zero"},
+      {is(length(pushed)), "the spring pushes away from the hand: is it x - hand for hand - x?"},
       {is(soft.miss(end)), "this is the step of a spring with half the damping"},
       {is(drag.miss(end, end.v, with_new, v)), "the damping is the one of the start"},
       {is(drag.miss(end, guessed, x + h * v, guessed)),
@@ -69,6 +71,8 @@ inline std::vector<std::string> slips_of_weak(const Drag& drag, const State& end
       {is(length((end.x - x) / drag.h - v)), "the crate moved with the old velocity"},
       {most > 0 && is(length(change - each)),
        "each axis is limited by itself, which turns the change"},
+      {most > 0 && is(length(change) - drag.strongest),
+       "the change is as long as `strongest`, and not h times that"},
       {is(length(end.v) - most), "the velocity is limited, and not its change"},
       {most > 0 && is(drag.divisor() * length(change) - most),
        "the pull is limited before the division, which then takes its share of what is left"},

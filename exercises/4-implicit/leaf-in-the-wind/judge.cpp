@@ -114,8 +114,8 @@ void stays_near(Student& student, int per_second) {
   finding.input = "the leaf that strays furthest: " + describe(worst.leaf.start);
   finding.expected = "no leaf further from its path than " + number(theirs / 10, 4) + " m";
   finding.got = "one strays by " + number(yours, 4) + " m";
-  finding.error = number(yours / theirs, 3) + " of what asking at the start gives";
-  finding.tolerance = "0.1";
+  finding.error = number(10 * yours / theirs, 3) + " times what is allowed";
+  finding.tolerance = number(theirs / 10, 4) + " m";
   finding.tolerance_from = "the task; backward Euler that asks at the start strays by " +
                            number(theirs, 4) +
                            " m, in proportion to the frame, and a wind that "

@@ -48,6 +48,9 @@ struct Line {
     const Vec v = velocity(next), ago = (x - before) / h, ahead = (next - x) / h;
     const Vec pushed = velocity(next - h * h * a), divided = (next + x - before) / (2 * h);
     const double rest = -std::expm1(-c * h) / h;
+    const double over = 1 + c * h / 2;
+    const Vec only_push = x + (x - before) + h * h / over * a;
+    const Vec half_of_before = (2 * x - before + h * h * a) / over;
     const Vec distance = (x - before) / (h * h), later = (next - x) / (2 * h);
     return {
         {"this is position Verlet without drag: is c left out, or is a half written as 1 / 2, "
@@ -71,6 +74,11 @@ struct Line {
         {"x and x_previous are swapped", c * later + 3 * distance},
         {"only half of the drag is here, the half that is known", c / 2 * ago},
         {"only half of the drag is here, the half that is divided", c / 2 * ahead},
+        {"only the push is divided by 1 + c h / 2; the last distance has a factor of 1, and "
+         "nothing brakes it",
+         drag_of(only_push)},
+        {"on the right x_previous has a half of the drag, too: c h / 2 times it",
+         drag_of(half_of_before)},
         {"the push is not divided", c * pushed},
         {"everything is divided, the place along with it", c * divided},
         {"the factor 1 - c h is cut off at zero: all of the last distance is gone", ago / h},

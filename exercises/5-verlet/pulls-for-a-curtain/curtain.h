@@ -143,6 +143,9 @@ inline double links_once(const Curtain& of, const Split& split) {
 inline double step_once(const Curtain& of, const Split& split) {
   return by_rule(of, split) * split.substeps;
 }
+inline double one_link_less(const Curtain& of, const Split& split) {
+  return by_rule(of, split) * (1 - 1.0 / of.links);
+}
 inline double iterations_twice(const Curtain& of, const Split& split) {
   return by_rule(of, split) / split.iterations;
 }
@@ -164,6 +167,12 @@ inline const std::vector<Way> mistakes{
      iterations_twice},
     {"move and pull stand at each other's places in the price", by_rule, swapped},
     {"the iterations are paid once in a frame here, and not in each substep", by_rule, shared},
+    {"this is the plan of the rule with n (n - 1), and the task asks for n^2, which is on the safe "
+     "side",
+     one_link_less},
+    {"the iterations are paid once in a frame here, and not in each substep; and the rule is the "
+     "one with n (n - 1)",
+     one_link_less, shared},
     {"this is one substep short: was a root cut off, and not rounded up?", by_rule, by_price, 1},
     {"move / pull iterations would be best if substeps need not be whole: try the others, too",
      by_rule, by_price, 0, by_derivative},
@@ -184,8 +193,9 @@ inline std::vector<std::string> why_wrong(const Curtain& of, const Split& yours)
     said.push_back("with so many iterations fewer substeps will do: " + std::to_string(enough));
   }
   if (yours.substeps < enough) {
-    said.push_back("with so many iterations the rule wants more substeps: " +
-                   std::to_string(enough));
+    said.push_back(
+        "by the rule it does not hold: with so many iterations it takes more substeps, " +
+        std::to_string(enough));
   }
   return said;
 }

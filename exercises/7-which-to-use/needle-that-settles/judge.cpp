@@ -27,8 +27,8 @@ std::string described(const Beginning& start, const std::vector<Frame>& frames, 
   std::string text = "x = " + number(start.state.x, 17) + ", v = " + number(start.state.v, 17) +
                      ", omega = " + number(start.omega, 17) + "; target, u and h of each frame:";
   for (std::size_t n = 0; n <= last; ++n) {
-    text += " " + number(frames[n].target, 17) + ", " + number(frames[n].u, 17) + ", " +
-            number(frames[n].h, 17) + ";";
+    text += (n > 0 ? "; " : " ") + number(frames[n].target, 17) + ", " + number(frames[n].u, 17) +
+            ", " + number(frames[n].h, 17);
   }
   return text;
 }

@@ -109,6 +109,12 @@ inline std::string recognise(double omega, const State& from, const Frame& frame
            "needle trails";
   if (alike(got.x, Needle{omega, 2}.after(from, frame).x))
     return "this needle runs ahead of its target by as much as it should trail";
+  if (alike(got, needle.after({from.x, from.v + frame.u}, frame)))
+    return "this needle begins faster by u: against the target its velocity is v - u";
+  if (alike(got.x, Needle{omega, 0.5}.after(from, frame).x))
+    return "this needle trails by half of what it should";
+  if (alike(got.x + frame.u * frame.h, right.x))
+    return "the target moves on by u h during the frame, and that is missing in the place";
   if (alike(got.x + frame.end(), right.x) || alike(got.x + frame.target, right.x))
     return "this is the way that is left; the needle is there plus the target";
   if (alike(got.x, needle.after(from, Frame{0, 0, frame.h}).x))

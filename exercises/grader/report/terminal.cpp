@@ -158,8 +158,8 @@ std::string section(const TestResult& test, const Paint& paint) {
 std::string in_short(const TestResult& test) {
   for (const Finding& finding : test.findings) {
     if (finding.held) continue;
-    const std::string said =
-        finding.diagnoses.empty() ? "off by " + finding.error : finding.diagnoses.front();
+    const std::string off = (is_size(finding.error) ? "off by " : "") + finding.error;
+    const std::string said = finding.diagnoses.empty() ? off : finding.diagnoses.front();
     return said.substr(0, said.find('\n'));
   }
   return "";

@@ -107,12 +107,18 @@ int earned(const TestResult& test) {
   return test.ran && test.held ? test.points : 0;
 }
 
+bool is_size(const std::string& error) {
+  const auto starts = [&](const char* word) { return error.starts_with(word); };
+  return !error.empty() && (std::isdigit(static_cast<unsigned char>(error[0])) || error[0] == '-' ||
+                            starts("inf") || starts("NaN"));
+}
+
 std::vector<Line> lines(const Finding& finding) {
   std::vector<Line> all{{"Asked", finding.asked},
                         {"Input", finding.input},
                         {"Expected", finding.expected},
                         {"Got", finding.got},
-                        {"Off by", finding.error},
+                        {is_size(finding.error) ? "Off by" : "Wrong", finding.error},
                         {"Allowed", with_reason(finding.tolerance, finding.tolerance_from)}};
   for (const std::string& diagnosis : finding.diagnoses) all.push_back({"Diagnosis", diagnosis});
   all.push_back({"Hint", finding.hint});

@@ -26,6 +26,9 @@ std::string_view outcome(const Report& report, const TestResult& test);
 /// Points earned in this test.
 int earned(const TestResult& test);
 
+/// Whether an error is a number with what it counts, and no sentence.
+bool is_size(const std::string& error);
+
 /// One thing that was found, with its label; labels are at most nine letters long.
 struct Line {
   std::string label, text;

@@ -1,5 +1,5 @@
 // Fails: where a move is cheap the curtain holds at the least price
-// Says: with so many iterations the rule wants more substeps
+// Says: with so many iterations it takes more substeps
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
