@@ -6,6 +6,7 @@
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
+#include "lag.h"
 
 using namespace judge;
 
@@ -13,19 +14,16 @@ namespace {
 
 using grade::number;
 
-double left(double part, double frame) {
-  return std::pow(1 - part, 60 * frame);
-}
-
-Vec ask(Student& student, const Vec& camera, const Vec& target, double part, double frame) {
-  const std::vector<double> got =
-      student.call(0, {camera.x, camera.y, camera.z, target.x, target.y, target.z, part, frame}, 3);
+Vec ask(Student& student, const Vec& camera, const Vec& target, const Lag& lag, double frame) {
+  const std::vector<double> got = student.call(
+      0, {camera.x, camera.y, camera.z, target.x, target.y, target.z, lag.part, lag.fastest, frame},
+      3);
   return {got[0], got[1], got[2]};
 }
 
 struct Shot {
   Vec camera, target;
-  double part;
+  Lag lag;
   std::vector<double> frames;
   double jump = 0;  // of the target, to either side after every frame [m]
 };
@@ -61,51 +59,20 @@ grade::Curve curve(const std::string& name, const Film& film) {
   return curve;
 }
 
-std::vector<std::string> recognise(const Shot& shot, const Vec& before, const Vec& target,
-                                   double frame, const Vec& got) {
-  const Vec way = target - before;
-  const double went = dot(got - before, way) / dot(way, way), part = shot.part;
-  const double right = 1 - left(part, frame), off = std::abs(went - right);
-  if (went > 1 + 1e-12) {
-    return {"the camera is beyond its target, at " + number(went, 4) + " times the way"};
-  }
-  if (off > 1e-10 && off < 2e-6) {
-    return {"right to seven digits: a float, or a constant with an f, or a jump at the end?"};
-  }
-  const std::vector<std::pair<double, std::string>> known{
-      {0, "the camera does not move"},
-      {1, "the camera is at its target at once"},
-      {part, "each frame goes the part, however long it is"},
-      {60 * frame * part, "a step of Euler's method: the way is in proportion to the frame"},
-      {1 - std::exp(-60 * frame * part),
-       "the part is taken for a rate; at sixty frames a second this goes " +
-           number(1 - std::exp(-part)) + " of the way instead of " + number(part)},
-      {1 - left(part, frame / 60),
-       "the part is taken for the way of a second; it is the way of a sixtieth"},
-      {1 - std::pow(part, 60 * frame),
-       "the part of the way that it goes is taken for the part that is left"}};
-  for (const auto& [other, says] : known) {
-    if (std::abs(went - other) < 1e-10) return {says};
-  }
-  if (went <= 0 || went >= 1) return {};
-  return {"the camera went as far as it should in " +
-          number(std::log1p(-went) / std::log1p(-part) / 60, 4) + " s"};
-}
-
 // Whether a program that has just begun does right what this one did wrong.
-bool right_when_fresh(const Vec& camera, const Vec& target, double part, double frame,
+bool right_when_fresh(const Vec& camera, const Vec& target, const Lag& lag, double frame,
                       const Vec& expected, double tolerance) {
   Student fresh;
-  return length(ask(fresh, camera, target, part, frame) - expected) <= tolerance;
+  return length(ask(fresh, camera, target, lag, frame) - expected) <= tolerance;
 }
 
 void follows(Student& student, const Shot& shot, const std::string& which,
              const std::string& hint) {
   const Film yours = film(shot, [&](const Vec& camera, const Vec& target, double frame) {
-    return ask(student, camera, target, shot.part, frame);
+    return ask(student, camera, target, shot.lag, frame);
   });
   const Film right = film(shot, [&](const Vec& camera, const Vec& target, double frame) {
-    return target + left(shot.part, frame) * (camera - target);
+    return shot.lag.follow(camera, target, frame);
   });
   const int frames = static_cast<int>(shot.frames.size());
   const double size = length(shot.camera) + length(shot.target) + frames * shot.jump;
@@ -119,19 +86,19 @@ void follows(Student& student, const Shot& shot, const std::string& which,
   grade::Finding finding = off_by(length(yours.camera[n] - right.camera[n]), tolerance);
   finding.asked = "where the camera is after " + which;
   finding.input = "camera " + describe(yours.camera[n - 1], 17) + ", target " +
-                  describe(right.target[n], 17) + ", part " + number(shot.part, 17) + ", frame " +
+                  describe(right.target[n], 17) + ", " + described(shot.lag) + ", frame " +
                   number(shot.frames[n - 1], 17) + " s";
   finding.expected = describe(right.camera[n], 12);
   finding.got = describe(yours.camera[n], 12);
   finding.error += " m, after frame " + std::to_string(n);
   if (!finding.held) {
     finding.hint = hint;
-    const bool remembered = right_when_fresh(yours.camera[n - 1], right.target[n], shot.part,
+    const bool remembered = right_when_fresh(yours.camera[n - 1], right.target[n], shot.lag,
                                              shot.frames[n - 1], right.camera[n], tolerance.value);
     finding.diagnoses =
         remembered ? std::vector<std::string>{"as the first frame of a program it is right: what "
                                               "is remembered?"}
-                   : recognise(shot, yours.camera[n - 1], right.target[n], shot.frames[n - 1],
+                   : recognise(shot.lag, yours.camera[n - 1], right.target[n], shot.frames[n - 1],
                                yours.camera[n]);
     finding.plot = {"How far the camera is from its target",
                     "time [s]",
@@ -142,7 +109,18 @@ void follows(Student& student, const Shot& shot, const std::string& which,
 }
 
 Shot draw(Random& random, double part, const std::vector<double>& frames) {
-  return {random.vector(-2, 2), random.vector(4, 9), part, frames};
+  return {random.vector(-2, 2), random.vector(4, 9), {part}, frames};
+}
+
+// From so far away that it slows down in the frame of that number, after a part of it.
+Shot limited(Random& random, const std::vector<double>& frames, std::size_t slows_in) {
+  Shot shot = draw(random, random.between(0.05, 0.2), frames);
+  double flat_out = frames[slows_in] * random.between(0.2, 0.8);
+  for (std::size_t n = 0; n < slows_in; ++n) flat_out += frames[n];
+  const double distance = length(shot.target - shot.camera);
+  // distance = fastest / rate + fastest * flat_out
+  shot.lag.fastest = distance / (1 / shot.lag.rate() + flat_out);
+  return shot;
 }
 
 std::vector<double> uneven(Random& random, int count) {
@@ -154,7 +132,7 @@ std::vector<double> uneven(Random& random, int count) {
 }  // namespace
 
 TEST_CASE("a frame of any length takes the camera as far as frames of a sixtieth would",
-          "[2-euler/camera-that-lags][3 points]") {
+          "[2-euler/camera-that-lags][2 points]") {
   Student student;
   Random random;
   const std::string hint =
@@ -170,7 +148,7 @@ TEST_CASE("a frame of any length takes the camera as far as frames of a sixtieth
 }
 
 TEST_CASE("uneven frames leave the camera where even ones do",
-          "[2-euler/camera-that-lags][3 points]") {
+          "[2-euler/camera-that-lags][2 points]") {
   Student student;
   Random random;
   const Shot shot = draw(random, random.between(0.03, 0.1), uneven(random, 60));
@@ -179,7 +157,7 @@ TEST_CASE("uneven frames leave the camera where even ones do",
 }
 
 TEST_CASE("after a hitch the camera is near its target and not beyond it",
-          "[2-euler/camera-that-lags][2 points]") {
+          "[2-euler/camera-that-lags][1 point]") {
   Student student;
   Random random;
   for (const double hitch : {random.between(0.15, 0.4), random.between(0.5, 2)}) {
@@ -197,4 +175,24 @@ TEST_CASE("a target that jumps is followed from where the camera is",
   shot.jump = random.between(1, 3);
   follows(student, shot, "thirty uneven frames, after each of which the target jumps",
           "All that counts is where the camera and the target are now.");
+}
+
+TEST_CASE("the camera is never faster than it may be, however a run is cut into frames",
+          "[2-euler/camera-that-lags][3 points]") {
+  Student student;
+  Random random;
+  const std::string hint =
+      "At which distance does the lag move the camera at just its highest speed? How much of the "
+      "frame is left when it is there?";
+  follows(student, limited(random, {random.between(0.2, 0.6)}, 0),
+          "one long frame, in which it is flat out first and then slows down", hint);
+  follows(student,
+          limited(random, uneven(random, 40), static_cast<std::size_t>(random.whole(10, 30))),
+          "forty uneven frames, in one of which it slows down", hint);
+  Shot far = limited(random, uneven(random, 30), 29);
+  follows(student, far, "thirty uneven frames, in the last of which it slows down", hint);
+  far.frames.resize(10);
+  far.jump = 0.1 * length(far.target - far.camera);
+  follows(student, far, "ten uneven frames after a target that jumps, too far away to slow down",
+          hint);
 }
