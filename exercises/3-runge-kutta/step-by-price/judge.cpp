@@ -9,6 +9,7 @@
 #include "judge/session.h"
 #include "judge/tests.h"
 #include "judge/waves.h"
+#include "pass.h"
 #include "signs.h"
 
 using namespace judge;
@@ -29,7 +30,8 @@ struct Scene {
   Start start;
   double duration = 0;
   Acceleration acceleration;
-  State end;  // the truth
+  State end;      // the truth
+  double mu = 0;  // of a sun
 };
 
 // From one side of its ellipse past the sun to about the same place on the other side, among
@@ -51,7 +53,8 @@ Scene comet(Random& random) {
               {before.x, before.v, 0},
               2 * (anomaly - e * std::sin(anomaly)) / rate,
               [=](const Vec& x, const Vec& v, double t) { return sun(x, v, t) + planets(x, t); },
-              {}};
+              {},
+              mu};
   scene.end = truth_past_a_sun(scene.start, scene.duration, mu, scene.acceleration);
   return scene;
 }
@@ -112,6 +115,52 @@ void check_flight(const Scene& scene, const Flight& flight, double most, const s
   check(finding);
 }
 
+// The way that a comet flies from so long after the start until its pass.
+double way_left(const Scene& scene, double since) {
+  if (!(since > 0 && since < scene.duration)) return INFINITY;
+  const State there = truth_past_a_sun(scene.start, since, scene.mu, scene.acceleration);
+  return way_to_pass(there, scene.acceleration(there.x, there.v, scene.start.t + since));
+}
+
+Flight pass(Student& student, const Scene& scene, int digits) {
+  constexpr int of_the_pass = 100;  // see harness.h
+  int asked = 0;
+  const Acceleration counted = [&](const Vec& x, const Vec& v, double t) {
+    return ++asked > patience ? Vec{} : scene.acceleration(x, v, t);
+  };
+  const Path path = student.watch(scene.start, scene.duration, 1, counted, of_the_pass + digits);
+  const double time = path.states.back().x.x;
+  return {path, way_left(scene, time - scene.start.t), double(asked), digits};
+}
+
+void check_pass(const Scene& scene, const Flight& flight, double most) {
+  const double time = flight.path.states.back().x.x, bound = allowed(flight.digits);
+  grade::Finding finding;
+  finding.held = std::abs(flight.off) <= bound && flight.questions <= most;
+  finding.asked = "when the comet is nearest to the sun: " + scene.name +
+                  ", with a tolerance of 1e-" + std::to_string(flight.digits);
+  finding.input = describe(scene.start) + ", duration = " + number(scene.duration, 17);
+  finding.expected = "a time at which x . v is zero, for at most " + number(most) + " questions";
+  finding.got = number(time, 12) + " s, for " + number(flight.questions) + " questions";
+  finding.error = number(std::abs(flight.off), 3) + " m of its way, and " +
+                  number(flight.questions / most, 3) + " times the questions";
+  finding.tolerance = number(bound) + " m, and " + number(most) + " questions";
+  finding.tolerance_from =
+      "a thousand times the tolerance, as the task says; and half as much again as the questions "
+      "of "
+      "your own flight";
+  if (!finding.held) {
+    finding.hint =
+        "In which step does x . v turn from below zero to above? From where that step begins, a "
+        "shorter one leads to any moment within it.";
+    const Given given{scene.start.t, scene.duration,        time,
+                      flight.off,    way_left(scene, time), flight.questions / most};
+    finding.diagnoses = why_not_the_pass(given, flight.path, bound);
+    finding.plot = plot(flight.path);
+  }
+  check(finding);
+}
+
 // The questions of the fewest equal steps of RK4, to a twentieth, that end as near.
 double equal_steps(const Scene& scene, double off) {
   for (int steps = 100;; steps += steps / 20) {
@@ -124,7 +173,7 @@ double equal_steps(const Scene& scene, double off) {
 }  // namespace
 
 TEST_CASE("a comet costs a fifth of what equal steps cost for the same error",
-          "[3-runge-kutta/step-by-price][3 points]") {
+          "[3-runge-kutta/step-by-price][2 points]") {
   Student student;
   Random random;
   const Scene scene = comet(random);
@@ -194,7 +243,7 @@ TEST_CASE("a coasting probe costs next to nothing", "[3-runge-kutta/step-by-pric
 // The burn is short: an embedded pair may take a start between two stages for 200 times less than
 // it is, and a wrong velocity is carried on for as long as the engine burns.
 TEST_CASE("a step that meets an engine's start is taken back",
-          "[3-runge-kutta/step-by-price][2 points]") {
+          "[3-runge-kutta/step-by-price][1 point]") {
   Student student;
   Random random;
   for (int n = 0; n < 2; ++n) {
@@ -215,5 +264,17 @@ TEST_CASE("a step that meets an engine's start is taken back",
                  "If a step is too wrong, x, v and the clock must be what they were before it, and "
                  "the next try shorter.",
                  jumps_over(flight.path, on));
+  }
+}
+
+TEST_CASE("the moment of a comet's pass costs little more than the flight to it",
+          "[3-runge-kutta/step-by-price][2 points]") {
+  Student student;
+  Random random;
+  for (int n = 0; n < 2; ++n) {
+    Scene scene = comet(random);
+    const Flight whole = fly(student, scene, 7);
+    scene.start.t = random.between(1, 3);
+    check_pass(scene, pass(student, scene, 7), std::floor(1.5 * whole.questions));
   }
 }

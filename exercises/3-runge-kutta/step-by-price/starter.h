@@ -13,3 +13,15 @@ inline void fly(Vec& x, Vec& v, double t, double duration, double tolerance,
                 const Acceleration& acceleration) {
   // Try a step; estimate its error; keep it or take it back; choose the next.
 }
+
+/// When a comet that comes in is nearest to the sun, which is at the origin [s].
+/// @param x  position at the start, from where its distance falls [m]
+/// @param v  velocity at the start [m/s]
+/// @param t  time at the start [s]
+/// @param duration  within which its distance grows again [s]
+/// @param tolerance  largest estimate of a step's error [m] and [m/s]
+/// @param acceleration  callable `(x, v, t) -> Vec` [m/s^2]
+inline double nearest(Vec x, Vec v, double t, double duration, double tolerance,
+                      const Acceleration& acceleration) {
+  return t;  // Somewhere in a step dot(x, v) turns from below zero to above. Where?
+}

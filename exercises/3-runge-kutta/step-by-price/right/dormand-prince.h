@@ -26,8 +26,13 @@ inline Motion sum(const double* row, const Motion* k, int count) {
   return total;
 }
 
-inline void fly(Vec& x, Vec& v, double t, double duration, double tolerance,
-                const Acceleration& acceleration) {
+// Stops before the step in which it has passed the origin, if it is told to.
+struct Stopped {
+  double done, step;
+};
+
+inline Stopped fly_to(Vec& x, Vec& v, double t, double duration, double tolerance,
+                      const Acceleration& acceleration, bool to_the_pass) {
   const double start = t;
   Motion k[7] = {{v, acceleration(x, v, t)}};
   for (double h = 1e-3 * duration, done = 0; done < duration;) {
@@ -46,9 +51,38 @@ inline void fly(Vec& x, Vec& v, double t, double duration, double tolerance,
     const double step = h;
     h *= std::min(4.0, std::max(0.1, 0.85 * std::pow(tolerance / (estimate + 1e-30), 0.2)));
     if (estimate > tolerance) continue;
+    if (to_the_pass && dot(end.x, end.v) > 0) return {done, step};
     x = end.x;
     v = end.v;
     k[0] = k[6];
     done = reached ? duration : done + step;
   }
+  return {duration, 0};
+}
+
+inline void fly(Vec& x, Vec& v, double t, double duration, double tolerance,
+                const Acceleration& acceleration) {
+  fly_to(x, v, t, duration, tolerance, acceleration, false);
+}
+
+// The part of the step in which it turns, by the rule of false position, each time by one step.
+inline double nearest(Vec x, Vec v, double t, double duration, double tolerance,
+                      const Acceleration& acceleration) {
+  const Stopped at = fly_to(x, v, t, duration, tolerance, acceleration, true);
+  const auto slope_at = [&](double h) {
+    Vec x_then = x, v_then = v;
+    fly_to(x_then, v_then, t + at.done, h, tolerance, acceleration, false);
+    return dot(x_then, v_then);
+  };
+  double low = 0, high = at.step, below = dot(x, v), above = slope_at(high), part = high;
+  for (int n = 0; n < 12 && high - low > 1e-12 * duration; ++n) {
+    part = low - below * (high - low) / (above - below);
+    const double there = slope_at(part);
+    if (there < 0) {
+      low = part, below = there, above /= 2;
+    } else {
+      high = part, above = there, below /= 2;
+    }
+  }
+  return t + at.done + part;
 }

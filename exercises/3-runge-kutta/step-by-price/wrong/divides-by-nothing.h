@@ -38,3 +38,8 @@ inline void fly(Vec& x, Vec& v, double t, double duration, double tolerance,
     t = last ? end : t + step;
   }
 }
+
+// Where an undisturbed comet turns.
+inline double nearest(Vec, Vec, double t, double duration, double, const Acceleration&) {
+  return t + duration / 2;
+}

@@ -23,3 +23,8 @@ inline void fly(Vec& x, Vec& v, double t, double duration, double tolerance,
     h = step * std::clamp(0.9 * std::sqrt(tolerance / std::max(estimate, 1e-300)), 0.2, 5.0);
   }
 }
+
+// Where an undisturbed comet turns.
+inline double nearest(Vec, Vec, double t, double duration, double, const Acceleration&) {
+  return t + duration / 2;
+}

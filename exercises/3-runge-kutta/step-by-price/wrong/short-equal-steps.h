@@ -20,3 +20,8 @@ inline void fly(Vec& x, Vec& v, double t, double duration, double tolerance,
   const double h = duration / steps;
   for (int n = 0; n < steps; ++n) rk4(x, v, t + n * h, h, acceleration);
 }
+
+// Where an undisturbed comet turns.
+inline double nearest(Vec, Vec, double t, double duration, double, const Acceleration&) {
+  return t + duration / 2;
+}

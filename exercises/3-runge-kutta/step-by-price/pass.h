@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// What a wrong moment of a comet's pass often is.
+#pragma once
+#include <cmath>
+
+#include "signs.h"
+
+namespace judge {
+
+/// The way that a comet flies from here until it is nearest to the origin, below zero if it was
+/// nearest before [m]. Far out, where its distance bends the other way, it is infinite.
+inline double way_to_pass(const State& comet, const Vec& a) {
+  const double bends = dot(comet.v, comet.v) + dot(comet.x, a);
+  return bends > 0 ? -dot(comet.x, comet.v) / bends * length(comet.v) : INFINITY;
+}
+
+/// What was said of a pass.
+struct Given {
+  double start, duration;  ///< of the flight [s]
+  double time;             ///< that was said [s]
+  double off;              ///< the way from there to the pass [m]
+  double off_since;        ///< the same, if the time counts from the start [m]
+  double price;            ///< questions, as a share of what is allowed
+};
+
+/// Whether a question was for just this time.
+inline bool asked_at(const Path& path, double time) {
+  for (const Evaluation& asked : path.evaluations)
+    if (std::abs(asked.t - time) <= 1e-12 * time) return true;
+  return false;
+}
+
+inline Signs why_not_the_pass(const Given& given, const Path& path, double bound) {
+  const double since = given.time - given.start;
+  if (!std::isfinite(given.time)) return {"this is not a finite time"};
+  if (given.price > 1)
+    return {"this costs " + grade::number(1.5 * given.price, 2) +
+            " of your own flights: no guess within a step needs the flight again"};
+  if (std::abs(since - given.duration / 2) <= 1e-9 * given.duration)
+    return {"this is the middle of the flight, where nothing but a sun would have it turn"};
+  if (std::abs(given.off_since) <= bound)
+    return {"this is the time since the start: is t left out?"};
+  if (!(since > 0 && since < given.duration)) return {"this time is not within the flight"};
+  if (std::abs(given.off) > bound && asked_at(path, given.time))
+    return {given.off > 0 ? "this is where a step begins; the comet turns within it"
+                          : "this is where a step ends; the comet turns within it"};
+  if (!std::isfinite(given.off)) return {"at that time the comet is still far out, or again"};
+  if (std::abs(given.off) > bound)
+    return {"the comet turns " + grade::number(std::abs(given.off), 2) + " m of its way " +
+            (given.off > 0 ? "later" : "earlier") +
+            ": was the moment that you found tried by a step of its own, and mended?"};
+  return {};
+}
+
+}  // namespace judge
