@@ -55,9 +55,8 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--all", options.all, "Show each test that failed in full");
   app.add_option("--run", options.run,
                  "Run this header's own main and show what it prints: not graded");
-  app.add_flag(
-      "--list", options.list,
-      "Name the exercises, or those with a part of a name, with their kind, minutes and points");
+  app.add_flag("--list", options.list,
+               "Name exercises, all or by a part of a name; with kind and minutes");
   app.add_flag("--version", options.version, "Say which grader this is, exercise by exercise");
   app.add_option("--limits", options.limits)->group("");
 }
