@@ -45,9 +45,9 @@ export function checker({grade, alone, exercises, build}) {
   }
 
   // What a student may see must not name what is ours, nor hold what was not for them: the inputs of
-  // tests behind the one in which the program came to its end.
+  // tests behind the one in which the program came to its end. What to run next is named as the caller would have to type it.
   function leaks({report, feedback, shown}, source) {
-    const seen = [JSON.stringify(report), feedback, shown].join('\n');
+    const seen = [JSON.stringify(report), feedback, shown.replace(/^Next: .*$/gm, '')].join('\n');
     const secrets = ['root:x:', exercises, build, 'harness.h', 'judge.cpp', 'glue.cpp'];
     return secrets.some(secret => seen.includes(secret) && !source.includes(secret)) ||
         report.tests.filter(test => !test.ran).slice(1).some(test => test.findings.length > 0) ||

@@ -1,5 +1,5 @@
 // RUNTIME_ERROR: counts in an int until it has no next, and gives the right answer all the same
-// says: a whole number that grew too large
+// says: a whole number too large for its type
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
