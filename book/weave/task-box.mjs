@@ -22,7 +22,7 @@ export function taskFoot({ book, hold }, { name, exercise, folder }) {
   const starter = `${folder}/starter.h`;
   const code = readFileSync(join(book.config.source, starter), 'utf8').replace(/\n+$/, '');
   const lines = highlightLines(code, 'h');
-  const commands = `cp ${starter} ${name}.h\nbuild/exercises/grade ${exercise} ${name}.h`;
+  const commands = `cp -n ${starter} ${name}.h\nbuild/exercises/grade ${exercise} ${name}.h`;
   return (
     `<details class="starter"><summary>The starter</summary><div><figure class="listing"><figcaption><span class="head"></span>` +
     `<a class="file" href="${sourceHref(starter)}">${escapeHtml(starter).replace(/\//g, '/<wbr>')}</a></figcaption>` +
