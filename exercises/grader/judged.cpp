@@ -42,6 +42,13 @@ Judged worst(std::vector<Judged> runs) {
       std::ranges::all_of(runs, [&](const Judged& run) { return alike(run, runs.front()); });
   if (same) return least;
   if (!least.why.empty()) least.why += "\n";
+  const bool slow = std::ranges::any_of(
+      runs, [](const Judged& run) { return run.verdict == Verdict::time_limit; });
+  if (slow) {
+    least.why += "Of " + std::to_string(runs.size()) +
+                 " runs not all came to their end: it takes about as long as it may.";
+    return least;
+  }
   least.why += "your answer is random: asked the same " + std::to_string(runs.size()) +
                " times, it gave different answers, for " + scores(runs) +
                " points, and the fewest count. Is there a variable that nothing was written to, an "

@@ -81,6 +81,13 @@ double needed(const Scene& scene, int steps, double power) {
   return steps * std::pow(apart / scene.wanted, 1 / power);
 }
 
+// Whether the second question is on the straight line from the start; so is another method's.
+bool steps_by_euler(const Scene& scene, const Answer& answer) {
+  const Evaluation& second = answer.asked[1];
+  const Vec there = scene.start.x + second.t * scene.start.v;
+  return length(second.x - there) <= 1e-9 * (1 + length(there));
+}
+
 std::vector<std::string> recognise(const Scene& scene, const Answer& answer) {
   if (answer.steps == 0)
     return {"the judge runs 1 to " + std::to_string(most_steps) + " steps, and " +
@@ -93,6 +100,8 @@ std::vector<std::string> recognise(const Scene& scene, const Answer& answer) {
     return {"the first question is not at the start, and every run begins there"};
   const int finest = finest_run(scene, answer);
   if (finest == 0) return {"every question is for one time; the push changes with the time"};
+  if (!steps_by_euler(scene, answer))
+    return {"the second question is not where a step of Euler's method leads: x takes the old v"};
   const auto same_time = [](const Evaluation& a, const Evaluation& b) { return a.t == b.t; };
   if (std::adjacent_find(answer.asked.begin(), answer.asked.end(), same_time) != answer.asked.end())
     return {};  // another method, whose steps can't be told like this

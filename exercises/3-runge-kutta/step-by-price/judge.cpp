@@ -102,7 +102,7 @@ void check_flight(const Scene& scene, const Flight& flight, double most, const s
       "at " + describe(scene.end, 9) + ", for at most " + number(most) + " questions";
   finding.got = "at " + describe(flight.path.states.back(), 9) + ", for " +
                 number(flight.questions) + " questions";
-  finding.error = number(flight.off, 3) + " off, and " + number(flight.questions / most, 3) +
+  finding.error = number(flight.off, 3) + " m or m/s, and " + number(flight.questions / most, 3) +
                   " times the questions";
   finding.tolerance = number(bound) + " m and m/s, and " + number(most) + " questions";
   finding.tolerance_from = "a thousand times the tolerance, as the task says; " + why;

@@ -77,16 +77,19 @@ struct Chain {
   }
 
   /// Each of an end's numbers is a double, so that its lines cannot be met better than to the
-  /// rounding of what they add up.
+  /// rounding of what they add up. None is faster than all of the energy makes it, whatever was
+  /// answered.
   Tolerance tolerance(const Beads& end) const {
+    const double fastest = std::sqrt(2 * energy(start));
     const auto largest = [](const Column& column) {
       double most = 0;
       for (const double value : column) most = std::max(most, std::abs(value));
       return most;
     };
-    const double place = largest(end.x) + largest(start.x) + h * largest(end.v);
+    const double velocity = std::min(largest(end.v), fastest);
+    const double place = 2 * largest(start.x) + 2 * h * velocity;
     const double stiffest = largest(k);
-    return rounding(largest(start.v) + largest(end.v) + place / h + 4 * h * stiffest * place);
+    return rounding(largest(start.v) + velocity + place / h + 4 * h * stiffest * place);
   }
 
   std::string described() const {

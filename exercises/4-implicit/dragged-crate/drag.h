@@ -53,10 +53,12 @@ struct Drag {
   double divisor() const { return 1 + 2 * zeta * h * omega + (h * omega) * (h * omega); }
 
   /// Each of an end's numbers is a double, so that its lines cannot be met better than to the
-  /// rounding of what they add up.
-  Tolerance tolerance(const State& end) const {
-    const double places = length(start.x) + length(end.x) + length(hand);
-    const double velocities = length(start.v) + length(end.v);
+  /// rounding of what they add up. They are the right end's: one's own might be as large as one
+  /// likes.
+  Tolerance tolerance() const {
+    const double fastest = length(start.v) + length(asked_for()) / divisor();
+    const double places = 2 * length(start.x) + h * fastest + length(hand);
+    const double velocities = length(start.v) + fastest;
     return rounding(places / h + velocities + h * omega * (omega * places + 2 * zeta * velocities));
   }
 

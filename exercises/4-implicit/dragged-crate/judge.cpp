@@ -17,7 +17,7 @@ using grade::number;
 void meets_its_lines(Student& student, const Drag& drag, const std::string& asked,
                      const std::string& hint) {
   const State end = drag.by(student);
-  const Tolerance tolerance = drag.tolerance(end);
+  const Tolerance tolerance = drag.tolerance();
   grade::Finding finding = off_by(drag.miss(end), tolerance, " m/s");
   finding.asked = asked;
   finding.input = drag.described();
@@ -81,7 +81,7 @@ TEST_CASE("a weak hand changes the velocity by as much as it can, in the same di
     Drag drag = Drag::draw(random, random.between(0.5, 4), random.between(0.1, 1.6));
     drag.strongest = random.between(0.1, 0.5) * length(drag.asked_for()) / drag.divisor() / drag.h;
     const State end = drag.by(student);
-    const Tolerance tolerance = drag.tolerance(end);
+    const Tolerance tolerance = drag.tolerance();
     grade::Finding finding = off_by(off(drag, end), tolerance, " m/s");
     finding.asked = "one step with a hand that gives at most half of what the spring asks for";
     finding.input = drag.described();
@@ -111,7 +111,7 @@ TEST_CASE("without damping a step divides the energy by 1 + (h omega)^2",
     };
     const State end = drag.by(student);
     // The energy is a square, so what is wrong with the state counts twice.
-    Tolerance tolerance = drag.tolerance(end);
+    Tolerance tolerance = drag.tolerance();
     tolerance.value *= 4 * drag.divisor() / std::sqrt(2 * energy(drag.start) / drag.divisor());
     is_exact("the energy about the hand before the step, over the one after it", drag.described(),
              energy(drag.start) / energy(end), drag.divisor(), tolerance,

@@ -64,8 +64,10 @@ inline std::vector<std::string> slips_of_weak(const Drag& drag, const State& end
       {distance(end, drag.start) == 0, "the crate never moves"},
       {!is_finite(end), "this is not a finite number: a division by zero?"},
       {is(drag.miss(end)),
-       "this is what a strong hand does: nothing limited the change. Is the limit h times "
+       "this is what a strong hand does: there is no limit, or it is too high. Is it h times "
        "`strongest`?"},
+      {most > within && is(length(change)),
+       "the hand changes nothing, where it should change as much as it can"},
       {is(length((end.x - x) / drag.h - v - asked)),
        "the crate moved with the velocity that a strong hand would have given it"},
       {is(length((end.x - x) / drag.h - v)), "the crate moved with the old velocity"},
