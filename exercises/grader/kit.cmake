@@ -10,8 +10,9 @@ folders_for(${GXX} SHOWN_TO_COMPILER)
 set(COMMON_FLAGS -std=c++20 -O2 -ffp-contract=off -Wall -Wextra -Wno-unused-parameter
   -D_GLIBCXX_ASSERTIONS -fsanitize=bounds,undefined)
 set(STUDENT_FLAGS ${COMMON_FLAGS} -fsanitize-undefined-trap-on-error)
-# And for the run that is not scored, in which a checker says what it stops at.
-set(CHECKED_FLAGS ${COMMON_FLAGS} -fsanitize=address -fno-sanitize-recover=all -g)
+# And for the run that is not scored, in which a checker says what it stops at. With -O2 two checks that are alike would share
+# a line.
+set(CHECKED_FLAGS ${COMMON_FLAGS} -O1 -fsanitize=address -fno-sanitize-recover=all -g)
 
 set(KIT ${PROJECT_BINARY_DIR}/exercises/grader/kit)
 set_property(GLOBAL PROPERTY KIT ${KIT})

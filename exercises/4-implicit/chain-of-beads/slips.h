@@ -108,6 +108,9 @@ inline std::string ended_too_soon(const Chain& chain, const Beads& end) {
 }
 
 inline std::vector<std::string> recognised(const Chain& chain, const Beads& end, double within) {
+  for (std::size_t i = 0; i < chain.count(); ++i)
+    if (!std::isfinite(end.x[i]) || !std::isfinite(end.v[i]))
+      return {"at bead " + std::to_string(i) + " this is not a finite number: a division by zero?"};
   bool still = true, borrowed = true, at_rest = true, moved = true;
   Beads change = end;
   for (std::size_t i = 0; i < chain.count(); ++i) change.x[i] = end.v[i] - chain.start.v[i];
@@ -134,6 +137,10 @@ inline std::vector<std::string> recognised(const Chain& chain, const Beads& end,
     return {"the diagonal was eliminated, and the right side was not"};
   const std::string sign = wrong_sign(chain, end, rounded);
   if (!sign.empty()) return {sign};
+  const double left = chain.miss(end, worst(chain, end)),
+               most = chain.miss(chain.start, worst(chain, chain.start));
+  if (left > 1e-10 * most && left < 1e-5 * most)
+    return {"right to some seven digits and no further: a float?"};
   const std::string nearly = ended_too_soon(chain, end);
   return {nearly.empty() ? who_misses(chain, end, within) : nearly};
 }

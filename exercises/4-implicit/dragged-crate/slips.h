@@ -28,6 +28,9 @@ inline std::vector<std::string> slips_of_strong(const Drag& drag, const State& e
   Drag at_zero = drag, soft = drag;
   at_zero.hand = {};
   soft.zeta /= 2;
+  Drag undamped = drag;
+  undamped.zeta = 0;
+  const Vec right = v + drag.asked_for() / drag.divisor();
   const double over = 1 + 2 * drag.zeta * h * drag.omega + pull;
   const Vec unsquared = over * end.v - v - pull * (drag.hand - x);
   const Vec pushed = drag.divisor() * end.v - v + pull * (drag.hand - x);
@@ -46,6 +49,9 @@ inline std::vector<std::string> slips_of_strong(const Drag& drag, const State& e
       {is(drag.miss(end, end.v, with_new, v)), "the damping is the one of the start"},
       {is(drag.miss(end, guessed, x + h * v, guessed)),
        "the end is guessed by a step of Euler's method, and not solved for"},
+      {is(undamped.miss(end)), "the spring is right, and the damping is missing"},
+      {length(end.v - right) > within && length(end.v - right) < 2e-6 * length(right),
+       "right to seven digits and no further: a float, or a constant with an f?"},
       {is(length(unsquared)), "the divisor has h omega^2 where (h omega)^2 belongs"},
       {std::abs(length(change) - h * drag.strongest) <= within,
        "the change is as long as the hand allows, although the spring asks for less"},
