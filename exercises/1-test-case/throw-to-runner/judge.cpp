@@ -95,6 +95,11 @@ std::vector<std::string> recognise(const Vec& got, const Throw& with) {
        pulled(with, {0, a.y, 0})},
       {"this hits the place where the runner was at the throw", running(with, standing)},
       {"this is right for a runner who runs the other way", running(with, -runner)},
+      {"the runner's velocity is divided by the time, and it needs no division",
+       running(with, runner / with.time)},
+      {"the runner's way stands here, time times the velocity", running(with, with.time * runner)},
+      {"the pull has the time squared, as a place has it; a velocity has it once",
+       pulled(with, with.time * a)},
       {"this is right for a throw from the origin: where does the ball start?",
        thrown(with, {}, with.target)},
       {"this is right for a target at the origin", thrown(with, with.from, {})},
@@ -105,6 +110,8 @@ std::vector<std::string> recognise(const Vec& got, const Throw& with) {
     if (length(mistake.solved.miss(got)) <= tolerance) return {mistake.says};
   }
   if (length(with.miss(-got)) <= tolerance) return {"this is minus the right velocity"};
+  if (length(with.miss(got / with.time)) <= tolerance)
+    return {"this is the way that the ball needs, and not its velocity: time times too much"};
   const double off = length(with.miss(got)) / (with.time * length(got));
   if (off < 2e-6) return {"right to seven digits and no further: a float?"};
   const std::string steps = stepped(with, with.miss(got));

@@ -98,6 +98,12 @@ void note_nonsense() {
        "What came back is not an answer. Does your code write to descriptor 3?");
 }
 
+void note_other_count(double came, std::size_t wanted) {
+  note(Verdict::protocol_error, "There came back " + grade::number(came) + " numbers, and " +
+                                    std::to_string(wanted) +
+                                    " belong there. Has your code changed the size of something?");
+}
+
 void note_ending(const cage::Ended& ended, Moment moment) {
   session().processor = std::max(session().processor, ended.processor);
   if (!session().stopped()) session().printed = ended.err;

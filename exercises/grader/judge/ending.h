@@ -2,6 +2,7 @@
 /// @file
 /// How a driver ended, in the words of a verdict.
 #pragma once
+#include <cstddef>
 #include <memory>
 
 #include "cage/process.h"
@@ -19,5 +20,8 @@ void note_ending(const cage::Ended& ended, Moment moment);
 
 /// Leaves in the session that an answer made no sense.
 void note_nonsense();
+
+/// Leaves in the session that an answer has another number of numbers than it should have.
+void note_other_count(double came, std::size_t wanted);
 
 }  // namespace judge
