@@ -89,7 +89,9 @@ struct Chain {
     const double velocity = std::min(largest(end.v), fastest);
     const double place = 2 * largest(start.x) + 2 * h * velocity;
     const double stiffest = largest(k);
-    return rounding(largest(start.v) + velocity + place / h + 4 * h * stiffest * place);
+    // A velocity's own rounding moves its bead, and that comes back as a force.
+    const double again = 1 + h * h * stiffest;
+    return rounding(again * (largest(start.v) + velocity + place / h + 4 * h * stiffest * place));
   }
 
   std::string described() const {
