@@ -6,6 +6,7 @@
 #include "command_line.h"
 #include "exit_codes.h"
 #include "grade_command.h"
+#include "printable.h"
 #include "task.h"
 
 namespace {
@@ -18,6 +19,14 @@ void versions() {
   }
 }
 
+void list(const std::string& part) {
+  const std::string found = grade::list_of_exercises(part);
+  if (found.empty())
+    throw grade::Usage("no exercise has '" + grade::printable(part, 100) +
+                       "' in its name; --list alone names all");
+  std::fputs(found.c_str(), stdout);
+}
+
 int run(const Command& command) {
   switch (command.what) {
     case Command::What::one:
@@ -25,7 +34,7 @@ int run(const Command& command) {
     case Command::What::whole_class:
       return grade::grade_class(command.classroom);
     case Command::What::list:
-      std::fputs(grade::list_of_exercises(command.listed).c_str(), stdout);
+      list(command.listed);
       break;
     case Command::What::run:
       return grade::run_and_print(command);

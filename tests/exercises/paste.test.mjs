@@ -27,7 +27,7 @@ const tried = exercises.filter(exercise => (kind(exercise) === 'write') === (whi
 assert.ok(tried.length > 0);
 
 for (const exercise of tried) {
-  test(`${exercise} has to be written`, () => {
+  test(`${exercise} cannot be pasted`, () => {
     const found = pasted(exercise, { source, grade });
     assert.ok(found.length > 0);
     const say = found.map(

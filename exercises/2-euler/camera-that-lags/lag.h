@@ -17,7 +17,7 @@ struct Lag {
   double fastest = 1e6;  ///< [m/s]
 
   double rate() const { return -60 * std::log1p(-part); }  ///< [1/s]
-  double left(double time) const { return std::exp2(60 * time * std::log2(1 - part)); }
+  double left(double time) const { return std::pow(1 - part, 60 * time); }
 
   /// How much of a frame it is as fast as it may be, if it slows down at this distance [s].
   double flat_out(double distance, double border, double frame) const {

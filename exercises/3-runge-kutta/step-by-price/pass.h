@@ -15,6 +15,9 @@ inline double way_to_pass(const State& comet, const Vec& a) {
   return bends > 0 ? -dot(comet.x, comet.v) / bends * length(comet.v) : INFINITY;
 }
 
+/// So many of one's own flights may be paid for a pass.
+constexpr double flights = 1.5;
+
 /// What was said of a pass.
 struct Given {
   double start, duration;  ///< of the flight [s]
@@ -35,7 +38,7 @@ inline Signs why_not_the_pass(const Given& given, const Path& path, double bound
   const double since = given.time - given.start;
   if (!std::isfinite(given.time)) return {"this is not a finite time"};
   if (given.price > 1)
-    return {"this costs " + grade::number(1.5 * given.price, 2) +
+    return {"this costs " + grade::number(flights * given.price, 2) +
             " of your own flights: no guess within a step needs the flight again"};
   if (std::abs(since - given.duration / 2) <= 1e-9 * given.duration)
     return {"this is the middle of the flight, where nothing but a sun would have it turn"};

@@ -45,22 +45,8 @@ inline bool solves(const Beads& end, const Chain& matrix, const Chain& right, do
   return true;
 }
 
-// Whether the rows were eliminated, and their right sides left as they were.
-inline bool right_side_is_old(const Chain& chain, const Beads& end, double within) {
-  const double h = chain.h;
-  const auto beside = [&](std::size_t i) { return i < chain.count() ? h * h * chain.k[i] : 0; };
-  double middle = INFINITY;
-  for (std::size_t i = 0; i < chain.count(); ++i) {
-    middle = 1 + beside(i) + beside(i + 1) - beside(i) * beside(i) / middle;
-    const double next = i + 1 < chain.count() ? end.v[i + 1] : 0;
-    const double right = chain.start.v[i] + h * chain.acceleration(chain.start, i);
-    if (!(std::abs(middle * end.v[i] - beside(i + 1) * next - right) <= within)) return false;
-  }
-  return true;
-}
-
 // The signs of an elimination: of what a row takes from the diagonal and from the right side of the
-// next one, and of what goes back.
+// next one, and of what goes back. 0 is for what is left out.
 struct Signs {
   double diagonal = 1, right = 1, back = 1;
 };
@@ -87,6 +73,7 @@ inline bool eliminates(const Chain& chain, const Beads& end, const Signs& signs,
 
 inline std::string wrong_sign(const Chain& chain, const Beads& end, double within) {
   const std::pair<Signs, const char*> known[] = {
+      {{1, 0, 1}, "the diagonal was eliminated, and the right side was not"},
       {{-1, 1, 1}, "in the elimination the diagonal grows, where something is taken from it"},
       {{1, -1, 1},
        "in the elimination the right side has the wrong sign: minus times minus is plus"},
@@ -99,11 +86,12 @@ inline std::string wrong_sign(const Chain& chain, const Beads& end, double withi
 }
 
 // How far the worst line is met, where none is met and all are nearly.
-inline std::string ended_too_soon(const Chain& chain, const Beads& end) {
-  const double left = chain.miss(end, worst(chain, end));
+inline std::string nearly_met(const Chain& chain, const Beads& end) {
   const double at_first = chain.miss(chain.start, worst(chain, chain.start));
-  if (!(left < 0.1 * at_first && left > 1e-5 * at_first)) return "";
-  return "the worst line is missed by " + grade::number(100 * left / at_first, 2) +
+  const double left = chain.miss(end, worst(chain, end)) / at_first;
+  if (left > 1e-10 && left < 1e-5) return "right to some seven digits and no further: a float?";
+  if (!(left > 1e-5 && left < 0.1)) return "";
+  return "the worst line is missed by " + grade::number(100 * left, 2) +
          " % of what no step at all would miss: an iteration that was ended too soon?";
 }
 
@@ -133,15 +121,9 @@ inline std::vector<std::string> recognised(const Chain& chain, const Beads& end,
   if (solves(end, alike, chain, rounded)) return {"in the matrix all springs are like the first"};
   if (solves(end, held, held, rounded))
     return {"the last bead's row has a spring beyond it, too, and there is none"};
-  if (right_side_is_old(chain, end, rounded))
-    return {"the diagonal was eliminated, and the right side was not"};
   const std::string sign = wrong_sign(chain, end, rounded);
   if (!sign.empty()) return {sign};
-  const double left = chain.miss(end, worst(chain, end)),
-               most = chain.miss(chain.start, worst(chain, chain.start));
-  if (left > 1e-10 * most && left < 1e-5 * most)
-    return {"right to some seven digits and no further: a float?"};
-  const std::string nearly = ended_too_soon(chain, end);
+  const std::string nearly = nearly_met(chain, end);
   return {nearly.empty() ? who_misses(chain, end, within) : nearly};
 }
 

@@ -167,9 +167,6 @@ inline const std::vector<Way> mistakes{
      iterations_twice},
     {"move and pull stand at each other's places in the price", by_rule, swapped},
     {"the iterations are paid once in a frame here, and not in each substep", by_rule, shared},
-    {"this is the plan of the rule with n (n - 1), and the task asks for n^2, which is on the safe "
-     "side",
-     one_link_less},
     {"the iterations are paid once in a frame here, and not in each substep; and the rule is the "
      "one with n (n - 1)",
      one_link_less, shared},

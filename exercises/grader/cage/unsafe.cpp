@@ -44,13 +44,13 @@ std::string not_started(const Ended& ended) {
   return "the sandbox cannot start: " + first_line(ended.err) + own;
 }
 
-}  // namespace
-
-static std::string not_whole(const std::string& lacks) {
+std::string not_whole(const std::string& lacks) {
   return "the grader is not whole: " + lacks +
          " cannot be read. Was its folder moved? Then delete the folder build in it, and make the "
          "grader ready again: cmake --workflow --preset grader";
 }
+
+}  // namespace
 
 std::optional<std::string> unsafe(const Kit& kit) {
   const File canary(::open(kit.canary.c_str(), O_RDONLY | O_CLOEXEC));

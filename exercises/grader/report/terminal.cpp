@@ -145,9 +145,10 @@ std::string section(const TestResult& test, const Paint& paint) {
   std::string text = "\n" + paint.strong("  " + wrapped(test.name, 2));
   for (const Finding& finding : test.findings) {
     if (finding.held) continue;
+    const int digits = digits_for(finding);
     for (const Line& line : lines(finding)) {
       const bool compared = line.label == "Expected" || line.label == "Got";
-      text += labelled(line, compared ? digits_for(finding) : few);
+      text += labelled(line, compared ? digits : few);
     }
     if (has_plot(finding)) text += labelled({"Picture", where(finding.plot)});
   }

@@ -39,6 +39,11 @@ std::string word(const std::string& file) {
   return is_plain(file) ? file : "'" + file + "'";
 }
 
+/// Where it is said to be, if a shell can be told so.
+Place sayable(const Place& place) {
+  return word(place.grade).empty() || word(place.exercises).empty() ? Place() : place;
+}
+
 /// How to begin with the exercise behind this one in the book.
 std::vector<std::string> commands_for_next(const std::string& exercise, const Place& place) {
   const std::string grade = word(place.grade);
@@ -131,7 +136,8 @@ bool has_plot(const Finding& finding) {
 }
 
 std::vector<std::string> next_commands(const Report& report, const std::string& file,
-                                       const Place& place) {
+                                       const Place& seen) {
+  const Place place = sayable(seen);
   if (report.verdict == Verdict::accepted) return commands_for_next(report.exercise, place);
   const std::string own = report.exercise.substr(report.exercise.find('/') + 1) + ".h";
   const std::string same = word(file);

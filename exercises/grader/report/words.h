@@ -46,9 +46,10 @@ struct Place {
 /// What to run next, as commands for a shell. None of them overwrites a file.
 /// @param file  the submission as the student calls it; if that has letters which no shell should
 ///              see, the exercise's own takes its place
-/// @param place  if it is not seen from the folder in which the exercises were unpacked
+/// @param seen  if it is not seen from the folder in which the exercises were unpacked; if that has
+///              such letters, too, the commands are for that folder
 std::vector<std::string> next_commands(const Report& report, const std::string& file,
-                                       const Place& place = {});
+                                       const Place& seen = {});
 
 /// With which seed, grader and sandbox it was graded, as a sentence.
 std::string provenance(const Report& report);

@@ -155,6 +155,8 @@ TEST_CASE("a command names the file and the grader as they were called") {
             .starts_with("build/exercises/grade 2-euler/orbit-drift 't/my drift.h' "));
   CHECK(command("drift.h", {"../build/exercises/grade", "../exercises"})
             .starts_with("../build/exercises/grade 2-euler/orbit-drift drift.h "));
+  CHECK(command("drift.h", {"/home/j\xc3\xbcrgen/grade", "exercises"})
+            .starts_with("build/exercises/grade 2-euler/orbit-drift drift.h "));
   for (const char* strange : {"", "-x.h", "$(reboot).h", "a'b.h", "a\nb.h"}) {
     CAPTURE(strange);
     CHECK(has(command(strange), " orbit-drift.h"));
