@@ -51,20 +51,27 @@ Report grade_fairly(const Command& command) {
   return slow && met_a_time_limit(report) ? grade_submission(calibrated) : report;
 }
 
-/// From where it was called.
-Place place() {
-  const auto own = std::filesystem::read_symlink("/proc/self/exe");
-  return {std::filesystem::proximate(own).string(),
-          std::filesystem::proximate(installed().exercises).string()};
+/// A program in this folder needs its folder's name, or a shell looks for it elsewhere.
+std::string as_command(const std::filesystem::path& program) {
+  return (program.has_parent_path() ? program : "." / program).string();
 }
 
-void print(const Report& report, bool all) {
+/// From where it was called. The students of a class will call it from where they are.
+Place place(const Command& command) {
+  if (command.limits_given) return {};
+  const auto own = std::filesystem::read_symlink("/proc/self/exe");
+  return {as_command(std::filesystem::proximate(own)),
+          std::filesystem::proximate(installed().exercises).string(),
+          command.request.submission.string()};
+}
+
+void print(const Report& report, bool all, const Place& place) {
   if (report.unreadable) {
     refuse(Exit::unreadable, printable(report.why));
     return;
   }
   const bool colour = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
-  std::fputs(terminal(report, colour, all, place()).c_str(), stdout);
+  std::fputs(terminal(report, colour, all, place).c_str(), stdout);
 }
 
 }  // namespace
@@ -73,8 +80,8 @@ int grade_and_report(const Command& command) {
   const std::string version = grade::version(command.request.exercise);
   if (command.out) keep_provisional(command.request, version, *command.out, command.emits);
   Report report = grade_fairly(command);
-  if (command.out) keep(report, *command.out, command.emits);
-  print(report, command.all);
+  if (command.out) keep(report, *command.out, command.emits, place(command));
+  print(report, command.all, place(command));
   return exit_code(report, command.exit_by_verdict);
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #include "report/feedback.h"
 
-#include <filesystem>
-
 #include "report/escape.h"
 #include "report/plot.h"
 #include "report/words.h"
@@ -59,16 +57,15 @@ std::string ignored(const Report& report) {
   return text.empty() ? "" : text + ".\n\n";
 }
 
-std::string next(const Report& report) {
-  const std::string file = std::filesystem::path(report.submission).filename().string();
+std::string next(const Report& report, const Place& place) {
   std::string text = "## Next\n\n```sh\n";
-  for (const std::string& command : next_commands(report, file)) text += command + "\n";
+  for (const std::string& command : next_commands(report, place)) text += command + "\n";
   return text + "```\n\n" + markdown(provenance(report)) + "\n";
 }
 
 }  // namespace
 
-std::string feedback(const Report& report) {
+std::string feedback(const Report& report, const Place& place) {
   std::string text = "# " + markdown(report.exercise) + ": " + headline(report) + "\n\n" +
                      std::string(sentence(report.verdict)) + "\n\n" + paragraph(report.why) +
                      table(report);
@@ -79,7 +76,7 @@ std::string feedback(const Report& report) {
   if (!report.warnings.empty()) {
     text += "## The compiler warns\n\n" + markdown_code(report.warnings) + "\n";
   }
-  return text + ignored(report) + next(report);
+  return text + ignored(report) + next(report, place);
 }
 
 }  // namespace grade

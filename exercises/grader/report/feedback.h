@@ -3,10 +3,12 @@
 #include <string>
 
 #include "grade_submission.h"
+#include "report/words.h"
 
 namespace grade {
 
 /// The report for the student, in Markdown. What may come from a submission is escaped.
-std::string feedback(const Report& report);
+/// @param place  for what to run next; of a class nobody knows where the student will
+std::string feedback(const Report& report, const Place& place = {});
 
 }  // namespace grade

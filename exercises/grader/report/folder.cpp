@@ -21,8 +21,8 @@ void write_or_remove(bool wanted, const std::filesystem::path& file, const std::
 }
 
 void write_rest(const Report& report, const std::filesystem::path& folder,
-                const std::set<Emit>& emits) {
-  write_whole(folder / "feedback.md", feedback(report));
+                const std::set<Emit>& emits, const Place& place) {
+  write_whole(folder / "feedback.md", feedback(report, place));
   emit(report, folder, emits);
 }
 
@@ -46,12 +46,13 @@ void keep_provisional(const Request& request, const std::string& version,
   report.try_again = true;
   std::filesystem::create_directories(folder);
   write_whole(folder / "report.json", to_json(report));
-  write_rest(report, folder, emits);
+  write_rest(report, folder, emits, {});
 }
 
-void keep(Report& report, const std::filesystem::path& folder, const std::set<Emit>& emits) {
+void keep(Report& report, const std::filesystem::path& folder, const std::set<Emit>& emits,
+          const Place& place) {
   draw(report, folder);
-  write_rest(report, folder, emits);
+  write_rest(report, folder, emits, place);
   write_whole(folder / "report.json", to_json(report));
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "grade_submission.h"
+#include "report/words.h"
 
 namespace grade {
 
@@ -25,7 +26,9 @@ void keep_provisional(const Request& request, const std::string& version,
 
 /// Writes plots, feedback.md, what is to be emitted, and at last report.json. Notes in the report
 /// where its plots are.
+/// @param place  for what to run next
 /// @throws std::system_error  one line that says what could not be written, and why
-void keep(Report& report, const std::filesystem::path& folder, const std::set<Emit>& emits);
+void keep(Report& report, const std::filesystem::path& folder, const std::set<Emit>& emits,
+          const Place& place = {});
 
 }  // namespace grade

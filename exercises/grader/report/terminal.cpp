@@ -207,7 +207,7 @@ std::string terminal(const Report& report, bool colour, bool all, const Place& p
   if (!report.memory.empty() && !stopped) text += "\n" + wrapped(report.memory, 0);
   if (!report.warnings.empty()) text += "\nThe compiler warns:\n" + barred(report.warnings);
   text += ignored(report) + "\n" + wrapped(provenance(report), 0);
-  for (const std::string& command : next_commands(report, report.submission, place)) {
+  for (const std::string& command : next_commands(report, place)) {
     text += "Next: " + command + "\n";
   }
   return text;

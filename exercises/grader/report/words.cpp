@@ -5,6 +5,9 @@
 #include <cctype>
 #include <functional>
 
+#include "replace_all.h"
+#include "report/escape.h"
+
 namespace grade {
 namespace {
 
@@ -29,19 +32,17 @@ bool has_ended(Verdict verdict) {
   return !is_judged(verdict) && std::ranges::find(before, verdict) == std::end(before);
 }
 
-/// A name as one word for a shell; empty if it has other letters than those of most names.
+/// A name as one word for a shell, and no option; empty if it has letters that nobody could see.
 std::string word(const std::string& file) {
-  const bool strange = std::ranges::any_of(file, [](unsigned char c) {
-    return c < ' ' || c > '~' ||
-           std::string_view("'\"`$\\!").find(char(c)) != std::string_view::npos;
-  });
-  if (file.empty() || file[0] == '-' || strange) return "";
-  return is_plain(file) ? file : "'" + file + "'";
+  if (file.empty() || printable_name(file) != file) return "";
+  const std::string path = file[0] == '-' ? "./" + file : file;
+  return is_plain(path) ? path : "'" + replace_all(path, "'", "'\\''") + "'";
 }
 
 /// Where it is said to be, if a shell can be told so.
 Place sayable(const Place& place) {
-  return word(place.grade).empty() || word(place.exercises).empty() ? Place() : place;
+  const Place unseen{.file = place.file};
+  return word(place.grade).empty() || word(place.exercises).empty() ? unseen : place;
 }
 
 /// How to begin with the exercise behind this one in the book.
@@ -135,12 +136,11 @@ bool has_plot(const Finding& finding) {
   return !finding.plot.curves.empty();
 }
 
-std::vector<std::string> next_commands(const Report& report, const std::string& file,
-                                       const Place& seen) {
+std::vector<std::string> next_commands(const Report& report, const Place& seen) {
   const Place place = sayable(seen);
   if (report.verdict == Verdict::accepted) return commands_for_next(report.exercise, place);
   const std::string own = report.exercise.substr(report.exercise.find('/') + 1) + ".h";
-  const std::string same = word(file);
+  const std::string same = word(place.file);
   std::string command =
       word(place.grade) + " " + report.exercise + " " + (same.empty() ? own : same);
   if (report.seed != public_seed) command += " --seed " + std::to_string(report.seed);

@@ -38,18 +38,17 @@ std::vector<Line> lines(const Finding& finding);
 /// Whether its picture can be drawn.
 bool has_plot(const Finding& finding);
 
-/// Where the grader and the exercises are, as a shell finds them.
+/// Where the grader, the exercises and the submission are, as a shell finds them.
 struct Place {
   std::string grade = "build/exercises/grade", exercises = "exercises";
+  std::string file = {};  ///< empty: a header with the exercise's own name
 };
 
 /// What to run next, as commands for a shell. None of them overwrites a file.
-/// @param file  the submission as the student calls it; if that has letters which no shell should
-///              see, the exercise's own takes its place
-/// @param seen  if it is not seen from the folder in which the exercises were unpacked; if that has
-///              such letters, too, the commands are for that folder
-std::vector<std::string> next_commands(const Report& report, const std::string& file,
-                                       const Place& seen = {});
+/// @param seen  from where the student called the grader, unless that is the folder in which the
+///              exercises were unpacked. A name with letters that nobody could see is replaced by
+///              the one that it has there.
+std::vector<std::string> next_commands(const Report& report, const Place& seen = {});
 
 /// With which seed, grader and sandbox it was graded, as a sentence.
 std::string provenance(const Report& report);

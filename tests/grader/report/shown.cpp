@@ -139,28 +139,46 @@ TEST_CASE("full marks lead to the next exercise of the book") {
   report.verdict = Verdict::accepted;
   report.exercise = exercises().front().name;
   const Exercise next = exercises()[1];
-  CHECK(next_commands(report, "a.h") ==
+  CHECK(next_commands(report) ==
         std::vector<std::string>{"cp -n exercises/" + next.name + "/starter.h " + next.header(),
                                  "build/exercises/grade " + next.name + " " + next.header()});
   report.exercise = exercises().back().name;
-  CHECK(next_commands(report, "a.h") == std::vector<std::string>{"build/exercises/grade --list"});
+  CHECK(next_commands(report) == std::vector<std::string>{"build/exercises/grade --list"});
 }
 
 TEST_CASE("a command names the file and the grader as they were called") {
   const Report report = sample();
-  const auto command = [&](const std::string& file, const Place& place = {}) {
-    return next_commands(report, file, place).front();
+  const auto command = [&](const std::string& file, Place place = {}) {
+    place.file = file;
+    return next_commands(report, place).front();
   };
-  CHECK(command("t/my drift.h")
-            .starts_with("build/exercises/grade 2-euler/orbit-drift 't/my drift.h' "));
+  const auto names = [&](const std::string& file, const std::string& word) {
+    return command(file).starts_with("build/exercises/grade 2-euler/orbit-drift " + word + " ");
+  };
+  CHECK(names("t/my drift.h", "'t/my drift.h'"));
+  CHECK(names("a;b.h", "'a;b.h'"));
+  CHECK(names("L\xc3\xb6sung.h", "'L\xc3\xb6sung.h'"));
+  CHECK(names("$(reboot).h", "'$(reboot).h'"));
+  CHECK(names("a'b.h", "'a'\\''b.h'"));
+  CHECK(names("-x.h", "./-x.h"));
   CHECK(command("drift.h", {"../build/exercises/grade", "../exercises"})
             .starts_with("../build/exercises/grade 2-euler/orbit-drift drift.h "));
   CHECK(command("drift.h", {"/home/j\xc3\xbcrgen/grade", "exercises"})
+            .starts_with("'/home/j\xc3\xbcrgen/grade' 2-euler/orbit-drift drift.h "));
+  CHECK(command("drift.h", {"a\nb/grade", "exercises"})
             .starts_with("build/exercises/grade 2-euler/orbit-drift drift.h "));
-  for (const char* strange : {"", "-x.h", "$(reboot).h", "a'b.h", "a\nb.h"}) {
+  for (const char* strange : {"", "a\nb.h", "a\xe2\x80\xae.h", "\x1b.h"}) {
     CAPTURE(strange);
-    CHECK(has(command(strange), " orbit-drift.h"));
+    CHECK(names(strange, "orbit-drift.h"));
   }
+}
+
+TEST_CASE("feedback names the same command as the terminal") {
+  const Place seen{"../grade", "../exercises", "mine/drift.h"};
+  const std::string command = next_commands(sample(), seen).front();
+  CHECK(has(command, "mine/drift.h"));
+  CHECK(has(feedback(sample(), seen), "\n" + command + "\n"));
+  CHECK(has(terminal(sample(), false, false, seen), "Next: " + command + "\n"));
 }
 
 TEST_CASE("what is expected and what came differ in the digits that are shown") {
