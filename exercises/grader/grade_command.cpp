@@ -80,8 +80,9 @@ int grade_and_report(const Command& command) {
   const std::string version = grade::version(command.request.exercise);
   if (command.out) keep_provisional(command.request, version, *command.out, command.emits);
   Report report = grade_fairly(command);
-  if (command.out) keep(report, *command.out, command.emits, place(command));
-  print(report, command.all, place(command));
+  const Place seen = place(command);
+  if (command.out) keep(report, *command.out, command.emits, seen);
+  print(report, command.all, seen);
   return exit_code(report, command.exit_by_verdict);
 }
 

@@ -8,7 +8,7 @@
 namespace grade {
 
 /// The report for the student, in Markdown. What may come from a submission is escaped.
-/// @param place  for what to run next; of a class nobody knows where the student will
+/// @param place  for what to run next; a class leaves it out, since its students run it elsewhere
 std::string feedback(const Report& report, const Place& place = {});
 
 }  // namespace grade

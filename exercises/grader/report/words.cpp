@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <functional>
 
 #include "replace_all.h"
 #include "report/escape.h"
@@ -139,10 +138,10 @@ bool has_plot(const Finding& finding) {
 std::vector<std::string> next_commands(const Report& report, const Place& seen) {
   const Place place = sayable(seen);
   if (report.verdict == Verdict::accepted) return commands_for_next(report.exercise, place);
-  const std::string own = report.exercise.substr(report.exercise.find('/') + 1) + ".h";
-  const std::string same = word(place.file);
+  const std::string file = word(place.file);
+  const std::string own = Exercise{report.exercise, {}}.header();
   std::string command =
-      word(place.grade) + " " + report.exercise + " " + (same.empty() ? own : same);
+      word(place.grade) + " " + report.exercise + " " + (file.empty() ? own : file);
   if (report.seed != public_seed) command += " --seed " + std::to_string(report.seed);
   return {command};
 }

@@ -59,7 +59,7 @@ TEST_CASE("feedback says of a failed test all that was found") {
   CHECK(has(text, "| not reached | 0 of 3 | not run |"));
   CHECK(has(text, "```text\nmy_euler.h:3:7: warning"));
   CHECK(has(text, "Not looked at: notes.txt."));
-  CHECK(has(text, "grade 2-euler/orbit-drift my_euler.h --seed 18446744073709551615\n"));
+  CHECK(has(text, "grade 2-euler/orbit-drift orbit-drift.h --seed 18446744073709551615\n"));
 }
 
 TEST_CASE("feedback shows a picture, or says why there is none") {
