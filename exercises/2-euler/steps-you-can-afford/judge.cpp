@@ -73,19 +73,32 @@ int finest_run(const Scene& scene, const Answer& answer) {
 
 // What this run and one of half its steps say about the steps that it takes, if the error goes with
 // the step to this power.
-double needed(const Scene& scene, int steps, double power) {
+double needed(const Scene& scene, int steps, double power, Vec State::* compared = &State::x) {
   const auto end = [&](int n) {
-    return run(euler, scene.start, scene.duration / n, n, n, scene.acceleration).states.back().x;
+    const Path path = run(euler, scene.start, scene.duration / n, n, n, scene.acceleration);
+    return path.states.back().*compared;
   };
   const double apart = length(end(steps) - end(steps / 2)) / (std::pow(2, power) - 1);
   return steps * std::pow(apart / scene.wanted, 1 / power);
 }
 
-// Whether the second question is on the straight line from the start; so is another method's.
-bool steps_by_euler(const Scene& scene, const Answer& answer) {
-  const Evaluation& second = answer.asked[1];
-  const Vec there = scene.start.x + second.t * scene.start.v;
-  return length(second.x - there) <= 1e-9 * (1 + length(there));
+// What its first questions say that is no run of Euler's method.
+std::string another_method(const Scene& scene, const Answer& answer) {
+  const auto [x, v, none] = scene.start;
+  const Evaluation &second = answer.asked[1],
+                   &third = answer.asked[std::min<std::size_t>(2, answer.asked.size() - 1)];
+  const auto is_at = [](const Evaluation& question, const Vec& place) {
+    return length(question.x - place) <= 1e-9 * (1 + length(place));
+  };
+  const double h = second.t;
+  if (!is_at(second, x + h * v))
+    return "the second question is not where a step of Euler's method leads: x takes the old v";
+  const Vec after = v + h * scene.acceleration(x, v, 0);
+  const bool goes_on = third.t == 2 * h, asks_again = h > 0 && third.t == h && &third != &second;
+  if ((goes_on && !is_at(third, x + h * v + h * after)) || asks_again)
+    return "the third question is not where a second step of Euler's method leads: your first run "
+           "is by another method, whose error says nothing about Euler's";
+  return "";
 }
 
 std::vector<std::string> recognise(const Scene& scene, const Answer& answer) {
@@ -100,8 +113,13 @@ std::vector<std::string> recognise(const Scene& scene, const Answer& answer) {
     return {"the first question is not at the start, and every run begins there"};
   const int finest = finest_run(scene, answer);
   if (finest == 0) return {"every question is for one time; the push changes with the time"};
-  if (!steps_by_euler(scene, answer))
-    return {"the second question is not where a step of Euler's method leads: x takes the old v"};
+  if (const std::string other = another_method(scene, answer); !other.empty()) return {other};
+  const auto at_the_end = [&](const Evaluation& asked) {
+    return asked.t > scene.duration * (1 - 1e-9);
+  };
+  if (std::ranges::any_of(answer.asked, at_the_end))
+    return {"a step begins where the run ends, at " + number(scene.duration) +
+            " s: a step too many, so that no run ends where it should"};
   const auto same_time = [](const Evaluation& a, const Evaluation& b) { return a.t == b.t; };
   if (std::adjacent_find(answer.asked.begin(), answer.asked.end(), same_time) != answer.asked.end())
     return {};  // another method, whose steps can't be told like this
@@ -112,6 +130,7 @@ std::vector<std::string> recognise(const Scene& scene, const Answer& answer) {
   if (finest * 8 < answer.steps)
     return {of_yours + " steps, is too coarse to tell how the error goes on"};
   const double ratio = answer.steps / needed(scene, finest, 1);
+  const double by_velocity = answer.steps / needed(scene, finest, 1, &State::v);
   const double as_square = answer.steps / needed(scene, finest, 2);
   const auto is = [](double a, double b) { return a > 0.99 * b && a < 1.06 * b; };
   if ((answer.steps & (answer.steps - 1)) == 0 && answer.steps > scene.fewest)
@@ -126,6 +145,8 @@ std::vector<std::string> recognise(const Scene& scene, const Answer& answer) {
         "and its number of steps belongs to it"};
   if (is(as_square, 1))
     return {"did you let the error fall with the square of the step? It is in proportion to it"};
+  if (is(by_velocity, 1))
+    return {"this is right for an error of the velocity; the wanted one is of the place"};
   if (ratio > 1.1 && ratio < 1.9)
     return {"your runs speak for " + number(std::ceil(needed(scene, finest, 1))) +
             " steps, and a margin of a few per cent is enough"};

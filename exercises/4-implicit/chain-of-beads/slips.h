@@ -33,16 +33,71 @@ inline std::string who_misses(const Chain& chain, const Beads& end, double withi
          std::to_string(chain.count()) + " beads, first at bead " + std::to_string(first);
 }
 
-// Whether the end solves (1 + h^2 K) v = v_old + h a(x_old), with the K of one chain and the a of
-// another.
-inline bool solves(const Beads& end, const Chain& matrix, const Chain& right, double within) {
+// By how much the end misses row i of (own + h^2 K) v = v_old + h a(x_old), with the K of one chain
+// and the a of another [m/s].
+inline double row(const Beads& end, const Chain& matrix, const Chain& right, std::size_t i,
+                  double own = 1) {
   const double h = matrix.h;
-  for (std::size_t i = 0; i < matrix.count(); ++i) {
-    const double back = h * h * matrix.acceleration({end.v, {}}, i);
-    const double kick = h * right.acceleration(right.start, i);
-    if (!(std::abs(end.v[i] - back - right.start.v[i] - kick) <= within)) return false;
-  }
+  const double back = h * h * matrix.acceleration({end.v, {}}, i);
+  return std::abs(own * end.v[i] - back - right.start.v[i] -
+                  h * right.acceleration(right.start, i));
+}
+
+inline bool solves(const Beads& end, const Chain& matrix, const Chain& right, double within,
+                   double own = 1) {
+  for (std::size_t i = 0; i < matrix.count(); ++i)
+    if (!(row(end, matrix, right, i, own) <= within)) return false;
   return true;
+}
+
+// A system with a slip in one of its parts.
+inline std::string wrong_system(const Chain& chain, const Beads& end, double within) {
+  const auto times = [&](double factor) {
+    Chain other = chain;
+    for (double& stiffness : other.k) stiffness *= factor;
+    return other;
+  };
+  Chain alike = chain, held = chain, loose = chain;
+  std::ranges::fill(alike.k, chain.k.front());
+  held.beyond = chain.k.back();
+  loose.k.front() = 0;
+  const double h = chain.h;
+  struct Known {
+    Chain matrix, right;
+    double own;
+    const char* says;
+  };
+  const Known known[] = {
+      {alike, chain, 1, "in the matrix all springs are like the first"},
+      {held, held, 1, "the last bead's row has a spring beyond it, too, and there is none"},
+      {held, chain, 1, "in the matrix the last bead has a spring beyond it, and there is none"},
+      {loose, loose, 1, "the spring to the wall is missing"},
+      {loose, chain, 1, "in the matrix the spring to the wall is missing"},
+      {chain, loose, 1, "on the right the spring to the wall is missing"},
+      {chain, chain, 0, "on the diagonal the 1 is missing, which is the bead's own mass"},
+      {times(1 / h), chain, 1, "the matrix has h k where h^2 k belongs"},
+      {times(1 / (h * h)), chain, 1, "the matrix has k where h^2 k belongs"},
+      {times(-1), chain, 1, "the matrix is 1 - h^2 K, where 1 + h^2 K belongs"},
+      {chain, times(-1), 1, "on the right the springs push where they should pull"},
+      {chain, times(1 / h), 1, "on the right a is not multiplied by h"},
+      {chain, times(h), 1, "on the right a is multiplied by h twice"},
+      {chain, times(0), 1, "on the right h a is missing"}};
+  for (const auto& [matrix, right, own, says] : known)
+    if (solves(end, matrix, right, within, own)) return says;
+  return "";
+}
+
+// The bead whose row does not hold, if all others' do.
+inline std::string left_out(const Chain& chain, const Beads& end, double within) {
+  std::size_t missed = 0, last = 0;
+  for (std::size_t i = 0; i < chain.count(); ++i) {
+    if (row(end, chain, chain, i) <= within) continue;
+    ++missed;
+    last = i;
+  }
+  if (missed != 1 || chain.count() == 1) return "";
+  return "all rows of the system hold but that of bead " + std::to_string(last) +
+         ": does a loop leave it out?";
 }
 
 // The signs of an elimination: of what a row takes from the diagonal and from the right side of the
@@ -79,7 +134,10 @@ inline std::string wrong_sign(const Chain& chain, const Beads& end, double withi
        "in the elimination the right side has the wrong sign: minus times minus is plus"},
       {{1, 1, -1},
        "on the way back the next velocity has the wrong sign: beside the diagonal is -h^2 k"},
-      {{1, -1, -1}, "h^2 k stands beside the diagonal, where -h^2 k belongs"}};
+      {{1, -1, -1}, "h^2 k stands beside the diagonal, where -h^2 k belongs"},
+      {{0, 1, 1}, "the right side was eliminated, and the diagonal was not"},
+      {{1, 1, 0}, "on the way back the next velocity is missing"},
+      {{0, 0, 0}, "each bead's row has its diagonal alone: what its neighbours do is missing"}};
   for (const auto& [signs, says] : known)
     if (eliminates(chain, end, signs, within)) return says;
   return "";
@@ -114,15 +172,9 @@ inline std::vector<std::string> recognised(const Chain& chain, const Beads& end,
   if (borrowed) return {"the accelerations are those of the start: nothing is solved"};
   if (at_rest) return {"on the right of a system for the change belongs a(x + h v), not a(x)"};
   if (!moved) return {"the beads do not move with their new velocities"};
-  Chain alike = chain, held = chain;
-  std::ranges::fill(alike.k, chain.k.front());
-  held.beyond = chain.k.back();
   const double rounded = 100 * within;
-  if (solves(end, alike, chain, rounded)) return {"in the matrix all springs are like the first"};
-  if (solves(end, held, held, rounded))
-    return {"the last bead's row has a spring beyond it, too, and there is none"};
-  const std::string sign = wrong_sign(chain, end, rounded);
-  if (!sign.empty()) return {sign};
+  for (const auto& recognise : {wrong_system, wrong_sign, left_out})
+    if (const std::string says = recognise(chain, end, rounded); !says.empty()) return {says};
   const std::string nearly = nearly_met(chain, end);
   return {nearly.empty() ? who_misses(chain, end, within) : nearly};
 }
