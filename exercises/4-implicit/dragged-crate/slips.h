@@ -19,10 +19,49 @@ inline std::vector<std::string> first_of(const std::vector<std::pair<bool, const
   return {};
 }
 
+/// A quotient with a slip: what stands above and below its line.
+struct Quotient {
+  Vec above;
+  double below;
+  const char* says;
+};
+
+/// Of a hand that is strong enough, and a crate that moves with its new velocity.
+inline std::string wrong_quotient(const Drag& drag, const State& end, double within) {
+  const auto [x, v] = drag.start;
+  const double h = drag.h, omega = drag.omega, zeta = drag.zeta;
+  const double stiff = h * omega * h * omega, damped = 2 * zeta * h * omega;
+  const double below = drag.divisor();
+  const Vec away = drag.hand - x, pull = h * omega * omega * away;
+  const Quotient known[] = {
+      {v - pull, below, "the spring pushes away from the hand: is it x - hand for hand - x?"},
+      {v + pull, 1 + damped + h * omega * omega,
+       "the divisor has h omega^2 where (h omega)^2 belongs"},
+      {v + pull, 1 + damped,
+       "the pull is the one at the old place: put the line of the position into it, and the "
+       "divisor "
+       "gets (h omega)^2"},
+      {v + pull, damped + stiff, "the divisor has no 1, which comes from the new velocity itself"},
+      {v + pull, 1 - damped + stiff, "the damping has the wrong sign in the divisor"},
+      {v + pull, 1 + damped - stiff, "the pull has the wrong sign in the divisor"},
+      {v + pull, 1 + 2 * zeta * omega + stiff, "the damping in the divisor is not multiplied by h"},
+      {v + pull, 1 + 2 * zeta * h + stiff, "the damping in the divisor lacks omega"},
+      {v + pull, 1, "nothing is divided by"},
+      {v + pull / h, below, "above the divisor the pull is not multiplied by h"},
+      {v + h * pull, below, "above the divisor the pull is multiplied by h twice"},
+      {v + h * omega * away, below, "above the divisor omega is not squared"},
+      {pull, below, "above the divisor the old velocity is missing"},
+      {v + pull - damped * v, below,
+       "the damping is there twice: above the divisor with the old velocity, and in it"}};
+  for (const auto& [above, divisor, says] : known)
+    if (length(end.v - above / divisor) <= within) return says;
+  return "";
+}
+
 /// Of a hand that is strong enough.
 inline std::vector<std::string> slips_of_strong(const Drag& drag, const State& end, double within) {
   const auto [x, v] = drag.start;
-  const double h = drag.h, pull = h * drag.omega * drag.omega;
+  const double h = drag.h;
   const Vec change = end.v - v, with_new = x + h * end.v;
   const Vec guessed = v + h * drag.acceleration(x, v);
   Drag at_zero = drag, soft = drag;
@@ -31,11 +70,8 @@ inline std::vector<std::string> slips_of_strong(const Drag& drag, const State& e
   Drag undamped = drag;
   undamped.zeta = 0;
   const Vec right = v + drag.asked_for() / drag.divisor();
-  const double over = 1 + 2 * drag.zeta * h * drag.omega + pull;
-  const Vec unsquared = over * end.v - v - pull * (drag.hand - x);
-  const Vec pushed = drag.divisor() * end.v - v + pull * (drag.hand - x);
   const auto is = [&](double miss) { return miss <= within; };
-  return first_of({
+  std::vector<std::string> found = first_of({
       {distance(end, drag.start) == 0, "the crate never moves"},
       {!is_finite(end), "this is not a finite number: a division by zero?"},
       {is(drag.miss(end, v, x, v)), "this is Euler's method"},
@@ -44,7 +80,6 @@ inline std::vector<std::string> slips_of_strong(const Drag& drag, const State& e
       {is(drag.miss(end, v, with_new, end.v)),
        "the velocity is right; the position moved with the old one"},
       {is(at_zero.miss(end)), "this is the step of a spring that pulls to zero"},
-      {is(length(pushed)), "the spring pushes away from the hand: is it x - hand for hand - x?"},
       {is(soft.miss(end)), "this is the step of a spring with half the damping"},
       {is(drag.miss(end, end.v, with_new, v)), "the damping is the one of the start"},
       {is(drag.miss(end, guessed, x + h * v, guessed)),
@@ -52,10 +87,13 @@ inline std::vector<std::string> slips_of_strong(const Drag& drag, const State& e
       {is(undamped.miss(end)), "the spring is right, and the damping is missing"},
       {length(end.v - right) > within && length(end.v - right) < 2e-6 * length(right),
        "right to seven digits and no further: a float, or a constant with an f?"},
-      {is(length(unsquared)), "the divisor has h omega^2 where (h omega)^2 belongs"},
       {std::abs(length(change) - h * drag.strongest) <= within,
        "the change is as long as the hand allows, although the spring asks for less"},
+      {is(length(end.v - right)), "the velocity is right, and the place is not x_old + h v"},
   });
+  const std::string quotient = wrong_quotient(drag, end, within);
+  if (found.empty() && !quotient.empty()) found = {quotient};
+  return found;
 }
 
 /// Of a hand that is too weak.
@@ -66,6 +104,9 @@ inline std::vector<std::string> slips_of_weak(const Drag& drag, const State& end
   const Vec each{std::clamp(asked.x, -most, most), std::clamp(asked.y, -most, most),
                  std::clamp(asked.z, -most, most)};
   const auto is = [&](double off) { return std::abs(off) <= within; };
+  const auto points = [&](const Vec& along) {
+    return most > 0 && is(length(change - most / length(along) * along));
+  };
   return first_of({
       {distance(end, drag.start) == 0, "the crate never moves"},
       {!is_finite(end), "this is not a finite number: a division by zero?"},
@@ -84,6 +125,20 @@ inline std::vector<std::string> slips_of_weak(const Drag& drag, const State& end
       {is(length(end.v) - most), "the velocity is limited, and not its change"},
       {most > 0 && is(drag.divisor() * length(change) - most),
        "the pull is limited before the division, which then takes its share of what is left"},
+      {points(-1 * asked),
+       "the change points the other way: is it the old velocity minus the new?"},
+      {points(drag.hand - x),
+       "the change points to the hand, and not where the spring's own change points"},
+      {points(v + asked),
+       "the change points along the velocity that a strong hand would give, and not along its "
+       "change"},
+      {most > 0 && is(length(change - drag.h * most / length(asked) * asked)),
+       "the change is multiplied by h once too often"},
+      {most > 0 && is(length(change) - most),
+       "the change is as long as it should be, and points elsewhere: with a strong hand, is it "
+       "right?"},
+      {is(length(change - most / length(asked) * asked)),
+       "the velocity is right, and the place is not x_old + h v"},
   });
 }
 
