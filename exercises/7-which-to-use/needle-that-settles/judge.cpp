@@ -77,7 +77,10 @@ void check_frames(Student& student, const Beginning& start, const std::vector<Fr
     finding.expected = described(right);
     finding.got = described(got);
     if (!finding.held) {
-      finding.hint = hint;
+      finding.hint = needle::alike(got.x, right.x)
+                         ? "The velocity is the derivative of the place: of the bracket, of the "
+                           "exponential, and of the target's way."
+                         : hint;
       const std::string seen = needle::recognise(start.omega, before, frames[n], got);
       if (!seen.empty()) finding.diagnoses = {seen};
       if (right_when_fresh(start, before, frames[n], right, tolerance.value)) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "judge/method.h"
@@ -62,23 +63,89 @@ inline bool alike(double a, double b) {
   return std::abs(a - b) <= 1e-9 * (1 + std::abs(b));
 }
 
+/// To six digits.
+inline bool nearly(double a, double b) {
+  return std::abs(a - b) <= 1e-6 * (1 + std::abs(b));
+}
+
 inline bool alike(const State& a, const State& b) {
   return alike(a.x, b.x) && alike(a.v, b.v);
 }
+
+/// The step as it is written for a target that stands still, of the needle that trails; with its
+/// parts at hand, so that one of them can be wrong.
+struct Written {
+  double behind, y, w, left, omega, h;
+
+  Written(const Needle& needle, const State& from, const Frame& frame)
+      : behind(2 * frame.u / needle.omega),
+        y(from.x - frame.target + behind),
+        w(from.v - frame.u),
+        left(std::exp(-needle.omega * frame.h)),
+        omega(needle.omega),
+        h(frame.h) {}
+
+  double rush() const { return w + omega * y; }
+};
 
 /// What is wrong with a velocity whose place is right.
 inline std::string wrong_velocity(const Needle& needle, const State& from, const Frame& frame,
                                   const State& got, const State& right) {
   const std::string place = "the place is right, the velocity is not: ";
   const State late = needle.after({right.x, from.v}, frame);
-  const double way = right.x - needle.follower(frame).x;
-  if (alike(got.v, (right.x - from.x) / frame.h))
-    return place + "this is the mean velocity of the frame, not the one at its end";
-  if (alike(got.v, late.v)) return place + "its line uses the new x, where the old one is meant";
-  if (alike(got.v, right.v - frame.u)) return place + "the target's own velocity is missing";
-  if (alike(got.v, right.v + needle.omega * way))
-    return place + "in its derivative the exponential was not differentiated";
+  const Written is{needle, from, frame};
+  const double rush = is.rush(), way = is.y + rush * is.h, left = is.left;
+  const std::pair<double, const char*> known[] = {
+      {(right.x - from.x) / frame.h,
+       "this is the mean velocity of the frame, not the one at its end"},
+      {late.v, "its line uses the new x, where the old one is meant"},
+      {right.v - frame.u, "the target's own velocity is missing"},
+      {right.v + frame.u, "the target's own velocity is there twice"},
+      {frame.u + rush * left, "in its derivative the exponential was not differentiated"},
+      {frame.u - is.omega * way * left, "in its derivative the bracket was not differentiated"},
+      {frame.u + (rush - way) * left, "the exponential's derivative has a factor omega"},
+      {frame.u + (rush + is.omega * way) * left,
+       "the exponential's derivative has a minus: it is -omega exp(-omega h)"},
+      {frame.u + is.w * left,
+       "what the exponential's derivative is multiplied by is the whole bracket, with its second "
+       "part"},
+      {frame.u + (is.w - rush * is.h) * left, "an omega is missing"},
+      {frame.u + (is.w - is.omega * rush) * left, "an h is missing"},
+      {frame.u + (is.w + is.omega * rush * is.h) * left, "a sign is wrong"},
+      {frame.u + is.w - is.omega * rush * is.h, "it is not multiplied by the exponential"},
+      {frame.u + (from.v - is.omega * rush * is.h) * left,
+       "its first part is the old velocity against the target, v - u"},
+      {from.v, "it is the old one"}};
+  for (const auto& [velocity, says] : known)
+    if (alike(got.v, velocity)) return place + says;
   return "the place is right, the velocity is not";
+}
+
+/// What is wrong with a place in which one part of the formula is.
+inline std::string wrong_place(const Needle& needle, const State& from, const Frame& frame,
+                               double got) {
+  const Written is{needle, from, frame};
+  const double rush = is.rush(), there = frame.end() - is.behind;
+  const std::pair<double, const char*> known[] = {
+      {is.y + rush * is.h, "the way is not multiplied by the exponential"},
+      {is.y + rush * is.h * is.left,
+       "the first part of the bracket is not multiplied by the "
+       "exponential"},
+      {is.y * is.left + rush * is.h,
+       "the second part of the bracket is not multiplied by the "
+       "exponential"},
+      {(is.y + rush * is.h) / is.left, "the exponential grows: exp(omega h) for exp(-omega h)"},
+      {(is.y + rush * is.h) * std::exp(-is.h), "the exponential has no omega: exp(-h)"},
+      {(is.y + (is.w - is.omega * is.y) * is.h) * is.left,
+       "in the bracket a sign is wrong: it is v + omega y"},
+      {(is.y + (is.w + is.y) * is.h) * is.left,
+       "in the bracket omega is missing: it is v + omega y"},
+      {(is.y + is.w * is.h) * is.left, "in the bracket omega y is missing: it is v + omega y"},
+      {(is.y + is.omega * is.y * is.h) * is.left, "in the bracket v is missing: it is v + omega y"},
+      {(is.y + rush) * is.left, "in the bracket h is missing"}};
+  for (const auto& [way, says] : known)
+    if (alike(got, there + way)) return says;
+  return "";
 }
 
 /// Another number in place of the exponential: what is left of the way to the follower.
@@ -98,7 +165,8 @@ inline std::string recognise(double omega, const State& from, const Frame& frame
   if (got.x == from.x && got.v == from.v) return "nothing moves";
   if (!std::isfinite(got.x) && omega * frame.h > 200)
     return "short steps blow up in a frame as long as that; the exact step needs none";
-  if (alike(got.x, right.x)) return wrong_velocity(needle, from, frame, got, right);
+  if (alike(got.x, right.x) && !nearly(got.v, right.v))
+    return wrong_velocity(needle, from, frame, got, right);
   if (alike(got, needle.after(from, held)))
     return "this is right for a target that stays where it was at the start of the frame";
   if (alike(got, needle.after(from, at_end)))
@@ -131,8 +199,11 @@ inline std::string recognise(double omega, const State& from, const Frame& frame
       if (alike(got.x, needle.by(method, from, with).x)) return "this is a step of " + method.name;
     }
   }
+  if (const std::string says = wrong_place(needle, from, frame, got.x); !says.empty()) return says;
   if (is_lowes(needle, frame, got, right))
     return "this is 1 / (1 + z + 0.48 z^2 + 0.235 z^3) in place of exp(-z): close, and not exact";
+  if (nearly(got.x, right.x) && nearly(got.v, right.v))
+    return "right to seven digits and no further: a float, or a constant with an f?";
   if (got.x == frame.target || got.x == frame.end())
     return "the needle is held at its target, and this one is so fast that it shoots past";
   return alike(got.v, right.v) ? "the velocity is right, the place is not" : "";
