@@ -22,6 +22,14 @@ bool met_a_time_limit(const Report& report) {
   return report.verdict == Verdict::compile_limit || report.verdict == Verdict::time_limit;
 }
 
+/// What is not the grader's own is not lost.
+void keep_out_of_the_way(const std::filesystem::path& out) {
+  const std::string name = in_the_way(out);
+  if (name.empty()) return;
+  throw Usage("'" + printable_name(out.string()) + "' holds a " + name +
+              " that is not the grader's own; name another folder with --out");
+}
+
 /// What only the student can be blamed for: nothing of theirs was compiled, or all of it was right.
 bool needs_no_witness(const Report& report) {
   return report.verdict == Verdict::accepted || report.verdict == Verdict::rejected ||
@@ -77,6 +85,8 @@ void print(const Report& report, bool all, const Place& place) {
 }  // namespace
 
 int grade_and_report(const Command& command) {
+  // A class has folders of its own.
+  if (command.out && !command.limits_given) keep_out_of_the_way(*command.out);
   const std::string version = grade::version(command.request.exercise);
   if (command.out) keep_provisional(command.request, version, *command.out, command.emits);
   Report report = grade_fairly(command);

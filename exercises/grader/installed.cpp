@@ -9,12 +9,11 @@
 namespace grade {
 namespace {
 
-// Tests are other programs and lie elsewhere.
-std::ifstream opened() {
+// Where installed.txt lies. Tests are other programs and lie elsewhere.
+std::filesystem::path home() {
   const auto beside = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   for (const std::filesystem::path& folder : {beside, std::filesystem::path(BUILT)}) {
-    std::ifstream file(folder / "installed.txt");
-    if (file) return file;
+    if (std::filesystem::exists(folder / "installed.txt")) return folder;
   }
   throw std::runtime_error("there is no " + (beside / "installed.txt").string() +
                            ": run cmake --workflow --preset grader where the exercises lie");
@@ -28,11 +27,14 @@ Installed read() {
       {"student_flags+", &all.student_flags},
       {"checked_flags+", &all.checked_flags},
       {"shown_to_compiler+", &all.shown_to_compiler}};
-  std::ifstream file = opened();
+  const std::filesystem::path folder = home();
+  std::ifstream file(folder / "installed.txt");
   for (std::string word, value; std::getline(file, word, '=') && std::getline(file, value);) {
     if (const auto found = single.find(word); found != single.end()) *found->second = value;
     if (const auto found = many.find(word); found != many.end()) found->second->push_back(value);
   }
+  for (std::string* const path : {&all.exercises, &all.kit})
+    *path = (folder / *path).lexically_normal().string();
   return all;
 }
 

@@ -41,12 +41,15 @@ add_custom_command(OUTPUT ${KIT}/harness/harness.o
 set(HARNESS ${KIT}/harness/given.h.gch/STUDENT ${KIT}/harness/given.h.gch/CHECKED ${KIT}/harness/harness.o)
 
 # What the grader reads when it starts, from beside itself: a word and what it is set to on each line, words with `+=` as often
-# as there is something to add.
-set(installed "exercises=${PROJECT_SOURCE_DIR}/exercises\nkit=${KIT}\ncompiler=${GXX}\n")
+# as there is something to add. What lies in one folder with it is named from where it lies: the folder may be moved or copied.
+set(beside_grade ${PROJECT_BINARY_DIR}/exercises)
+file(RELATIVE_PATH exercises ${beside_grade} ${PROJECT_SOURCE_DIR}/exercises)
+file(RELATIVE_PATH kit ${beside_grade} ${KIT})
+set(installed "exercises=${exercises}\nkit=${kit}\ncompiler=${GXX}\n")
 foreach(list IN ITEMS STUDENT_FLAGS CHECKED_FLAGS SHOWN_TO_COMPILER)
   string(TOLOWER ${list} word)
   foreach(value IN LISTS ${list})
     string(APPEND installed "${word}+=${value}\n")
   endforeach()
 endforeach()
-file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/exercises/installed.txt CONTENT "${installed}" @ONLY)
+file(CONFIGURE OUTPUT ${beside_grade}/installed.txt CONTENT "${installed}" @ONLY)

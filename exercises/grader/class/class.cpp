@@ -29,6 +29,14 @@ const Student* in_the_way(const std::vector<Student>& students) {
   return nullptr;
 }
 
+/// A table that would be lost, in a folder in which no grader has been; empty if there is none.
+std::string not_ours(const Class& work) {
+  if (std::filesystem::exists(Lock::file_in(work.results))) return "";
+  for (const char* table : tables)
+    if (std::filesystem::exists(work.results / table)) return table;
+  return "";
+}
+
 /// The first few names, one in a line, and how many more there are.
 void print_some(const char* what, const std::vector<std::string>& names) {
   constexpr std::size_t most = 10;
@@ -115,6 +123,12 @@ int grade_class(const Class& work) {
   if (const Student* student = in_the_way(roll.students)) {
     return refuse(Exit::bad_input, "a student's folder can't be called " + student->name +
                                        ", since a table is; rename it");
+  }
+  if (const std::string name = not_ours(work); !name.empty()) {
+    return refuse(Exit::bad_input, "'" + printable_name(work.results.string()) + "' holds a " +
+                                       name +
+                                       " that is not the grader's own; name another folder "
+                                       "with --out");
   }
   umask(077);  // what is written now holds marks, and the seed
   if (can_be_read_by_others(work.seed_file)) {

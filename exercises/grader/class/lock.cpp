@@ -13,7 +13,7 @@
 namespace grade {
 
 Lock::Lock(const std::filesystem::path& results, bool shared)
-    : file_(results / ".lock"), made_(std::filesystem::create_directories(results)) {
+    : file_(file_in(results)), made_(std::filesystem::create_directories(results)) {
   open_ = cage::File(::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
   held_ = open_ && ::flock(open_.get(), (shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0;
   if (!held_ && errno != EWOULDBLOCK)

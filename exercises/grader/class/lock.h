@@ -11,6 +11,11 @@ namespace grade {
 /// Holds a folder for as long as it lives. Graders of parts may share it, one of the whole may not.
 class Lock {
  public:
+  /// Which file is held. It stays, and shows that a grader has been there.
+  static std::filesystem::path file_in(const std::filesystem::path& results) {
+    return results / ".lock";
+  }
+
   /// Makes the folder.
   /// @throws std::system_error  it can't be written to
   Lock(const std::filesystem::path& results, bool shared);

@@ -4,6 +4,7 @@
 #pragma once
 #include <filesystem>
 #include <set>
+#include <string>
 
 #include "grade_submission.h"
 #include "report/words.h"
@@ -17,6 +18,10 @@ enum class Emit { gradescope, junit };
 /// report.
 /// @throws std::system_error  one line that says what could not be written, and why
 void emit(const Report& report, const std::filesystem::path& folder, const std::set<Emit>& emits);
+
+/// The name of a file there that would be lost, if this is not a folder of the grader's own; empty
+/// if nothing would be.
+std::string in_the_way(const std::filesystem::path& folder);
 
 /// Says that a grading has begun: until keep() replaces it, the folder tells of a grader that was
 /// stopped before it came to a verdict. Makes the folder.

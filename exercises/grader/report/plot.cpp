@@ -16,19 +16,10 @@ namespace {
 
 /// Points in all curves together: about 25 bytes each, so that a picture stays below 30 kB.
 constexpr std::size_t most_points = 800;
+
 void replace(std::string& text, std::string_view what, std::string_view by) {
   if (const std::size_t at = text.find(what); at != std::string::npos) {
     text.replace(at, what.size(), by);
-  }
-}
-
-void remove_old(const std::filesystem::path& plots) {
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(plots, none)) {
-    const std::string file = entry.path().filename().string();
-    if (file.starts_with("test-") && file.ends_with(".svg")) {
-      std::filesystem::remove(entry.path(), none);
-    }
   }
 }
 
@@ -64,8 +55,18 @@ std::optional<std::string> svg(const Plot& plot) {
   return picture;
 }
 
+std::vector<std::filesystem::path> plots_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> found;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "plots", none)) {
+    const std::string file = entry.path().filename().string();
+    if (file.starts_with("test-") && file.ends_with(".svg")) found.push_back(entry.path());
+  }
+  return found;
+}
+
 void draw(Report& report, const std::filesystem::path& folder) {
-  remove_old(folder / "plots");
+  for (const auto& old : plots_in(folder)) std::filesystem::remove(old);
   for (std::size_t i = 0; i < report.tests.size(); ++i) {
     for (Finding& finding : report.tests[i].findings) {
       if (finding.held || !has_plot(finding)) continue;

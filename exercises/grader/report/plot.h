@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "grade_submission.h"
 
@@ -20,6 +21,9 @@ bool can_be_drawn(const Plot& plot);
 
 /// Why there is no picture where there was one to be drawn, in a few words.
 std::string_view why_no_picture(const Plot& plot);
+
+/// The pictures in `folder`/plots that have the names of the grader's.
+std::vector<std::filesystem::path> plots_in(const std::filesystem::path& folder);
 
 /// Draws what the failed tests have to show into `folder`/plots, in place of what an earlier
 /// grading drew there, and notes where.

@@ -204,6 +204,17 @@ test('two graders do not work in one folder', async () => {
   slow.kill();
 });
 
+test('a table of yours is not lost', () => {
+  const room = classroom({ 'ada/1-first/one': '// score 10' });
+  mkdirSync(room.results);
+  writeFileSync(room.path('results/grades.csv'), 'of last year');
+  const { status, stderr } = room.grade();
+  assert.equal(status, 2);
+  assert.match(stderr, /'.*results' holds a grades\.csv that is not the grader's own; name another folder/);
+  assert.equal(room.read('grades.csv'), 'of last year');
+  assert.ok(!room.has('ada'));
+});
+
 test('marks and seeds are for nobody else to read', () => {
   const room = classroom({ 'ada/1-first/one': '// score 10' });
   writeFileSync(room.path('seed'), '7\n', { mode: 0o644 });

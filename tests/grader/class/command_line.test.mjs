@@ -97,6 +97,16 @@ test('without --out it only prints; with it, it writes as well', () => {
   assert.ok(!existsSync(at('out/a/plots')));
 });
 
+test('a file of yours in the folder that --out names is not lost', () => {
+  mkdirSync(at('mine'));
+  writeFileSync(at('mine/feedback.md'), 'Dear diary');
+  const { status, stderr, stdout } = run('1-first/one', 'some.h', '--out', 'mine');
+  assert.deepEqual([status, stdout], [2, '']);
+  assert.match(stderr, /^grade: 'mine' holds a feedback\.md that is not the grader's own; name another folder/);
+  assert.deepEqual(readdirSync(at('mine')), ['feedback.md']);
+  for (const _ of ['new', 'its own']) assert.equal(run('1-first/one', 'some.h', '--out', 'out/b').status, 0);
+});
+
 test('colours come on terminals only', () => {
   assert.ok(!run('1-first/one', 'some.h').stdout.includes('\x1b'));
 });
