@@ -55,8 +55,13 @@ Ran run_own(const std::filesystem::path& file, cage::Sandbox sandbox) {
     return replace_all(said, header, submission.name);
   };
   if (compiled.failed) return {"", "", named(compiled.message), false};
-  const cage::Ended ended =
+  cage::Ended ended =
       cage::run(sandbox, kit, compiled.driver, patient(), cage::Build::own).finish();
+  if (ran_out_of_memory(ended.err)) {
+    return {ended.out, named(ended.err),
+            "it was stopped when it held two gigabytes of memory. Does something grow without end?",
+            false};
+  }
   const std::string told = told_by_checker(ended.err, header);
   if (!told.empty()) return {ended.out, "", named(told), false};
   return {ended.out, named(without_warnings(ended.err)), ending(ended), false};

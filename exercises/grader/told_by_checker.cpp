@@ -64,6 +64,7 @@ std::string what_happened(const std::string& kind, bool writes) {
     return does + " outside of the memory that it has";
   if (contains(kind, "use-after")) return does + " memory that is no longer its own";
   if (kind == "SEGV") return "uses an address where there is no memory";
+  if (kind == "requested") return "asks for more memory than there can be";
   if (kind == "stack-overflow") return "calls itself without end";
   return "uses memory wrongly";
 }
@@ -94,6 +95,15 @@ std::string without_warnings(const std::string& printed) {
     if (!warning) rest += line;
   }
   return rest;
+}
+
+bool ran_out_of_memory(std::string& printed) {
+  // As in ==12==AddressSanitizer: hard rss limit exhausted; behind it stands a map of the memory.
+  const std::size_t at = printed.find("==AddressSanitizer: hard rss limit exhausted");
+  if (at == printed.npos) return false;
+  const std::size_t line = printed.rfind('\n', at);
+  printed.erase(line == printed.npos ? 0 : line + 1);
+  return true;
 }
 
 }  // namespace grade

@@ -12,4 +12,7 @@ std::string told_by_checker(const std::string& printed, const std::string& heade
 /// What the program printed, without what they say of the cage, in which they miss something.
 std::string without_warnings(const std::string& printed);
 
+/// Whether it stopped a program that held too much memory. Takes what it printed of that away.
+bool ran_out_of_memory(std::string& printed);
+
 }  // namespace grade

@@ -27,7 +27,7 @@ File part(const fs::path& path) {
 constexpr const char* own_main =
     "#include <cstdio>\n"
     "extern \"C\" const char* __asan_default_options() {\n"
-    "  return \"detect_leaks=0:handle_abort=1\";\n"
+    "  return \"detect_leaks=0:handle_abort=1:hard_rss_limit_mb=2000\";\n"
     "}\n"
     "static const int at_once = std::setvbuf(stdout, nullptr, _IONBF, 0);\n";
 

@@ -86,6 +86,13 @@ test("a main of one's own is run, its prints are shown, and so is what it must n
   );
   assert.match(ran('int main() { return 3; }').stderr, /^grade: it ended with exit code 3\n$/);
   assert.match(ran('int main() { return x; }').stderr, /own.h:6:21: error: 'x' was not declared/);
+  const grows = ran('int main() { std::vector<int> all; for (std::fputs("mine\\n", stderr);;) all.push_back(1); }');
+  assert.equal(
+    grows.stderr,
+    'mine\ngrade: it was stopped when it held two gigabytes of memory. Does something grow without end?\n',
+  );
+  const huge = ran('int main() { return std::vector<int>(1ul << 45)[0]; }');
+  assert.match(huge.stderr, /asks for more memory than there can be, in line 6/);
   assert.match(ran('').stderr, /there is no main\(\) in it/);
   assert.equal(spawnSync(grade, ['--run', at('nothing.h')]).status, 3);
 });
