@@ -85,10 +85,14 @@ void keeps_time(Student& student, double h, const std::vector<Frame>& frames,
   finding.asked = std::to_string(frames.size()) + " frames " + which +
                   ": after each, steps and blend add up to the game time, and the blend is under 1";
   finding.input = "h = " + number(h, 17) + ", frames of";
-  for (std::size_t i = 0; i < std::min<std::size_t>(n + 1, 6); ++i) {
+  constexpr std::size_t most = 6;
+  for (std::size_t i = 0; i < std::min(n + 1, most); ++i) {
     finding.input += " " + described(frames[i]);
   }
-  finding.input += n >= 6 ? " ..." : " s";
+  finding.input += " s";
+  if (n >= most)
+    finding.input +=
+        " and so on; frame " + std::to_string(n + 1) + " of " + described(frames[n]) + " s";
   finding.expected = "after frame " + std::to_string(n + 1) + ": " +
                      number(std::floor(time[n] / h)) + " steps and a blend of " +
                      number(time[n] / h - std::floor(time[n] / h));
@@ -98,9 +102,9 @@ void keeps_time(Student& student, double h, const std::vector<Frame>& frames,
   finding.tolerance = number(within.value, 2);
   finding.tolerance_from = within.from;
   if (!finding.held) {
-    finding.hint = hint;
     finding.diagnoses = recognise(got, frames, time, h);
     if (before) finding.diagnoses.emplace_back(before);
+    if (finding.diagnoses.empty()) finding.hint = hint;
     finding.plot = plot(got, time, h);
   }
   check(finding);
@@ -131,8 +135,13 @@ TEST_CASE("uneven frames are paid with as many steps as fit into them",
   for (const bool again : {false, true}) {
     const double h = 1 / random.between(90, 250);
     std::vector<Frame> frames;
-    for (int n = 0; n < 600; ++n) frames.push_back({random.between(0.008, 0.04)});
-    keeps_time(student, h, frames, again ? "of a second level" : "of many lengths", hint,
+    for (int n = 1; n <= 600; ++n) {
+      frames.push_back(
+          {n % 60 == 0 ? random.between(2 * hitch, 6 * hitch) : random.between(0.008, 0.04)});
+    }
+    keeps_time(student, h, frames,
+               again ? "of a second level" : "of many lengths, with a hitch in every sixtieth",
+               hint,
                again ? "the first level was right: something is remembered from it" : nullptr);
   }
 }

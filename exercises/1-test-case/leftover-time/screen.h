@@ -17,6 +17,9 @@ struct Frame {
   double length, pace = 1;  ///< of the player's time [s]; game time in the player's
 };
 
+constexpr double hitch =
+    0.2;  ///< and longer is a frame in which the machine did something else [s]
+
 /// After a frame: all steps up to here, and how far the picture is towards the next.
 struct After {
   double steps, blend;
@@ -62,6 +65,24 @@ inline std::vector<std::string> of_the_pace(const std::vector<After>& got,
        },
        "the player's time is saved here, and the blend takes it for the game's"},
       {[](double& saved, const Frame& frame, double step) {
+         return frame.pace == 0 ? 0 : spend(saved, frame.length, step / frame.pace);
+       },
+       "the player's time is saved here, and the blend takes it for the game's"},
+      {[](double& saved, const Frame& frame, double step) {
+         saved = frame.pace * (saved + frame.length);
+         return spend(saved, 0, step);
+       },
+       "what is left over is game time already, and here each frame multiplies it by its pace"},
+      {[](double& saved, const Frame& frame, double step) {
+         return spend(saved, frame.length / (frame.pace == 0 ? 1 : frame.pace), step);
+       },
+       "the frame is divided by its pace, and not multiplied: slow motion is faster here"},
+      {[](double& saved, const Frame& frame, double step) {
+         if (frame.pace == 0) saved = 0;
+         return spend(saved, frame.pace * frame.length, step);
+       },
+       "a pause throws away what was left over, and the picture jumps back"},
+      {[](double& saved, const Frame& frame, double step) {
          return spend(saved, frame.pace * frame.pace * frame.length, step);
        },
        "the pace counts twice"},
@@ -72,6 +93,19 @@ inline std::vector<std::string> of_the_pace(const std::vector<After>& got,
   for (const auto& [clock, says] : known)
     if (shows(clock, got, frames, h)) return {says};
   return {};
+}
+
+/// What a limit on the frame throws away, if that is the first thing that is wrong.
+inline std::string cut_short(const std::vector<After>& got, const std::vector<Frame>& frames,
+                             const std::vector<double>& time, double h) {
+  std::size_t n = 0;
+  while (n < got.size() && std::abs(got[n].picture() - time[n] / h) < 1e-6) ++n;
+  if (n == got.size() || frames[n].length < hitch) return "";
+  const double went = (got[n].picture() - (n > 0 ? got[n - 1].picture() : 0)) * h;
+  const double due = frames[n].pace * frames[n].length;
+  if (went <= 0 || went > due - h / 2) return "";
+  return "of a frame of " + grade::number(due, 3) + " s only " + grade::number(went, 3) +
+         " s go by: no limit on a frame may throw time away here";
 }
 
 inline double most_in_a_frame(const std::vector<After>& got) {
@@ -106,6 +140,7 @@ inline std::vector<std::string> recognise(const std::vector<After>& got,
   const double a_frame = got.back().steps / static_cast<double>(got.size());
   std::vector<std::string> found = of_the_pace(got, frames, h);
   if (!found.empty()) return found;
+  if (const std::string cut = cut_short(got, frames, time, h); !cut.empty()) return {cut};
   if (leaves_a_step(got, time, h))
     return {"a blend of 1: the step was due in this frame, and nothing would be left over"};
   if (std::abs(pace - 1) > 0.01) {

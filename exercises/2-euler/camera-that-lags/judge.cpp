@@ -145,6 +145,9 @@ TEST_CASE("a frame of any length takes the camera as far as frames of a sixtieth
   Shot close = draw(random, random.between(0.05, 0.3), {1 / random.between(100, 240)});
   close.camera = close.target + random.vector(0.001, 0.01);
   follows(student, close, "one frame that begins within two centimetres of the target", hint);
+  close.camera = close.target;
+  follows(student, close, "one frame that begins at the target",
+          "Where nothing is left of the way there is nothing to divide by.");
 }
 
 TEST_CASE("uneven frames leave the camera where even ones do",

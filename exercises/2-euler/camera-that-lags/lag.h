@@ -96,7 +96,10 @@ inline bool limits_each_axis(const Lag& lag, const Vec& way, double frame, const
 
 inline std::vector<std::string> recognise(const Lag& lag, const Vec& before, const Vec& target,
                                           double frame, const Vec& got) {
+  if (!std::isfinite(got.x) || !std::isfinite(got.y) || !std::isfinite(got.z))
+    return {"this is not a finite place: a division by zero?"};
   const Vec way = target - before;
+  if (length(way) == 0) return {"a camera at its target has nowhere to go"};
   const double distance = length(way), went = dot(got - before, way) / dot(way, way);
   const double off = std::abs(went - 1 + lag.after(distance, frame) / distance);
   if (went > 1 + 1e-12) {
@@ -108,10 +111,22 @@ inline std::vector<std::string> recognise(const Lag& lag, const Vec& before, con
   if (limits_each_axis(lag, way, frame, got - before)) {
     return {"each axis is limited by itself, which turns the way and lets the camera be faster"};
   }
+  const auto alone = [&](double axis) {
+    return std::copysign(std::abs(axis) - lag.after(std::abs(axis), frame), axis);
+  };
+  const Vec bent = got - before - went * way;
+  if (length(got - before - Vec{alone(way.x), alone(way.y), alone(way.z)}) < 1e-10 * distance &&
+      length(bent) > 1e-10 * distance) {
+    return {"each axis is limited by itself, which turns the way and lets the camera be faster"};
+  }
+  if (length(bent) > 1e-6 * distance)
+    return {"the camera does not move straight at its target: it is " +
+            grade::number(length(bent), 3) + " m beside the line"};
   for (const auto& [other, says] : of_the_limit(lag, distance, frame)) {
     if (std::abs(went - other / distance) < 1e-10) return {says};
   }
   for (const auto& [other, says] : of_the_lag(lag, frame)) {
+    if (std::abs(other - 1 + lag.left(frame)) < 1e-10) continue;  // in this frame it is right
     if (std::abs(went - other) < 1e-10) return {says};
   }
   if (went <= 0 || went >= 1) return {};

@@ -26,8 +26,8 @@ void meets_its_lines(Student& student, const Drag& drag, const std::string& aske
                 describe(drag.start.x + drag.h * end.v) + ", and v_old + h a is " +
                 describe(drag.start.v + drag.h * drag.acceleration(end.x, end.v));
   if (!finding.held) {
-    finding.hint = hint;
     finding.diagnoses = slips(drag, end, tolerance.value);
+    if (finding.diagnoses.empty()) finding.hint = hint;
   }
   check(finding);
 }
@@ -52,8 +52,8 @@ void goes_on(Student& student, const Drag& drag, const std::string& asked,
   finding.expected = "the old velocity, and h times that on";
   finding.got = describe(end);
   if (!finding.held) {
-    finding.hint = hint;
     finding.diagnoses = slips(drag, end, tolerance.value);
+    if (finding.diagnoses.empty()) finding.hint = hint;
   }
   check(finding);
 }

@@ -19,6 +19,13 @@ inline std::vector<std::string> first_of(const std::vector<std::pair<bool, const
   return {};
 }
 
+constexpr const char* measured_from_the_hand =
+    "the place is measured from the hand: the hand's own place has to be added again";
+
+inline double from_the_hand(const Drag& drag, const State& end) {
+  return length(end.x + drag.hand - drag.start.x - drag.h * end.v) / drag.h;
+}
+
 /// A quotient with a slip: what stands above and below its line.
 struct Quotient {
   Vec above;
@@ -89,6 +96,7 @@ inline std::vector<std::string> slips_of_strong(const Drag& drag, const State& e
        "right to seven digits and no further: a float, or a constant with an f?"},
       {std::abs(length(change) - h * drag.strongest) <= within,
        "the change is as long as the hand allows, although the spring asks for less"},
+      {is(from_the_hand(drag, end)), measured_from_the_hand},
       {is(length(end.v - right)), "the velocity is right, and the place is not x_old + h v"},
   });
   const std::string quotient = wrong_quotient(drag, end, within);
@@ -100,7 +108,7 @@ inline std::vector<std::string> slips_of_strong(const Drag& drag, const State& e
 inline std::vector<std::string> slips_of_weak(const Drag& drag, const State& end, double within) {
   const auto [x, v] = drag.start;
   const double most = drag.h * drag.strongest;
-  const Vec change = end.v - v, asked = drag.asked_for() / drag.divisor();
+  const Vec change = end.v - v, asked = drag.asked_for() / drag.divisor(), away = drag.hand - x;
   const Vec each{std::clamp(asked.x, -most, most), std::clamp(asked.y, -most, most),
                  std::clamp(asked.z, -most, most)};
   const auto is = [&](double off) { return std::abs(off) <= within; };
@@ -115,6 +123,9 @@ inline std::vector<std::string> slips_of_weak(const Drag& drag, const State& end
        "`strongest`?"},
       {most > within && is(length(change)),
        "the hand changes nothing, where it should change as much as it can"},
+      {is(from_the_hand(drag, end)), measured_from_the_hand},
+      {is(length(drag.divisor() * end.v - v - most / length(away) * away)),
+       "the spring's pull is limited, and not the change of velocity that comes of it"},
       {is(length((end.x - x) / drag.h - v - asked)),
        "the crate moved with the velocity that a strong hand would have given it"},
       {is(length((end.x - x) / drag.h - v)), "the crate moved with the old velocity"},
@@ -127,8 +138,7 @@ inline std::vector<std::string> slips_of_weak(const Drag& drag, const State& end
        "the pull is limited before the division, which then takes its share of what is left"},
       {points(-1 * asked),
        "the change points the other way: is it the old velocity minus the new?"},
-      {points(drag.hand - x),
-       "the change points to the hand, and not where the spring's own change points"},
+      {points(away), "the change points to the hand, and not where the spring's own change points"},
       {points(v + asked),
        "the change points along the velocity that a strong hand would give, and not along its "
        "change"},
