@@ -69,16 +69,22 @@ grade::Plot plot(const Path& path) {
   return {"Where the questions go", "time [s]", "questions so far", {yours}};
 }
 
+constexpr const char* not_near_enough =
+    "There were not too many questions; the end is not near enough. Is the better of the two "
+    "answers "
+    "the one that is kept, and does the estimate look at the velocity, too?";
+
 struct Flight {
   Path path;
   double off = 0, questions = 0;
   int digits = 0;  // of the tolerance
 };
 
-Flight watch(Student& student, const Scene& scene, int digits, int function) {
+Flight watch(Student& student, const Scene& scene, int digits, int function,
+             double most = patience) {
   int asked = 0;
   const Acceleration counted = [&](const Vec& x, const Vec& v, double t) {
-    return ++asked > patience ? Vec{} : scene.acceleration(x, v, t);
+    return ++asked > most ? Vec{} : scene.acceleration(x, v, t);
   };
   const Path path = student.watch(scene.start, scene.duration, 1, counted, function);
   return {path, 0, double(asked), digits};
@@ -113,10 +119,13 @@ void check_flight(const Scene& scene, const Flight& flight, double most, const s
   finding.tolerance = number(bound) + " m and m/s, and " + number(most) + " questions";
   finding.tolerance_from = "a thousand times the tolerance, as the task says; " + why;
   if (!finding.held) {
-    finding.hint = hint;
-    finding.plot = plot(flight.path);
-    finding.diagnoses = looks_like(flight);
-    if (finding.diagnoses.empty()) finding.diagnoses = signs;
+    if (flight.questions > 0) finding.plot = plot(flight.path);
+    const Signs seen =
+        either(asks_the_same(flight.path), clock_stands(flight.path, scene.duration));
+    const Signs others = either(signs, goes_past_the_end(flight.path, scene.duration));
+    const Signs ended = looks_like(flight);
+    finding.diagnoses = either(seen, either(ended, others));
+    if (finding.diagnoses == ended && flight.questions > 0) finding.hint = hint;
   }
   check(finding);
 }
@@ -128,9 +137,14 @@ double way_left(const Scene& scene, double since) {
   return way_to_pass(there, scene.acceleration(there.x, there.v, scene.start.t + since));
 }
 
-Flight pass(Student& student, const Scene& scene, int digits) {
+// Whoever asks more than this has asked too much, whatever comes of it.
+double patience_for(double most) {
+  return most + patience;
+}
+
+Flight pass(Student& student, const Scene& scene, int digits, double most) {
   constexpr int of_the_pass = 100;  // see harness.h
-  Flight flight = watch(student, scene, digits, of_the_pass + digits);
+  Flight flight = watch(student, scene, digits, of_the_pass + digits, patience_for(most));
   flight.off = way_left(scene, flight.path.states.back().x.x - scene.start.t);
   return flight;
 }
@@ -144,20 +158,29 @@ void check_pass(const Scene& scene, const Flight& flight, double most) {
   finding.input = describe(scene.start) + ", duration = " + number(scene.duration, 17);
   finding.expected = "a time at which x . v is zero, for at most " + number(most) + " questions";
   finding.got = number(time, 12) + " s, for " + number(flight.questions) + " questions";
-  finding.error = number(std::abs(flight.off), 3) + " m of its way, and " +
-                  number(flight.questions / most, 3) + " times the questions";
+  finding.error =
+      (std::isfinite(flight.off) ? number(std::abs(flight.off), 3) + " m of its way"
+                                 : "further than can be told") +
+      (most > 0 ? ", and " + number(flight.questions / most, 3) + " times the questions" : "");
   finding.tolerance = number(bound) + " m, and " + number(most) + " questions";
   finding.tolerance_from =
       "a thousand times the tolerance, as the task says; and half as much again as the questions "
       "of your own flight";
   if (!finding.held) {
-    finding.hint =
-        "In which step does x . v turn from below zero to above? From where that step begins, a "
-        "shorter one leads to any moment within it.";
-    const Given given{scene.start.t, scene.duration,        time,
-                      flight.off,    way_left(scene, time), flight.questions / most};
-    finding.diagnoses = why_not_the_pass(given, flight.path, bound);
-    finding.plot = plot(flight.path);
+    const Given given{scene.start.t,
+                      scene.duration,
+                      time,
+                      flight.off,
+                      way_left(scene, time),
+                      flight.questions / most,
+                      flight.questions > patience_for(most)};
+    finding.diagnoses = most > 0 ? why_not_the_pass(given, flight.path, bound)
+                                 : Signs{"fly asks for nothing: begin with that"};
+    if (most > 0 && flight.questions > 0)
+      finding.hint =
+          "In which step does x . v turn from below zero to above? From where that step begins, a "
+          "shorter one leads to any moment within it.";
+    if (flight.questions > 0) finding.plot = plot(flight.path);
   }
   check(finding);
 }
@@ -184,8 +207,10 @@ TEST_CASE("a comet costs a fifth of what equal steps cost for the same error",
   check_flight(
       scene, flight, std::floor(equal / 5),
       "RK4 in equal steps asks " + number(equal) + " times to end " + number(error, 2) + " off",
-      "Far from the sun the steps should be a hundred times longer than near it. Do they "
-      "grow again after the pass, and soon?",
+      flight.questions > std::floor(equal / 5) ? "Far from the sun the steps should be a hundred "
+                                                 "times longer than near it. Do they grow "
+                                                 "again after the pass, and soon?"
+                                               : not_near_enough,
       either(asks_too_little(flight.path), spread_evenly(flight.path, scene.duration)));
 }
 
@@ -203,8 +228,10 @@ TEST_CASE("ten thousand times the accuracy costs at most ten times the questions
   check_flight(
       scene, fine, 10 * rough.questions,
       "with a tolerance of 1e-3 it asked " + number(rough.questions) + " times",
-      "Does the step depend on the tolerance? With a method of low order each further "
-      "digit costs too much.",
+      fine.questions > 10 * rough.questions
+          ? "Does the step depend on the tolerance? With a method of low order each further digit "
+            "costs too much."
+          : not_near_enough,
       deaf ? Signs{"this is the very flight that it made with a tolerance of 1e-3"} : Signs{});
 }
 
@@ -276,6 +303,7 @@ TEST_CASE("the moment of a comet's pass costs little more than the flight to it"
     Scene scene = comet(random);
     const Flight whole = fly(student, scene, 7);
     scene.start.t = random.between(1, 3);
-    check_pass(scene, pass(student, scene, 7), std::floor(flights * whole.questions));
+    const double most = std::floor(flights * whole.questions);
+    check_pass(scene, pass(student, scene, 7, most), most);
   }
 }

@@ -25,6 +25,7 @@ struct Given {
   double off;              ///< the way from there to the pass [m]
   double off_since;        ///< the same, if the time counts from the start [m]
   double price;            ///< questions, as a share of what is allowed
+  bool cut_off;            ///< whether there were so many that nothing pulled any more
 };
 
 /// Whether a question was for just this time.
@@ -37,6 +38,11 @@ inline bool asked_at(const Path& path, double time) {
 inline Signs why_not_the_pass(const Given& given, const Path& path, double bound) {
   const double since = given.time - given.start;
   if (!std::isfinite(given.time)) return {"this is not a finite time"};
+  if (given.time == given.start) return {"this is the moment at which the flight begins"};
+  if (given.cut_off)
+    return {"this costs more than " + grade::number(flights * given.price, 2) +
+            " of your own flights; after that the judge let nothing pull any more, and the time is "
+            "worth nothing. No guess within a step needs the flight again"};
   if (given.price > 1)
     return {"this costs " + grade::number(flights * given.price, 2) +
             " of your own flights: no guess within a step needs the flight again"};

@@ -3,6 +3,7 @@
 /// What the questions of a flight tell of its steps.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -70,6 +71,40 @@ inline Signs jumps_over(const Path& path, double moment) {
   if (!std::isfinite(before)) return {"it asked nothing before the engine's start"};
   return {"its last question before the engine starts and its first one after that are " +
           grade::number(before + after, 2) + " s apart: was the step that met it made again?"};
+}
+
+/// Whether it asked the same again and again: a step that is rejected, and tried again as it was.
+inline Signs asks_the_same(const Path& path) {
+  constexpr std::ptrdiff_t too_often = 100;
+  std::vector<std::array<double, 7>> asked;
+  for (const auto& [x, v, t, a] : path.evaluations)
+    asked.push_back({t, x.x, x.y, x.z, v.x, v.y, v.z});
+  std::ranges::sort(asked);
+  for (auto at = asked.begin(); at != asked.end();) {
+    const auto next = std::upper_bound(at, asked.end(), *at);
+    if (next - at > too_often)
+      return {"one question was asked " + std::to_string(next - at) +
+              " times: a step that is rejected has to be tried again with a shorter one"};
+    at = next;
+  }
+  return {};
+}
+
+inline Signs clock_stands(const Path& path, double duration) {
+  double latest = 0;
+  for (const Evaluation& asked : path.evaluations) latest = std::max(latest, asked.t - path.t);
+  if (latest > duration / 10 || path.evaluations.size() < 2 * a_step) return {};
+  return {"no question is for a moment later than " + grade::number(latest, 2) +
+          " s after the start: does the clock move on with each step?"};
+}
+
+inline Signs goes_past_the_end(const Path& path, double duration) {
+  double latest = 0;
+  for (const Evaluation& asked : path.evaluations) latest = std::max(latest, asked.t - path.t);
+  const double beyond = latest - duration;
+  if (beyond <= 1e-9 * duration) return {};
+  return {"it asks for moments up to " + grade::number(beyond, 2) +
+          " s after the end of the flight: the last step has to be cut to what is left"};
 }
 
 /// By how much of a duration the place is further on than the true one, along the path.

@@ -40,7 +40,7 @@ std::string described(const needle::State& state) {
 // How large the numbers are that a right answer sums, in place and velocity.
 double size(const Beginning& start, const needle::State& before, const Frame& frame) {
   const double way = std::abs(before.x) + std::abs(frame.target) + std::abs(frame.u) * frame.h;
-  return (1 + start.omega) * (1 + start.omega) * (way + std::abs(frame.u) + std::abs(before.v));
+  return (1 + start.omega) * (way + std::abs(frame.u) + std::abs(before.v));
 }
 
 Tolerance tiny_steps(double size) {
@@ -56,6 +56,29 @@ bool right_when_fresh(const Beginning& start, const needle::State& before, const
   return std::max(std::abs(said[0] - right.x), std::abs(said[1] - right.v)) <= tolerance;
 }
 
+// A frame, and where the needle was before and after it.
+struct Seen {
+  double omega;
+  Frame frame;
+  needle::State before, right, got;
+
+  double apart() const { return std::max(std::abs(got.x - right.x), std::abs(got.v - right.v)); }
+};
+
+grade::Finding finding_of(const Seen& seen, const Tolerance& tolerance, const std::string& hint) {
+  grade::Finding finding = off_by(seen.apart(), tolerance);
+  finding.expected = described(seen.right);
+  finding.got = described(seen.got);
+  if (finding.held) return finding;
+  finding.hint = needle::alike(seen.got.x, seen.right.x)
+                     ? "The velocity is the derivative of the place: of the bracket, of the "
+                       "exponential, and of the target's way."
+                     : hint;
+  const std::string says = needle::recognise(seen.omega, seen.before, seen.frame, seen.got);
+  if (!says.empty()) finding.diagnoses = {says};
+  return finding;
+}
+
 void check_frames(Student& student, const Beginning& start, const std::vector<Frame>& frames,
                   const std::string& asked, const std::string& hint) {
   std::vector<double> arguments{start.state.x, start.state.v, start.omega, double(frames.size())};
@@ -69,23 +92,13 @@ void check_frames(Student& student, const Beginning& start, const std::vector<Fr
     const needle::State before = right, got{said[2 * n], said[2 * n + 1]};
     right = Needle{start.omega}.after(before, frames[n]);
     largest = std::max(largest, size(start, before, frames[n]));
-    const double apart = std::max(std::abs(got.x - right.x), std::abs(got.v - right.v));
     const Tolerance tolerance = tiny_steps(largest * static_cast<double>(n + 1));
-    grade::Finding finding = off_by(apart, tolerance);
+    grade::Finding finding =
+        finding_of({start.omega, frames[n], before, right, got}, tolerance, hint);
     finding.asked = asked + ": frame " + std::to_string(n + 1);
     finding.input = described(start, frames, n);
-    finding.expected = described(right);
-    finding.got = described(got);
-    if (!finding.held) {
-      finding.hint = needle::alike(got.x, right.x)
-                         ? "The velocity is the derivative of the place: of the bracket, of the "
-                           "exponential, and of the target's way."
-                         : hint;
-      const std::string seen = needle::recognise(start.omega, before, frames[n], got);
-      if (!seen.empty()) finding.diagnoses = {seen};
-      if (right_when_fresh(start, before, frames[n], right, tolerance.value)) {
-        finding.diagnoses = {"as the first frame of a program it is right: what is remembered?"};
-      }
+    if (!finding.held && right_when_fresh(start, before, frames[n], right, tolerance.value)) {
+      finding.diagnoses = {"as the first frame of a program it is right: what is remembered?"};
     }
     check(finding);
   }
@@ -94,7 +107,7 @@ void check_frames(Student& student, const Beginning& start, const std::vector<Fr
 }  // namespace
 
 TEST_CASE("one frame of any length ends where tiny steps do",
-          "[7-which-to-use/needle-that-settles][4 points]") {
+          "[7-which-to-use/needle-that-settles][3 points]") {
   Student student;
   Random random;
   // The last one is a pause of years, which no loop of short steps gets through.
@@ -109,8 +122,37 @@ TEST_CASE("one frame of any length ends where tiny steps do",
   }
 }
 
-TEST_CASE("uneven frames follow a target that moves on",
+// Each frame is about as long as a needle takes to settle, so that short steps have to be many. A
+// few frames are looked at, each from where the student's own needle was before it.
+TEST_CASE("a million frames take no longer than an exact step does",
           "[7-which-to-use/needle-that-settles][3 points]") {
+  constexpr std::size_t frames = 1'000'000, looked_at = 20;
+  Student student;
+  Random random;
+  const Beginning start = Beginning::draw(random);
+  std::vector<double> arguments{start.state.x, start.state.v, start.omega, double(frames)};
+  arguments.reserve(4 + 3 * frames);
+  for (std::size_t n = 0; n < frames; ++n) {
+    arguments.insert(arguments.end(), {random.between(-10, 10), random.between(-8, 8),
+                                       random.between(1, 5) / start.omega});
+  }
+  const std::vector<double> said = student.call(0, arguments, 2 * frames);
+  for (std::size_t n = frames / looked_at; n < frames; n += frames / looked_at) {
+    const needle::State before{said[2 * n - 2], said[2 * n - 1]}, got{said[2 * n], said[2 * n + 1]};
+    const auto at = arguments.begin() + 4 + static_cast<std::ptrdiff_t>(3 * n);
+    const Frame frame{at[0], at[1], at[2]};
+    const Beginning from{before, start.omega};
+    grade::Finding finding =
+        finding_of({start.omega, frame, before, Needle{start.omega}.after(before, frame), got},
+                   tiny_steps(size(from, before, frame)), "Is a frame alone right?");
+    finding.asked = "frame " + std::to_string(n + 1) + " of a million, from where yours was";
+    finding.input = described(from, {frame}, 0);
+    check(finding);
+  }
+}
+
+TEST_CASE("uneven frames follow a target that moves on",
+          "[7-which-to-use/needle-that-settles][2 points]") {
   Student student;
   Random random;
   const Beginning start = Beginning::draw(random);
@@ -124,7 +166,7 @@ TEST_CASE("uneven frames follow a target that moves on",
 }
 
 TEST_CASE("a target that jumps is followed, and the speed is kept",
-          "[7-which-to-use/needle-that-settles][3 points]") {
+          "[7-which-to-use/needle-that-settles][2 points]") {
   Student student;
   Random random;
   const Beginning start = Beginning::draw(random);
