@@ -73,7 +73,7 @@ struct Chain {
   double miss(const Beads& end, std::size_t i) const {
     const double moved = (end.x[i] - start.x[i]) / h - end.v[i];
     const double kicked = start.v[i] + h * acceleration(end, i) - end.v[i];
-    return std::max(std::abs(moved), std::abs(kicked));
+    return larger(std::abs(moved), std::abs(kicked));
   }
 
   /// Each of an end's numbers is a double, so that its lines cannot be met better than to the

@@ -41,7 +41,7 @@ struct Drag {
   double miss(const State& end, const Vec& moves_with, const Vec& x, const Vec& v) const {
     const Vec moved = (end.x - start.x) / h - moves_with;
     const Vec kicked = end.v - start.v - h * acceleration(x, v);
-    return std::max(length(moved), length(kicked));
+    return larger(length(moved), length(kicked));
   }
 
   /// Of backward Euler: all of it at the end.

@@ -37,8 +37,8 @@ double off(const Drag& drag, const State& end) {
   const Vec change = end.v - drag.start.v, towards = drag.asked_for();
   const double along = dot(change, towards) / length(towards);
   const Vec moved = (end.x - drag.start.x) / drag.h - end.v;
-  return std::max({length(moved), std::abs(along - drag.h * drag.strongest),
-                   length(change - along / length(towards) * towards)});
+  return larger(length(moved), larger(std::abs(along - drag.h * drag.strongest),
+                                      length(change - along / length(towards) * towards)));
 }
 
 void goes_on(Student& student, const Drag& drag, const std::string& asked,

@@ -53,7 +53,7 @@ bool right_when_fresh(const Beginning& start, const needle::State& before, const
   Student fresh;
   const std::vector<double> said =
       fresh.call(0, {before.x, before.v, start.omega, 1, frame.target, frame.u, frame.h}, 2);
-  return std::max(std::abs(said[0] - right.x), std::abs(said[1] - right.v)) <= tolerance;
+  return larger(std::abs(said[0] - right.x), std::abs(said[1] - right.v)) <= tolerance;
 }
 
 // A frame, and where the needle was before and after it.
@@ -62,7 +62,7 @@ struct Seen {
   Frame frame;
   needle::State before, right, got;
 
-  double apart() const { return std::max(std::abs(got.x - right.x), std::abs(got.v - right.v)); }
+  double apart() const { return larger(std::abs(got.x - right.x), std::abs(got.v - right.v)); }
 };
 
 grade::Finding finding_of(const Seen& seen, const Tolerance& tolerance, const std::string& hint) {

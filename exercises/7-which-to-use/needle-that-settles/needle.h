@@ -165,6 +165,7 @@ inline std::string recognise(double omega, const State& from, const Frame& frame
   if (got.x == from.x && got.v == from.v) return "nothing moves";
   if (!std::isfinite(got.x) && omega * frame.h > 200)
     return "short steps blow up in a frame as long as that; the exact step needs none";
+  if (std::isnan(got.v) && std::isfinite(got.x)) return "the velocity is not a number: 0 / 0?";
   if (alike(got.x, right.x) && !nearly(got.v, right.v))
     return wrong_velocity(needle, from, frame, got, right);
   if (alike(got, needle.after(from, held)))

@@ -21,14 +21,14 @@ constexpr double ten_digits = 1e-10;
 
 double size(const Path& path) {
   double largest = 0;
-  for (const State& state : path.states) largest = std::max(largest, distance(state, State{}));
+  for (const State& state : path.states) largest = larger(largest, distance(state, State{}));
   return largest;
 }
 
 double apart(const Path& a, const Path& b) {
   double largest = 0;
   for (std::size_t n = 0; n < std::min(a.states.size(), b.states.size()); ++n) {
-    largest = std::max(largest, distance(a.states[n], b.states[n]));
+    largest = larger(largest, distance(a.states[n], b.states[n]));
   }
   return largest;
 }
@@ -42,7 +42,7 @@ bool shifted(const Path& yours, const Path& expected, std::size_t late, std::siz
   if (expected.states.size() < 3) return false;
   double largest = 0;
   for (std::size_t n = 1; n + 1 < expected.states.size(); ++n) {
-    largest = std::max(largest, distance(yours.states[n + late], expected.states[n + early]));
+    largest = larger(largest, distance(yours.states[n + late], expected.states[n + early]));
   }
   return largest <= ten_digits * size(expected);
 }
@@ -87,7 +87,7 @@ std::size_t first_elsewhere(const Path& yours, const Path& expected) {
   std::size_t n = 0;
   for (; n < std::min(yours.evaluations.size(), expected.evaluations.size()); ++n) {
     const Evaluation &a = yours.evaluations[n], &b = expected.evaluations[n];
-    const double off = std::max({length(a.x - b.x), length(a.v - b.v), std::abs(a.t - b.t)});
+    const double off = larger(larger(length(a.x - b.x), length(a.v - b.v)), std::abs(a.t - b.t));
     if (!(off <= tolerance)) break;
   }
   return n;

@@ -7,7 +7,7 @@
 namespace judge {
 
 double distance(const State& a, const State& b) {
-  return std::max(length(a.x - b.x), length(a.v - b.v));
+  return larger(length(a.x - b.x), length(a.v - b.v));
 }
 
 bool is_finite(const State& state) {

@@ -37,7 +37,12 @@ struct Path {
   double time(std::size_t n) const { return t + static_cast<double>(n) * every * h; }
 };
 
-/// The larger of the two distances, place and velocity, each in its own unit.
+/// The larger of two numbers; NaN if one of them is, which std::max may lose.
+constexpr double larger(double a, double b) {
+  return a > b || a != a ? a : b;
+}
+
+/// The larger of the two distances, place and velocity, each in its own unit; NaN if one of them is.
 double distance(const State& a, const State& b);
 
 bool is_finite(const State& state);
