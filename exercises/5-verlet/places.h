@@ -9,6 +9,7 @@
 
 #include "format_values.h"
 #include "judge/describe.h"
+#include "judge/diagnose.h"
 #include "judge/session.h"
 #include "judge/tests.h"
 
@@ -69,7 +70,7 @@ inline std::vector<std::string> recognised(const std::vector<Vec>& yours,
   const auto off = [&](std::size_t n) {
     return length(yours[n] - expected[n]) / length(expected[n]);
   };
-  if (!(off(0) > 1e-12 && off(0) < 2e-6)) return {};
+  if (!like_a_float(off(0), 1e-10)) return {};
   for (std::size_t n = 1; n < yours.size(); ++n) {
     if (off(n) > 1e-4) return {};
   }

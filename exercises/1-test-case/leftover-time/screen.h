@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "format_values.h"
+#include "judge/diagnose.h"
 
 namespace judge {
 
@@ -176,8 +177,7 @@ inline std::vector<std::string> recognise(const std::vector<After>& got,
     found.push_back("the blend is in seconds; as a share of a step it would be from 0 to 1");
   }
   const double first = std::abs(got.front().picture() * h / time.front() - 1);
-  if (first > 1e-10 && first < 2e-6)
-    found.push_back("right to seven digits and no further: a float?");
+  if (like_a_float(first)) found.push_back("right to seven digits and no further: a float?");
   return found;
 }
 

@@ -3,6 +3,7 @@
 
 #include "format_values.h"
 #include "judge/describe.h"
+#include "judge/diagnose.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
@@ -113,7 +114,7 @@ std::vector<std::string> recognise(const Vec& got, const Throw& with) {
   if (length(with.miss(got / with.time)) <= tolerance)
     return {"this is the way that the ball needs, and not its velocity: time times too much"};
   const double off = length(with.miss(got)) / (with.time * length(got));
-  if (off < 2e-6) return {"right to seven digits and no further: a float?"};
+  if (like_a_float(off)) return {"right to seven digits and no further: a float?"};
   const std::string steps = stepped(with, with.miss(got));
   return steps.empty() ? std::vector<std::string>{} : std::vector{steps};
 }

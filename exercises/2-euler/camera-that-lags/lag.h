@@ -10,6 +10,7 @@
 
 #include "format_values.h"
 #include "harness/given.h"
+#include "judge/diagnose.h"
 
 /// How a camera lags.
 struct Lag {
@@ -105,7 +106,7 @@ inline std::vector<std::string> recognise(const Lag& lag, const Vec& before, con
   if (went > 1 + 1e-12) {
     return {"the camera is beyond its target, at " + grade::number(went, 4) + " times the way"};
   }
-  if (off > 1e-10 && off < 2e-6) {
+  if (judge::like_a_float(off)) {
     return {"right to seven digits: a float, or a constant with an f, or a jump at the end?"};
   }
   if (limits_each_axis(lag, way, frame, got - before)) {

@@ -57,6 +57,10 @@ bool near(double a, double b) {
 }
 
 std::vector<std::string> looks_like(double got, double omega, double zeta) {
+  const double off = std::abs(got * omega / limit(zeta, 4) - 1);
+  if (off > 1e-6 && off < 1e-3)
+    return {"right to " + number(std::floor(-std::log10(off))) +
+            " digits, and six are asked for: does a search end too soon?"};
   std::vector<std::string> found = diagnose(got, limit(zeta, 4) / omega);
   const auto add_if = [&](double value, const std::string& says) {
     if (near(got, value)) found.push_back(says);
@@ -69,9 +73,6 @@ std::vector<std::string> looks_like(double got, double omega, double zeta) {
   if (zeta > 0)
     add_if(limit(zeta, 4, 2 * zeta) / omega,
            "the motions shrink with zeta omega; yours do with 2 zeta omega");
-  const double off = std::abs(got * omega / limit(zeta, 4) - 1);
-  if (off > 1e-6 && off < 1e-3)
-    found.push_back("right to three digits, and six are asked for: does a search end too soon?");
   if (zeta > 0) add_if(std::sqrt(8) / omega, "this is the limit without damping");
   if (zeta > 1) {
     const double slow = zeta - std::sqrt(zeta * zeta - 1);

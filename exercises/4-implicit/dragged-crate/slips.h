@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drag.h"
+#include "judge/diagnose.h"
 
 namespace judge {
 
@@ -92,7 +93,7 @@ inline std::vector<std::string> slips_of_strong(const Drag& drag, const State& e
       {is(drag.miss(end, guessed, x + h * v, guessed)),
        "the end is guessed by a step of Euler's method, and not solved for"},
       {is(undamped.miss(end)), "the spring is right, and the damping is missing"},
-      {length(end.v - right) > within && length(end.v - right) < 2e-6 * length(right),
+      {like_a_float(length(end.v - right) / length(right)),
        "right to seven digits and no further: a float, or a constant with an f?"},
       {std::abs(length(change) - h * drag.strongest) <= within,
        "the change is as long as the hand allows, although the spring asks for less"},

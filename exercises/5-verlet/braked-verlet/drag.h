@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../places.h"
+#include "judge/diagnose.h"
 #include "judge/random.h"
 
 namespace judge::verlet {
@@ -101,7 +102,7 @@ struct Line {
     if (length(heavier.by(student) - next) == 0)
       return {"twice the c gives the same place: the drag does not know it"};
     const double off = h * h * length(drag_of(next) - c * velocity(next));
-    if (off > 1e-10 && off < 2e-6)
+    if (like_a_float(off))
       return {"right to seven digits and no further: a float, or a constant with an f?"};
     return {};
   }

@@ -121,7 +121,7 @@ inline std::string wrong_pin(const Link& before, const Vec& way_a, const Vec& wa
   const bool a_pinned = before.inverse_a == 0;
   const double pinned = length(a_pinned ? way_a : way_b), free = length(a_pinned ? way_b : way_a);
   if (free <= before.tolerance())
-    return "the pinned end moved in place of the other: the shares are swapped";
+    return "the pinned end moved, and the other did not: are the shares swapped?";
   if (std::abs(pinned - free) <= before.tolerance())
     return "the pinned end moved, as far as the other: the inverse masses don't count";
   if (pinned < free / 20)

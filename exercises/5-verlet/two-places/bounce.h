@@ -38,7 +38,10 @@ inline std::string wrong_with(const Spark& before, const Spark& after) {
   if (before.x.y >= before.floor) {
     const bool moved =
         length(after.x - before.x) + length(after.x_previous - before.x_previous) > 0;
-    return moved ? "it is not below the floor, and was moved all the same" : "";
+    return moved ? (before.x.y > before.floor
+                        ? "it is not below the floor, and was moved all the same"
+                        : "it lies on the floor, which is not below it, and was moved all the same")
+                 : "";
   }
   if (length(after.x - before.x) + length(after.x_previous - before.x_previous) == 0)
     return "it is below the floor, and was left there";

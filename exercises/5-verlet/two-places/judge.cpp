@@ -104,7 +104,8 @@ TEST_CASE("a spark that only falls passes through its true places",
 TEST_CASE("a spark below the floor bounces, and no other does", "[5-verlet/two-places][3 points]") {
   Student student;
   Random random;
-  for (const double below : {random.between(0.05, 0.1), random.between(0.01, 0.02), -0.01, -0.3}) {
+  for (const double below :
+       {random.between(0.05, 0.1), random.between(0.01, 0.02), -0.01, -0.3, 0.0}) {
     bounces(student, Spark::draw(random, below));
   }
   Spark dead = Spark::draw(random, 0.03);

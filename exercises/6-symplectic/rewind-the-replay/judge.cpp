@@ -57,14 +57,16 @@ grade::Curve curve(const std::string& name, const Path& path) {
   return curve;
 }
 
-// What the step is, by a few of them under a force that only the judge knows.
-std::vector<std::string> recognised(Student& student) {
-  const Replay replay(5);
-  const auto by = [&](const Method& method) {
+// The student's own steps over the time of a replay.
+Path steps_of(Student& student, const Replay& replay) {
+  return student.watch(replay.start, replay.h, replay.steps, replay.force);
+}
+
+// What the step is, by the way that it took.
+std::vector<std::string> what_it_is(const Replay& replay, const Path& yours) {
+  return diagnose(yours, symplectic_euler, [&](const Method& method) {
     return watch(method, replay.start, replay.h, replay.steps, replay.force);
-  };
-  return diagnose(student.watch(replay.start, replay.h, replay.steps, replay.force),
-                  symplectic_euler, by);
+  });
 }
 
 // What an undo is, by the way back that it took.
@@ -91,15 +93,38 @@ bool asked_alike(const Evaluation& yours, const Evaluation& step, double toleran
 TEST_CASE("five steps under a hidden force are those of symplectic Euler",
           "[6-symplectic/rewind-the-replay][3 points]") {
   Student student;
-  is_method(student, symplectic_euler, "Change the velocity first, and move with the new one.");
+  const Replay replay(5);
+  const Path yours = steps_of(student, replay);
+  const State &end = yours.states.back(), &right = replay.there.states.back();
+  const double apart = distance(end, right);
+  const Tolerance tolerance = rounding(replay.steps, 1 + distance(right, State{}));
+
+  grade::Finding finding;
+  finding.held =
+      apart <= tolerance.value && yours.evaluations.size() == replay.there.evaluations.size();
+  finding.asked = "five steps in a force of place and time that only the judge knows, h = " +
+                  number(replay.h, 17);
+  finding.input = describe(replay.start);
+  finding.expected = describe(right) + ", for one evaluation a step";
+  finding.got = describe(end) + ", for " + std::to_string(yours.evaluations.size());
+  finding.error = number(apart, 3);
+  finding.tolerance = number(tolerance.value, 2);
+  finding.tolerance_from = tolerance.from;
+  if (!finding.held) {
+    finding.hint = "Change the velocity first, and move with the new one.";
+    finding.diagnoses = what_it_is(replay, yours);
+  }
+  check(finding);
 }
 
 TEST_CASE("a spring swings on while h omega is less than two, and no longer",
           "[6-symplectic/rewind-the-replay][2 points]") {
   Student student;
   is_stable_until(student, 0, 2,
-                  "Move with the velocity that the kick has made, not with the old one.", 0,
-                  [&] { return recognised(student); });
+                  "Move with the velocity that the kick has made, not with the old one.", 0, [&] {
+                    const Replay replay(5);
+                    return what_it_is(replay, steps_of(student, replay));
+                  });
 }
 
 TEST_CASE("undone steps lead back to the start of the replay",

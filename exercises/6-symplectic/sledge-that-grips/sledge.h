@@ -9,6 +9,7 @@
 
 #include "format_values.h"
 #include "judge/describe.h"
+#include "judge/diagnose.h"
 #include "judge/random.h"
 #include "judge/student.h"
 
@@ -55,7 +56,9 @@ enum Order {
   brake_then_asked,
   move_before_brake,
   move_with_old,
-  push_braked_along
+  push_braked_along,
+  push_at_the_end,
+  moves_first
 };
 
 // What people make of the two drags.
@@ -98,9 +101,11 @@ struct Way {
   void step(const Sledge& real, State& s, double t, double h, const harness::Force& push) const {
     const Sledge sledge = as(real, h);
     const Vec old = s.v;
-    Vec kick = h * push(s.x, old, t);
+    if (order == moves_first) s.x += h * old;
+    Vec kick = h * push(s.x, old, order == push_at_the_end ? t + h : t);
     if (order == brake_then_asked) kick = h * push(s.x, sledge.braked(old, h, factor), t);
-    if (order == push_first || order == move_with_old) {
+    if (order == push_first || order == move_with_old || order == push_at_the_end ||
+        order == moves_first) {
       s.v = sledge.braked(old + kick, h, factor);
     } else if (order == move_before_brake) {
       s.v = old + kick;
@@ -109,7 +114,7 @@ struct Way {
     } else {
       s.v = sledge.braked(old, h, factor) + kick;
     }
-    s.x += h * (order == move_with_old ? old : s.v);
+    if (order != moves_first) s.x += h * (order == move_with_old ? old : s.v);
     if (order == move_before_brake) s.v = sledge.braked(s.v, h, factor);
   }
 };
@@ -140,6 +145,8 @@ inline const std::vector<Way> others{
     {"both drags on what glides, one after the other", divided, push_first, twice_along},
     {"a velocity that was split before the push, and the push braked along as a whole", divided,
      push_braked_along},
+    {"the right brake, and a push of the time at the step's end", divided, push_at_the_end},
+    {"the right lines, and the move before them", divided, moves_first},
 };
 
 struct Ride {
@@ -199,7 +206,7 @@ inline std::vector<std::string> recognised(const Ride& ride, const std::vector<S
     if (apart(yours, ride.by(way)) <= 1e-10) return {"this is " + way.name};
   }
   const double off = apart(yours, ride.by(right));
-  if (off > 1e-10 && off < 2e-6)
+  if (judge::like_a_float(off))
     return {"right to seven digits and no further: a float, or a constant with an f?"};
   return {};
 }

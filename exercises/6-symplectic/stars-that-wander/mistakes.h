@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/diagnose.h"
 #include "stars.h"
 
 namespace stars {
@@ -145,7 +146,7 @@ inline std::vector<std::string> recognised(const Stars& start, const Stars& your
   if (const double length = softening(start, yours, h); length > 0)
     return {"the pull is softened, as if the stars were " + grade::number(length, 2) +
             " m further off to one side"};
-  if (off > 1e-10 && off < 2e-6)
+  if (judge::like_a_float(off, 1e-10))
     return {"right to seven digits and no further: a float, or a constant with an f?"};
   std::string good, bad;
   for (std::size_t i = 0; i < right.at.size(); ++i) {

@@ -135,7 +135,8 @@ inline Says recognise_growth(double got, const Step& step, double expected) {
 }
 
 /// What may have been taken for the longest stable step.
-inline Says recognise_longest(double got, const Method& method, double w, double expected) {
+inline Says recognise_longest(double got, const Method& method, double w, double expected,
+                              double most) {
   if (alike(got, 2 / w) && !alike(got, expected))
     return {
         "this is 2/omega, the limit of symplectic Euler without damping, and not this method's"};
@@ -144,8 +145,9 @@ inline Says recognise_longest(double got, const Method& method, double w, double
     return {"near, and not to a millionth: did the search end too early?"};
   if (method.step.matrix(got).has_growth(2))
     return {"at your step the growth is 2; it may be 1 + 1e-9 at most"};
-  if (got > expected) return {"at your step this explodes: is the growth right?"};
-  return {"longer steps are stable, too: is the growth right?"};
+  if (got > most) return {"this is longer than `most`, beyond which no step was asked for"};
+  if (got > expected) return {"at your step this explodes"};
+  return {"longer steps are stable, too"};
 }
 
 }  // namespace hidden

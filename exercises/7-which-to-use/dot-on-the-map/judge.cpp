@@ -88,7 +88,7 @@ TEST_CASE("the longest stable step of four methods is right to a millionth",
       finding.hint =
           "Halve the interval between a step that holds and one that does not, and try `most` "
           "before anything else.";
-      finding.diagnoses = hidden::recognise_longest(got, method, w, expected);
+      finding.diagnoses = hidden::recognise_longest(got, method, w, expected, most);
     }
     check(finding);
   }

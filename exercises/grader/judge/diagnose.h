@@ -23,6 +23,13 @@ std::vector<std::string> diagnose(const Path& yours, const Method& asked,
 /// asked for in vain; nothing if all is as expected.
 std::vector<std::string> asked_elsewhere(const Path& yours, const Path& expected);
 
+/// Whether a number that is off by this, beside its size, may have gone through a float: nine of
+/// ten that did are further off than the one bound, and all are nearer than the other.
+/// @param least  a smaller bound, where the float may count little beside the rest
+constexpr bool like_a_float(double off, double least = 4e-9) {
+  return off > least && off < 2e-6;
+}
+
 /// What can be said of a single number: its sign, its unit, its precision.
 std::vector<std::string> diagnose(double yours, double expected);
 

@@ -36,6 +36,12 @@ bool moves(const Path& path) {
   });
 }
 
+// Whether what is not a number at last has become too large first.
+bool grows_before(const Path& path, std::size_t broken) {
+  return broken > 0 &&
+         distance(path.states[broken - 1], State{}) > bounded * distance(path.states[0], State{});
+}
+
 grade::Plot plot(const Path& path) {
   grade::Curve yours{"yours", {}, {}};
   for (std::size_t n = 1; n < path.states.size(); ++n) {
@@ -59,7 +65,9 @@ void check_side(Student& student, double zeta, double limit, bool inside, const 
   const double grown = growth(path);
 
   grade::Finding finding;
-  const bool stands = inside && !moves(path);
+  const std::size_t broken = first_not_finite(path);
+  const bool breaks = inside && broken < path.states.size();
+  const bool stands = inside && !breaks && !moves(path);
   finding.held = inside ? grown <= bounded && !stands : !(grown <= exploded);
   finding.asked = std::to_string(steps) + " steps of " + number(h * omega, 5) + "/omega on " +
                   describe(force) + ": 2 % " + (inside ? "below" : "above") + " the limit of " +
@@ -68,6 +76,9 @@ void check_side(Student& student, double zeta, double limit, bool inside, const 
   finding.expected = inside ? "it moves, and stays bounded" : "it blows up";
   finding.got = "it grew to " + number(grown, 3) + " times the start";
   finding.error = stands ? "it does not move" : inside ? "it blew up" : "it stayed bounded";
+  if (breaks) {
+    finding.got = "after step " + std::to_string(broken * every) + " it is not a finite number";
+  }
   finding.tolerance = inside ? "a growth of 100" : "a growth of 1000";
   finding.tolerance_from = inside ? "so close to the limit the right method sways by less"
                                   : "so far over the limit the right method grows by far more";
@@ -75,6 +86,10 @@ void check_side(Student& student, double zeta, double limit, bool inside, const 
     finding.hint = hint;
     if (remarks) finding.diagnoses = remarks();
     if (stands) finding.diagnoses = {"the spring stays near where it was let go"};
+    if (breaks && !grows_before(path, broken)) {
+      finding.error = "it is not a number";
+      finding.diagnoses.emplace_back("up to there it had not grown much: is there a 0 / 0?");
+    }
     finding.plot = plot(path);
   }
   check(finding);

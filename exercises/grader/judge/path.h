@@ -42,7 +42,8 @@ constexpr double larger(double a, double b) {
   return a > b || a != a ? a : b;
 }
 
-/// The larger of the two distances, place and velocity, each in its own unit; NaN if one of them is.
+/// The larger of the two distances, place and velocity, each in its own unit; NaN if one of them
+/// is.
 double distance(const State& a, const State& b);
 
 bool is_finite(const State& state);

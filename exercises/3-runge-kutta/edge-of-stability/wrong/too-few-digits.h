@@ -1,5 +1,5 @@
 // Fails: below critical damping the limit is where the swing neither grows nor shrinks
-// Says: right to three digits, and six are asked for
+// Says: digits, and six are asked for
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include <complex>
