@@ -3,7 +3,8 @@
 # Brings all that building and testing the book needs: packages of the distribution, and npm packages by the lock file.
 # Run again, it does nothing. For Debian 12 and 13; written for Ubuntu 24.04 too, but not tested there.
 #   ./setup.sh          the book and its tests
-#   ./setup.sh peers    these, and the libraries that the benchmark sets beside the book's methods
+#   ./setup.sh thorough these, and what the tests need that the preset `test` leaves out
+#   ./setup.sh peers    the first, and the libraries that the benchmark sets beside the book's methods
 #   ./setup.sh grader   only what the grader needs that students get, compiled
 set -euo pipefail
 
@@ -14,15 +15,16 @@ fail() {
 
 case "$# $*" in
   "0 ") purpose="the book needs" ;;
+  "1 thorough") purpose="all tests of the book need" ;;
   "1 peers") purpose="the book and its benchmark need" ;;
   "1 grader") purpose="the grader needs" ;;
-  *) fail "knows no argument but \"peers\" and \"grader\", not \"$*\"" 2 ;;
+  *) fail "knows no argument but \"thorough\", \"peers\" and \"grader\", not \"$*\"" 2 ;;
 esac
 cd "$(dirname "${BASH_SOURCE[0]}")"
 # shellcheck source=/dev/null
 system=$({ . /etc/os-release && echo "$ID $VERSION_ID"; } 2>/dev/null) || system=unknown
-browsers="chromium firefox-esr"
-[ "$system" != "ubuntu 24.04" ] || browsers="chromium-browser firefox"
+chromium=chromium firefox=firefox-esr
+[ "$system" != "ubuntu 24.04" ] || chromium=chromium-browser firefox=firefox
 
 # packages: what for
 needs="cmake ninja-build g++: to build the programs and the tests
@@ -39,11 +41,13 @@ clang-format-19 clang-tidy-19: to lay the sources out, and to look them over
 libglm-dev: to try the snippets on another library's vectors
 doxygen: prose to HTML, reference of the code
 nodejs npm ca-certificates: to weave the book
-$browsers: to test the book in browsers
+$chromium: to test the book in a browser
 lld-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32: live figures, C++ for the browser
-g++-aarch64-linux-gnu qemu-user: to see the same bits on 64-bit Arm
 git: to test a clean checkout"
-[ "$system" != "debian 12" ] || [ "$*" = grader ] || needs+="
+[ "$*" != thorough ] || needs+="
+$firefox: to test the live figures in another browser
+g++-aarch64-linux-gnu qemu-user: to see the same bits on 64-bit Arm"
+[ "$system" != "debian 12" ] || [ "$*" != thorough ] || needs+="
 clang-14: the distribution's own clang, which readers of the headers have"
 [ "$*" != peers ] || needs+="
 libbenchmark-dev: to measure
