@@ -9,6 +9,7 @@
 #include "screen.h"
 
 using namespace judge;
+using namespace judge::leftover_time;
 
 namespace {
 

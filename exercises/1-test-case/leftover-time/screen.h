@@ -12,7 +12,7 @@
 #include "format_values.h"
 #include "judge/diagnose.h"
 
-namespace judge {
+namespace judge::leftover_time {
 
 struct Frame {
   double length, pace = 1;  ///< of the player's time [s]; game time in the player's
@@ -181,4 +181,4 @@ inline std::vector<std::string> recognise(const std::vector<After>& got,
   return found;
 }
 
-}  // namespace judge
+}  // namespace judge::leftover_time

@@ -9,6 +9,7 @@
 #include "slips.h"
 
 using namespace judge;
+using namespace judge::any_table;
 
 namespace {
 

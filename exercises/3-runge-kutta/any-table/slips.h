@@ -7,7 +7,7 @@
 
 #include "../table.h"
 
-namespace judge {
+namespace judge::any_table {
 
 enum class Slip { piled_up, last_slope_only, last_time_only, velocity_of_the_start };
 
@@ -49,4 +49,4 @@ inline std::vector<Method> slips(const Table& table) {
   };
 }
 
-}  // namespace judge
+}  // namespace judge::any_table

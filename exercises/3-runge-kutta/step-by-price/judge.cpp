@@ -13,6 +13,7 @@
 #include "signs.h"
 
 using namespace judge;
+using namespace judge::step_by_price;
 using grade::number;
 
 namespace {

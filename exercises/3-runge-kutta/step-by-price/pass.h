@@ -6,7 +6,7 @@
 
 #include "signs.h"
 
-namespace judge {
+namespace judge::step_by_price {
 
 /// The way that a comet flies from here until it is nearest to the origin, below zero if it was
 /// nearest before [m]. Far out, where its distance bends the other way, it is infinite.
@@ -62,4 +62,4 @@ inline Signs why_not_the_pass(const Given& given, const Path& path, double bound
   return {};
 }
 
-}  // namespace judge
+}  // namespace judge::step_by_price

@@ -11,7 +11,7 @@
 #include "format_values.h"
 #include "judge/method.h"
 
-namespace judge {
+namespace judge::step_by_price {
 
 using Signs = std::vector<std::string>;
 
@@ -140,4 +140,4 @@ inline Signs asks_at_another_time(const Path& path, double duration,
       "each question go with its place?"};
 }
 
-}  // namespace judge
+}  // namespace judge::step_by_price

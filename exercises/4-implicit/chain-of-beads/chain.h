@@ -12,7 +12,7 @@
 #include "judge/rounding.h"
 #include "judge/student.h"
 
-namespace judge {
+namespace judge::chain_of_beads {
 
 using Column = std::vector<double>;
 
@@ -105,4 +105,4 @@ struct Chain {
   }
 };
 
-}  // namespace judge
+}  // namespace judge::chain_of_beads

@@ -9,6 +9,7 @@
 #include "slips.h"
 
 using namespace judge;
+using namespace judge::chain_of_beads;
 
 namespace {
 

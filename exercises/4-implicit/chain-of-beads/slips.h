@@ -11,7 +11,7 @@
 #include "chain.h"
 #include "format_values.h"
 
-namespace judge {
+namespace judge::chain_of_beads {
 
 inline std::size_t worst(const Chain& chain, const Beads& end) {
   std::size_t found = 0;
@@ -179,4 +179,4 @@ inline std::vector<std::string> recognised(const Chain& chain, const Beads& end,
   return {nearly.empty() ? who_misses(chain, end, within) : nearly};
 }
 
-}  // namespace judge
+}  // namespace judge::chain_of_beads

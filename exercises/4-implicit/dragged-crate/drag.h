@@ -11,7 +11,7 @@
 #include "judge/rounding.h"
 #include "judge/student.h"
 
-namespace judge {
+namespace judge::dragged_crate {
 
 struct Drag {
   State start;
@@ -69,4 +69,4 @@ struct Drag {
   }
 };
 
-}  // namespace judge
+}  // namespace judge::dragged_crate

@@ -11,7 +11,7 @@
 #include "drag.h"
 #include "judge/diagnose.h"
 
-namespace judge {
+namespace judge::dragged_crate {
 
 inline std::vector<std::string> first_of(const std::vector<std::pair<bool, const char*>>& remarks) {
   for (const auto& [holds, says] : remarks) {
@@ -158,4 +158,4 @@ inline std::vector<std::string> slips(const Drag& drag, const State& end, double
   return strong ? slips_of_strong(drag, end, within) : slips_of_weak(drag, end, within);
 }
 
-}  // namespace judge
+}  // namespace judge::dragged_crate

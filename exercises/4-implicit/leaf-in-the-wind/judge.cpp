@@ -12,6 +12,7 @@
 #include "leaf.h"
 
 using namespace judge;
+using namespace judge::leaf_in_the_wind;
 
 namespace {
 

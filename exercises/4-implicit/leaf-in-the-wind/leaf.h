@@ -10,7 +10,7 @@
 #include "judge/student.h"
 #include "judge/waves.h"
 
-namespace judge {
+namespace judge::leaf_in_the_wind {
 
 /// It changes over a few metres and within a few seconds.
 inline Acceleration draw_wind(Random& random) {
@@ -73,4 +73,4 @@ struct Leaf {
   }
 };
 
-}  // namespace judge
+}  // namespace judge::leaf_in_the_wind

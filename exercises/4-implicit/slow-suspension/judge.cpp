@@ -11,6 +11,7 @@
 #include "suspension.h"
 
 using namespace judge;
+using namespace judge::slow_suspension;
 
 namespace {
 

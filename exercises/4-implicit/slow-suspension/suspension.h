@@ -14,7 +14,7 @@
 #include "judge/session.h"
 #include "judge/student.h"
 
-namespace judge {
+namespace judge::slow_suspension {
 
 struct Swing {
   double x = 0, v = 0;
@@ -147,4 +147,4 @@ inline std::vector<std::string> slips(double told, double omega, double h) {
   return {};
 }
 
-}  // namespace judge
+}  // namespace judge::slow_suspension

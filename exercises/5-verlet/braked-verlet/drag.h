@@ -11,7 +11,7 @@
 #include "judge/diagnose.h"
 #include "judge/random.h"
 
-namespace judge::verlet {
+namespace judge::verlet::braked_verlet {
 
 struct Line {
   Vec x, before, a;
@@ -132,4 +132,4 @@ inline void solves(Student& student, const Line& line) {
   check(finding);
 }
 
-}  // namespace judge::verlet
+}  // namespace judge::verlet::braked_verlet

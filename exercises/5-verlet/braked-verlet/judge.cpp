@@ -6,6 +6,7 @@
 
 using namespace judge;
 using namespace judge::verlet;
+using namespace judge::verlet::braked_verlet;
 
 namespace {
 

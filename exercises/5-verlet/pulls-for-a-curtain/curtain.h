@@ -11,7 +11,7 @@
 
 #include "format_values.h"
 
-namespace judge::verlet {
+namespace judge::verlet::pulls_for_a_curtain {
 
 inline constexpr double gravity = 9.81;  ///< [m/s^2]
 
@@ -197,4 +197,4 @@ inline std::vector<std::string> why_wrong(const Curtain& of, const Split& yours)
   return said;
 }
 
-}  // namespace judge::verlet
+}  // namespace judge::verlet::pulls_for_a_curtain

@@ -8,6 +8,7 @@
 
 using namespace judge;
 using namespace judge::verlet;
+using namespace judge::verlet::pulls_for_a_curtain;
 
 namespace {
 

@@ -5,6 +5,7 @@
 
 using namespace judge;
 using namespace judge::verlet;
+using namespace judge::verlet::rope_link;
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include "../places.h"
 #include "judge/random.h"
 
-namespace judge::verlet {
+namespace judge::verlet::rope_link {
 
 struct Link {
   Vec a, b;
@@ -181,4 +181,4 @@ inline grade::Finding pulled(const Link& before, const Link& after, const std::s
   return finding;
 }
 
-}  // namespace judge::verlet
+}  // namespace judge::verlet::rope_link

@@ -5,7 +5,7 @@
 #include "../places.h"
 #include "judge/random.h"
 
-namespace judge::verlet {
+namespace judge::verlet::two_places {
 
 struct Spark {
   Vec x, x_previous;
@@ -100,4 +100,4 @@ inline void bounces(Student& student, const Spark& before) {
   check(finding);
 }
 
-}  // namespace judge::verlet
+}  // namespace judge::verlet::two_places

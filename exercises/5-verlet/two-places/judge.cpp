@@ -8,6 +8,7 @@
 
 using namespace judge;
 using namespace judge::verlet;
+using namespace judge::verlet::two_places;
 
 namespace {
 

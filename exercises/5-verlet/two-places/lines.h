@@ -9,7 +9,7 @@
 #include "bounce.h"
 #include "judge/random.h"
 
-namespace judge::verlet {
+namespace judge::verlet::two_places {
 
 enum Function { steps, next_place, place_before };
 
@@ -103,4 +103,4 @@ inline std::vector<std::string> alone() {
   return found;
 }
 
-}  // namespace judge::verlet
+}  // namespace judge::verlet::two_places

@@ -8,7 +8,7 @@
 #include "../places.h"
 #include "judge/random.h"
 
-namespace judge::verlet {
+namespace judge::verlet::uneven_jumps {
 
 struct Fall {
   Vec x, v;
@@ -59,4 +59,4 @@ inline void falls_as_fast(Student& student, const Fall& fall) {
                {(h + last) * fall.v}}});
 }
 
-}  // namespace judge::verlet
+}  // namespace judge::verlet::uneven_jumps

@@ -8,7 +8,7 @@
 #include "../places.h"
 #include "judge/random.h"
 
-namespace judge::verlet {
+namespace judge::verlet::uneven_jumps {
 
 /// What the student's step is given.
 struct Flight {
@@ -145,4 +145,4 @@ inline std::vector<std::string> kept_within(const Flight& flight, const std::vec
           " times as long as the one before, and wrong beyond: is something kept within bounds?"};
 }
 
-}  // namespace judge::verlet
+}  // namespace judge::verlet::uneven_jumps

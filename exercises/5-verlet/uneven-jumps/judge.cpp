@@ -7,6 +7,7 @@
 
 using namespace judge;
 using namespace judge::verlet;
+using namespace judge::verlet::uneven_jumps;
 
 namespace {
 

@@ -39,8 +39,9 @@ std::optional<Obstacle> calibrate_all(const std::vector<Job>& jobs, const Class&
   return std::nullopt;
 }
 
-std::vector<Task> tasks(const std::vector<Job>& jobs, const Class& work, const Requests& requests) {
-  std::vector<Task> all;
+std::vector<ChildProcess> children(const std::vector<Job>& jobs, const Class& work,
+                                   const Requests& requests) {
+  std::vector<ChildProcess> all;
   for (const Job& job : jobs) {
     const Request& request = requests.at(job.exercise.name);
     all.push_back({arguments(job, work, write_limits(request)), longest(request)});
@@ -55,7 +56,7 @@ std::optional<Obstacle> grade_all(const std::vector<Job>& jobs, const Class& wor
   if (auto obstacle = calibrate_all(jobs, work, requests)) return obstacle;
   std::filesystem::create_directories(work.results);
   Progress progress(jobs.size(), isatty(STDOUT_FILENO) != 0);
-  run_all(tasks(jobs, work, requests), work.jobs,
+  run_all(children(jobs, work, requests), work.jobs,
           [&](std::size_t i) { progress.done(jobs[i], kept_report(jobs[i])); });
   return std::nullopt;
 }

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "cage/process_tree.h"
-#include "class/running_tasks.h"
+#include "class/running_children.h"
 
 namespace grade {
 namespace {
@@ -33,9 +33,9 @@ std::system_error failure(const char* what) {
   _exit(127);
 }
 
-Running start(const std::vector<Task>& tasks, std::size_t index) {
+Running start(const std::vector<ChildProcess>& children, std::size_t index) {
   std::vector<char*> arguments;
-  for (const std::string& argument : tasks[index].arguments) {
+  for (const std::string& argument : children[index].arguments) {
     arguments.push_back(const_cast<char*>(argument.c_str()));
   }
   arguments.push_back(nullptr);
@@ -46,20 +46,22 @@ Running start(const std::vector<Task>& tasks, std::size_t index) {
   setpgid(child, child);
   cage::File handle(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
   if (!handle) throw failure("can't watch a grader");
-  return {index, child, std::move(handle), std::chrono::steady_clock::now() + tasks[index].limit};
+  return {index, child, std::move(handle),
+          std::chrono::steady_clock::now() + children[index].limit};
 }
 
 }  // namespace
 
-void run_all(const std::vector<Task>& tasks, std::size_t at_a_time,
+void run_all(const std::vector<ChildProcess>& children, std::size_t at_a_time,
              const std::function<void(std::size_t)>& ended) {
   cage::adopt_orphans();
   const Interruption interruption;
-  RunningTasks running;
-  for (std::size_t next = 0; next < tasks.size() || running.size() > 0;) {
-    while (next < tasks.size() && running.size() < at_a_time) running.add(start(tasks, next++));
+  RunningChildren running;
+  for (std::size_t next = 0; next < children.size() || running.size() > 0;) {
+    while (next < children.size() && running.size() < at_a_time)
+      running.add(start(children, next++));
     running.wait(interruption);
-    for (const std::size_t task : running.ended()) ended(task);
+    for (const std::size_t child : running.ended()) ended(child);
   }
 }
 

@@ -11,7 +11,7 @@
 
 namespace grade {
 
-struct Task {
+struct ChildProcess {
   std::vector<std::string> arguments;  ///< the program's name first
   std::chrono::milliseconds limit;     ///< on the clock; then it is killed with its process group
 };
@@ -21,11 +21,11 @@ struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("stopped; the same command goes on from here") {}
 };
 
-/// Runs all tasks, each in a process group of its own that dies with this process. May be called
+/// Runs all of them, each in a process group of its own that dies with this process. May be called
 /// only where nothing else starts processes.
-/// @param ended  is told which task ended
-/// @throws Interrupted  at SIGINT, SIGTERM or SIGHUP, when no task runs any more
-void run_all(const std::vector<Task>& tasks, std::size_t at_a_time,
+/// @param ended  is told which of them ended
+/// @throws Interrupted  at SIGINT, SIGTERM or SIGHUP, when none runs any more
+void run_all(const std::vector<ChildProcess>& children, std::size_t at_a_time,
              const std::function<void(std::size_t)>& ended);
 
 }  // namespace grade

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-#include "class/running_tasks.h"
+#include "class/running_children.h"
 
 #include <poll.h>
 #include <sys/signalfd.h>
@@ -42,13 +42,13 @@ void Interruption::take() const {
   throw Interrupted();
 }
 
-RunningTasks::~RunningTasks() {
+RunningChildren::~RunningChildren() {
   for (const Running& one : all_) kill(-one.process, SIGKILL);
   all_.clear();
   bury_strangers();
 }
 
-void RunningTasks::wait(const Interruption& interruption) const {
+void RunningChildren::wait(const Interruption& interruption) const {
   std::vector<pollfd> handles{{interruption.handle(), POLLIN, 0}};
   Clock::time_point first = Clock::time_point::max();
   for (const Running& one : all_) {
@@ -60,7 +60,7 @@ void RunningTasks::wait(const Interruption& interruption) const {
   if (handles[0].revents != 0) interruption.take();
 }
 
-std::vector<std::size_t> RunningTasks::ended() {
+std::vector<std::size_t> RunningChildren::ended() {
   std::vector<std::size_t> tasks;
   std::erase_if(all_, [&](const Running& one) {
     const bool over = has_ended(one);
@@ -71,7 +71,7 @@ std::vector<std::size_t> RunningTasks::ended() {
   return tasks;
 }
 
-std::vector<pid_t> RunningTasks::strangers() const {
+std::vector<pid_t> RunningChildren::strangers() const {
   std::vector<pid_t> found = cage::children();
   std::erase_if(
       found, [&](pid_t child) { return std::ranges::count(all_, child, &Running::process) > 0; });
@@ -80,7 +80,7 @@ std::vector<pid_t> RunningTasks::strangers() const {
 
 // Kills and reaps them. Orphans of a task that was killed come to us, the subreaper, and when these
 // are gone, theirs.
-void RunningTasks::bury_strangers() const {
+void RunningChildren::bury_strangers() const {
   for (std::vector<pid_t> others = strangers(); !others.empty(); others = strangers()) {
     for (const pid_t other : others) kill(other, SIGKILL);
     for (const pid_t other : others) waitpid(other, nullptr, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Tasks that run beside us, and the signals that ask us to stop.
+/// Children that run beside us, and the signals that ask us to stop.
 #pragma once
 #include <signal.h>
 #include <sys/types.h>
@@ -37,9 +37,9 @@ struct Running {
 };
 
 /// The tasks that run; none does when this is gone.
-class RunningTasks {
+class RunningChildren {
  public:
-  ~RunningTasks();
+  ~RunningChildren();
   std::size_t size() const { return all_.size(); }
   void add(Running one) { all_.push_back(std::move(one)); }
 
