@@ -50,6 +50,7 @@ Judged judge_once(const Request& request, const cage::Kit& kit, const cage::File
   session.sandbox = request.sandbox;
   session.limits = request.run_limits;
   session.seed = request.seed;
+  session.arguments = request.arguments;
   judge::run_tests(request.exercise.name);
   Judged judged{session.ended, session.why, session.tests};
   if (!session.stopped()) judged.verdict = verdict(judged);
@@ -127,9 +128,9 @@ bool may_pass(int error) {
          error == ENFILE;
 }
 
-}  // namespace
-
-Report grade_submission(const Request& request) {
+// A report on the request, filled by `grade`. What goes wrong with us is a grader_error.
+template <class Grade>
+Report reported(const Request& request, const Grade& grade) {
   const auto start = Clock::now();
   Report report;
   report.exercise = request.exercise.name;
@@ -140,7 +141,7 @@ Report grade_submission(const Request& request) {
   report.tests = judge::tests_of(request.exercise.name);
   for (const TestResult& test : report.tests) report.points += test.points;
   try {
-    grade_into(request, report);
+    grade(request, report);
   } catch (const std::system_error& error) {
     report.verdict = Verdict::grader_error;
     report.why = error.what();
@@ -151,6 +152,18 @@ Report grade_submission(const Request& request) {
   }
   report.seconds = seconds_since(start);
   return report;
+}
+
+}  // namespace
+
+Report grade_submission(const Request& request) {
+  return reported(request, grade_into);
+}
+
+Report grade_driver(const Request& request, const cage::File& driver) {
+  return reported(request, [&](const Request&, Report& report) {
+    judge_driver(request, kit_in(installed().kit), driver, report);
+  });
 }
 
 std::optional<Obstacle> calibrate(Request& request) {

@@ -21,8 +21,9 @@ struct Request {
   std::uint64_t seed = 1;            ///< from which all hidden inputs come; 1 is the public one
   cage::Sandbox sandbox = cage::Sandbox::bubblewrap;
   cage::Limits compile_limits, run_limits;
-  int runs = 3;              ///< with the same inputs, of which the worst counts
-  bool check_memory = true;  ///< in another run, for a message
+  int runs = 3;                        ///< with the same inputs, of which the worst counts
+  bool check_memory = true;            ///< in another run, for a message
+  std::vector<std::string> arguments;  ///< of the driver; that of a submission takes none
 };
 
 /// All that is known at the end; the report in words and in JSON is made from this alone.
@@ -48,6 +49,9 @@ struct Report {
 
 /// Reads, compiles, runs and judges; never throws: what goes wrong with us is a grader_error.
 Report grade_submission(const Request& request);
+
+/// Runs and judges what is compiled already. Of the request, the submission is only named.
+Report grade_driver(const Request& request, const cage::File& driver);
 
 /// Why nobody can be graded.
 struct Obstacle {

@@ -10,6 +10,7 @@ folders_for(${GXX} SHOWN_TO_COMPILER)
 set(COMMON_FLAGS -std=c++20 -O2 -ffp-contract=off -Wall -Wextra -Wno-unused-parameter
   -D_GLIBCXX_ASSERTIONS -fsanitize=bounds,undefined)
 set(STUDENT_FLAGS ${COMMON_FLAGS} -fsanitize-undefined-trap-on-error)
+set_property(GLOBAL PROPERTY STUDENT_FLAGS ${STUDENT_FLAGS})
 # And for the run that is not scored, in which a checker says what it stops at. With -O2 two checks that are alike would share
 # a line.
 set(CHECKED_FLAGS ${COMMON_FLAGS} -O1 -fsanitize=address -fno-sanitize-recover=all -g)

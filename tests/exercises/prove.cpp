@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT-0
-// Proves an exercise's tests: prove 2-euler/orbit-drift [SEEDS]. Its solution and every right/*.h
-// score full marks under SEEDS seeds (3 unless told), its starter scores nothing, and every way in
-// wrong, be it a header or an edit of the solution, fails the test that its first line names and is
-// told what its line `Says:` promises. Prints one line for each; the exit code is 1 if any is not
-// so.
+// Proves an exercise's tests: prove 2-euler/orbit-drift [SEEDS | caged]. Its solution and every
+// right/*.h score full marks, its starter scores nothing, and every way in wrong, be it a header or
+// an edit of the solution, fails the test that its first line names and is told what its line
+// `Says:` promises. All of them lie in one driver, which is run without a cage, the right ones
+// under three seeds; then the right ones and one that is wrong go the way of a submission. With a
+// number, the driver alone is tried, under so many seeds; with `caged`, all go the way of a
+// submission. Prints one line for each; the exit code is 1 if any is not so.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,21 +19,27 @@
 #include "grade_submission.h"
 #include "judge/session.h"
 #include "report/words.h"
+#include "ways.h"
 
 namespace {
 
 using grade::Report;
 using grade::Verdict;
 
-Report grade_file(const grade::Exercise& exercise, const std::filesystem::path& file,
-                  std::uint64_t seed) {
-  grade::Request request;
-  request.exercise = exercise;
-  request.submission = file;
-  request.seed = seed;
-  request.check_memory = false;
-  request.runs = 1;
-  return grade::grade_submission(request);
+// How a header is graded, with what seed.
+using Grade = std::function<Report(const std::filesystem::path& file, std::uint64_t seed)>;
+
+// As a submission is: compiled in the cage and run there.
+Grade in_the_cage(const grade::Exercise& exercise) {
+  return [=](const std::filesystem::path& file, std::uint64_t seed) {
+    grade::Request request;
+    request.exercise = exercise;
+    request.submission = file;
+    request.seed = seed;
+    request.check_memory = false;
+    request.runs = 1;
+    return grade::grade_submission(request);
+  };
 }
 
 bool say(const Report& report, const std::filesystem::path& file, bool as_it_should,
@@ -62,9 +72,9 @@ void print_tests(const std::string& exercise) {
   }
 }
 
-bool is_right(const grade::Exercise& exercise, const std::filesystem::path& file, int seeds) {
+bool is_right(const Grade& grade, const std::filesystem::path& file, int seeds) {
   for (int seed = 1; seed <= seeds; ++seed) {
-    const Report report = grade_file(exercise, file, static_cast<std::uint64_t>(seed));
+    const Report report = grade(file, static_cast<std::uint64_t>(seed));
     const bool full = report.verdict == Verdict::accepted && report.points > 0;
     if (!full || seed == seeds) {
       return say(report, file, full,
@@ -75,8 +85,8 @@ bool is_right(const grade::Exercise& exercise, const std::filesystem::path& file
   return false;
 }
 
-bool is_nothing(const grade::Exercise& exercise, const std::filesystem::path& file) {
-  const Report report = grade_file(exercise, file, 1);
+bool is_nothing(const Grade& grade, const std::filesystem::path& file) {
+  const Report report = grade(file, 1);
   const bool ran = std::all_of(report.tests.begin(), report.tests.end(),
                                [](const grade::TestResult& test) { return test.ran; });
   return say(report, file, ran && report.score == 0, ran ? "" : "a test was not run");
@@ -102,8 +112,8 @@ std::string told(const Report& report, const grade::TestResult& test) {
 }
 
 // A test that was never run, because the code crashed, is not one that it failed.
-bool is_caught(const grade::Exercise& exercise, const std::filesystem::path& file) {
-  const Report report = grade_file(exercise, file, 1);
+bool is_caught(const Grade& grade, const std::filesystem::path& file) {
+  const Report report = grade(file, 1);
   const std::string name = promised(file, "Fails"), words = promised(file, "Says");
   const auto named = std::find_if(report.tests.begin(), report.tests.end(),
                                   [&](const grade::TestResult& test) { return test.name == name; });
@@ -152,31 +162,66 @@ bool are_enough(const std::string& what, std::size_t count, std::size_t least) {
   return false;
 }
 
-int prove(const grade::Exercise& exercise, int seeds) {
+bool prove(const Grade& grade, const grade::Exercise& exercise, int seeds,
+           const std::vector<std::filesystem::path>& right,
+           const std::vector<std::filesystem::path>& wrong) {
+  bool good = is_right(grade, exercise.folder / "solution.h", seeds);
+  for (const auto& file : right) good = is_right(grade, file, seeds) && good;
+  good = is_nothing(grade, exercise.folder / "starter.h") && good;
+  for (const auto& file : wrong) good = is_caught(grade, file) && good;
+  return good;
+}
+
+// Which of them go through the cage: none, the right ones and one that is wrong, or all.
+enum class Caged { none, few, all };
+
+struct Trial {
+  int seeds = 3;  ///< for what is in the driver; with none, only the cage is tried
+  Caged caged = Caged::few;
+};
+
+int prove(const grade::Exercise& exercise, const Trial& trial) {
   print_tests(exercise.name);
-  bool good = is_right(exercise, exercise.folder / "solution.h", seeds);
-  const auto right = headers(exercise, "right"), wrong = headers(exercise, "wrong");
-  for (const auto& file : right) good = is_right(exercise, file, seeds) && good;
-  good = is_nothing(exercise, exercise.folder / "starter.h") && good;
-  for (const auto& file : wrong) good = is_caught(exercise, file) && good;
-  good = are_enough("right ways", right.size(), 2) && good;
+  const auto right = headers(exercise, "right");
+  auto wrong = headers(exercise, "wrong");
+  bool good = are_enough("right ways", right.size(), 2);
   good = are_enough("wrong ways", wrong.size(), 6) && good;
+  if (trial.seeds > 0) {
+    const ways::Driver driver(exercise, std::filesystem::path(EDITED) / exercise.name / "ways");
+    const Grade alone = [&](const auto& file, std::uint64_t seed) {
+      return driver.grade(file, seed);
+    };
+    good = prove(alone, exercise, trial.seeds, right, wrong) && good;
+  }
+  if (trial.caged == Caged::none) return good ? 0 : 1;
+  if (trial.caged == Caged::few) wrong.resize(std::min<std::size_t>(wrong.size(), 1));
+  std::printf("       in the cage\n");
+  good = prove(in_the_cage(exercise), exercise, 1, right, wrong) && good;
   return good ? 0 : 1;
+}
+
+// What the second argument asks for.
+std::optional<Trial> trial(const std::string& word) {
+  if (word.empty()) return Trial{};
+  if (word == "caged") return Trial{0, Caged::all};
+  const int seeds = std::atoi(word.c_str());
+  if (seeds < 1) return std::nullopt;
+  return Trial{seeds, Caged::none};
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
   const auto exercise = count > 1 ? grade::exercise(arguments[1]) : std::nullopt;
-  if (!exercise || count > 3) {
-    std::fprintf(
-        stderr,
-        "prove: name one exercise, such as 2-euler/orbit-drift, and perhaps how many seeds\n");
+  const auto asked = trial(count > 2 ? arguments[2] : "");
+  if (!exercise || !asked || count > 3) {
+    std::fprintf(stderr,
+                 "prove: name one exercise, such as 2-euler/orbit-drift, and perhaps behind it how "
+                 "many seeds, or the word caged\n");
     return 2;
   }
-  const int seeds = count > 2 ? std::max(1, std::atoi(arguments[2])) : 3;
   try {
-    return prove(*exercise, seeds);
+    return prove(*exercise, *asked);
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "prove: %s\n", problem.what());
     return 1;

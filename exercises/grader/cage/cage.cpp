@@ -125,11 +125,12 @@ static bool can_have_proc(const Kit& kit) {
   return can;
 }
 
-Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& limits,
-            Build build) {
+Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& limits, Build build,
+            const std::vector<std::string>& arguments) {
   const bool checked = build != Build::scored;
-  const Words command = checked ? check_command(sandbox, kit, limits, can_have_proc(kit))
-                                : run_command(sandbox, limits);
+  Words command = checked ? check_command(sandbox, kit, limits, can_have_proc(kit))
+                          : run_command(sandbox, limits);
+  command.insert(command.end(), arguments.begin(), arguments.end());
   if (sandbox == Sandbox::none) return Process(command, {{driver.get(), 8}}, limits);
   const File filter = part(fs::path(kit.filters) / (checked ? "compile.bpf" : "run.bpf"));
   return Process(command, {{driver.get(), 8}, {filter.get(), 9}}, limits);

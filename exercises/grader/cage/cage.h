@@ -44,7 +44,7 @@ Process compile(Sandbox sandbox, const Kit& kit, std::string_view submission,
 
 /// Starts a driver.
 Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& limits,
-            Build build = Build::scored);
+            Build build = Build::scored, const std::vector<std::string>& arguments = {});
 
 /// Runs the canary in the run cage. Nothing if everything that should be refused is refused; else
 /// what is wrong and what to do about it.

@@ -89,8 +89,8 @@ void note_exit(const cage::Ended& ended, Moment moment) {
 
 std::unique_ptr<cage::Process> start_driver() {
   Session& now = session();
-  return std::unique_ptr<cage::Process>(
-      new cage::Process(cage::run(now.sandbox, *now.kit, *now.driver, now.limits, now.build)));
+  return std::unique_ptr<cage::Process>(new cage::Process(
+      cage::run(now.sandbox, *now.kit, *now.driver, now.limits, now.build, now.arguments)));
 }
 
 void note_nonsense() {

@@ -22,6 +22,7 @@ struct Session {
   cage::Build build = cage::Build::scored;  ///< of the driver
   cage::Limits limits;
   std::uint64_t seed = 1;
+  std::vector<std::string> arguments;  ///< of the driver
 
   // Found.
   std::vector<grade::TestResult> tests;
