@@ -20,9 +20,9 @@ export function createProblems() {
     get any() {
       return list.length > 0;
     },
-    print(stream = process.stderr) {
+    text() {
       const sorted = [...list].sort((a, b) => a.file.localeCompare(b.file) || a.line - b.line);
-      for (const p of sorted) stream.write(`${p.line ? `${p.file}:${p.line}` : p.file}: ${p.message}\n`);
+      return sorted.map(p => `${p.line ? `${p.file}:${p.line}` : p.file}: ${p.message}\n`).join('');
     },
   };
 }

@@ -1,4 +1,4 @@
-// The few lines that the weaver prints when all went well.
+// The few lines that the weaver says when all went well.
 import { bareCaptions, captions } from './captions.mjs';
 
 export function stopwatch() {
@@ -13,7 +13,7 @@ export function stopwatch() {
   return watch;
 }
 
-export function printSummary(book, pages, watch) {
+export function summary(book, pages, watch) {
   const rows = [...book.chapters.values()].map(({ page, name, numbers, tests }) => {
     const all = mark => page.pieces.filter(p => p.name === mark && p.type !== 'close');
     const count = mark => all(mark).length;
@@ -29,24 +29,22 @@ export function printSummary(book, pages, watch) {
       page.tasks.size,
     ];
   });
-  printTable([['chapter', 'words', 'figures', 'listings', 'claims', 'numbers', 'exercises', 'graded'], ...rows]);
-  console.log(
-    `${bareCaptions(book).length} of ${captions(book).length} captions have neither \\number nor \\claim nor \\look (at most ${book.config.bareCaptions ?? 0} may)`,
-  );
   const times = watch.parts.map(([name, seconds]) => `${name} ${seconds.toFixed(2)} s`).join(', ');
-  console.log(
-    `${pages.length} pages woven in ${watch.parts.reduce((sum, [, s]) => sum + s, 0).toFixed(2)} s: ${times}`,
-  );
-  console.log(`open ${book.config.output}/index.html`);
+  const all = watch.parts.reduce((sum, [, seconds]) => sum + seconds, 0);
+  return [
+    ...table([['chapter', 'words', 'figures', 'listings', 'claims', 'numbers', 'exercises', 'graded'], ...rows]),
+    `${bareCaptions(book).length} of ${captions(book).length} captions have neither \\number nor \\claim nor \\look (at most ${book.config.bareCaptions ?? 0} may)`,
+    `${pages.length} pages woven in ${all.toFixed(2)} s: ${times}`,
+    `open ${book.config.output}/index.html`,
+  ].join('\n');
 }
 
-function printTable(rows) {
+function table(rows) {
   const widths = rows[0].map((_, i) => Math.max(...rows.map(row => String(row[i]).length)));
-  for (const row of rows)
-    console.log(
-      row
-        .map((cell, i) => (i ? String(cell).padStart(widths[i]) : String(cell).padEnd(widths[i])))
-        .join('  ')
-        .trimEnd(),
-    );
+  return rows.map(row =>
+    row
+      .map((cell, i) => (i ? String(cell).padStart(widths[i]) : String(cell).padEnd(widths[i])))
+      .join('  ')
+      .trimEnd(),
+  );
 }

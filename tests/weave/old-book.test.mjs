@@ -36,8 +36,7 @@ test('a book that fails leaves the old one as it was', () => {
 
 test('a weaver that breaks off while it writes leaves nothing half-written', () => {
   const book = sampleBook(['built/2-euler/data/broken.csv/file', '']);
-  const { status } = book.weave();
-  assert.notEqual(status, 0);
+  assert.throws(() => book.weave(), /broken\.csv/);
   assert.ok(!book.has('built/book') && !book.has('built/book.new'));
 });
 
@@ -51,6 +50,18 @@ test('what is left of the book before is gone', () => {
       !book.has('built/book.new') &&
       !book.has('built/book.old'),
   );
+});
+
+test('by itself it says and does what it does within a test', () => {
+  const timeless = ({ status, stdout, stderr }) => [status, stdout.replace(/\d+\.\d\d s/g, 'some s'), stderr];
+  const book = sampleBook();
+  assert.deepEqual(timeless(book.runWeaver()), timeless(book.weave()));
+  assert.ok(book.has('built/book/index.html'));
+  book.edit(CHAPTER, 'Marks in code stay', '\\number{x} Marks in code stay');
+  assert.deepEqual(timeless(book.runWeaver()), timeless(book.weave()));
+  const broken = sampleBook(['built/2-euler/data/broken.csv/file', '']);
+  assert.notEqual(broken.runWeaver().status, 0);
+  assert.ok(!broken.has('built/book') && !broken.has('built/book.new'));
 });
 
 test('bad use', () => {

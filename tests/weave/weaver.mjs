@@ -1,4 +1,5 @@
-// The sample, a book in miniature, in a folder of its own: edited, woven as CMake does it, and judged.
+// The sample, a book in miniature, in a folder of its own: edited, woven and judged. It is woven within the test's own process, by
+// what weave.mjs calls: to start the weaver costs more than to weave so small a book.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import {
@@ -15,6 +16,7 @@ import {
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { Faults, weave } from '../../book/weave/weaving.mjs';
 
 export const WEAVER = fileURLToPath(new URL('../../book/weave/weave.mjs', import.meta.url));
 const SAMPLE = fileURLToPath(new URL('sample', import.meta.url));
@@ -48,14 +50,12 @@ export function sampleBook(...edits) {
     has: name => existsSync(join(folder, name)),
     read: name => readFileSync(join(folder, name), 'utf8'),
     edit: (name, ...change) => edit(book, name, change),
-    weave: (doxygen = process.env.DOXYGEN || 'doxygen') =>
-      weave(
-        folder,
-        readdirSync(join(folder, 'chapters')).filter(
-          name => name !== 'front' || existsSync(join(folder, 'built/front')),
-        ),
-        doxygen,
-      ),
+    weave: doxygen => woveBy(configOf(folder, doxygen)),
+    // As CMake does it, in a process of its own.
+    runWeaver: () => {
+      writeFileSync(join(folder, 'weave.json'), JSON.stringify(configOf(folder)));
+      return spawnSync(process.execPath, [WEAVER, join(folder, 'weave.json')], { encoding: 'utf8' });
+    },
   };
   for (const change of edits) book.edit(...change);
   return book;
@@ -77,27 +77,32 @@ function edit(book, name, change) {
   writeFileSync(path, parts.join(change[1]));
 }
 
-function weave(folder, chapters, doxygen) {
-  const config = join(folder, 'weave.json');
-  writeFileSync(
-    config,
-    JSON.stringify({
-      version: '1.2.3',
-      source: folder,
-      output: join(folder, 'built/book'),
-      work: join(folder, 'work'),
-      live: existsSync(join(folder, MODULE)) ? join(folder, MODULE) : '',
-      cards: join(folder, 'built/cards'),
-      shelf: existsSync(join(folder, 'code/shelf')) ? join(folder, 'built/shelf') : '',
-      doxygen,
-      times:
-        existsSync(join(folder, 'built/recorded.csv')) || existsSync(join(folder, 'built/here.csv'))
-          ? [{ recorded: join(folder, 'built/recorded.csv'), here: join(folder, 'built/here.csv') }]
-          : [],
-      chapters: chapters.map(name => ({ name, folder: `chapters/${name}`, build: join(folder, 'built', name) })),
-    }),
-  );
-  return spawnSync(process.execPath, [WEAVER, config], { encoding: 'utf8' });
+function configOf(folder, doxygen = process.env.DOXYGEN || 'doxygen') {
+  const names = readdirSync(join(folder, 'chapters'));
+  const chapters = names.filter(name => name !== 'front' || existsSync(join(folder, 'built/front')));
+  const timed = ['recorded', 'here'].some(name => existsSync(join(folder, `built/${name}.csv`)));
+  return {
+    version: '1.2.3',
+    source: folder,
+    output: join(folder, 'built/book'),
+    work: join(folder, 'work'),
+    live: existsSync(join(folder, MODULE)) ? join(folder, MODULE) : '',
+    cards: join(folder, 'built/cards'),
+    shelf: existsSync(join(folder, 'code/shelf')) ? join(folder, 'built/shelf') : '',
+    doxygen,
+    times: timed ? [{ recorded: join(folder, 'built/recorded.csv'), here: join(folder, 'built/here.csv') }] : [],
+    chapters: chapters.map(name => ({ name, folder: `chapters/${name}`, build: join(folder, 'built', name) })),
+  };
+}
+
+// What weave.mjs would say of it, and end with.
+function woveBy(config) {
+  try {
+    return { status: 0, stdout: `${weave(config)}\n`, stderr: '' };
+  } catch (fault) {
+    if (!(fault instanceof Faults)) throw fault;
+    return { status: 1, stdout: '', stderr: `${fault.message}\n` };
+  }
 }
 
 // The weaver stops with these faults and no others, each [file, what stands in its line, message].
