@@ -23,7 +23,7 @@ esac
 cd "$(dirname "${BASH_SOURCE[0]}")"
 # shellcheck source=/dev/null
 system=$({ . /etc/os-release && echo "$ID $VERSION_ID"; } 2>/dev/null) || system=unknown
-chromium=chromium firefox=firefox-esr
+chromium=chromium-headless-shell firefox=firefox-esr
 [ "$system" != "ubuntu 24.04" ] || chromium=chromium-browser firefox=firefox
 
 # packages: what for

@@ -19,7 +19,12 @@ const { values: load } = parseArgs({
 async function record() {
   const executablePath =
     process.env.CHROMIUM ??
-    ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
+    [
+      '/usr/bin/chromium',
+      '/usr/bin/chromium-browser',
+      '/usr/bin/google-chrome',
+      '/usr/bin/chromium-headless-shell',
+    ].find(existsSync);
   const args = ['--disable-gpu', '--no-first-run', '--disable-background-networking'];
   const browser = await chromium.launch({ executablePath, chromiumSandbox: false, args });
   try {

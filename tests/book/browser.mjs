@@ -1,31 +1,14 @@
-// The distribution's Chromium, and a tab of it that keeps account of what should not happen.
-import { existsSync } from 'node:fs';
+// A tab of the distribution's Chromium that keeps account of what should not happen.
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { after } from 'node:test';
-import { chromium } from 'playwright-core';
+import { openChromium } from '../chromium.mjs';
 import { folder } from './book.mjs';
 
-const candidates = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/snap/bin/chromium', '/usr/bin/google-chrome'];
-const executablePath = process.env.CHROMIUM ?? candidates.find(existsSync);
-if (!executablePath || !existsSync(executablePath)) {
-  console.error(
-    `The book is tested in a browser, and there is none: ${executablePath ?? candidates.join(', ')} not found.\n` +
-      'Run ./setup.sh, or name a Chromium with CHROMIUM=/path/to/it',
-  );
+export const browser = await openChromium().catch(fault => {
+  console.error(`The book is tested in a browser. ${fault.message}`);
   process.exit(1);
-}
-
-// Without the sandbox, which containers refuse: the pages are our own. And without anything that looks at the network.
-const args = [
-  '--disable-gpu',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-];
-export const browser = await chromium.launch({ executablePath, chromiumSandbox: false, args });
+});
 after(() => browser.close());
 
 const looks = {
@@ -61,9 +44,19 @@ export function addressOf(page) {
 export async function visit(tab, page) {
   tab.faults.length = 0;
   await tab.goto(addressOf(page), { waitUntil: 'load' });
-  await tab.waitForFunction(() =>
+  await alive(tab);
+}
+
+// Every live figure of the page runs.
+export const alive = tab =>
+  tab.waitForFunction(() =>
     [...document.querySelectorAll('[data-live]')].every(figure => figure.classList.contains('live')),
   );
-}
+
+// What the browser draws next, `count` times over: whatever still moves has moved by then.
+export const frames = (tab, count = 4) =>
+  tab.evaluate(async n => {
+    for (; n; --n) await new Promise(requestAnimationFrame);
+  }, count);
 
 export const pageOf = tab => new URL(tab.url()).pathname.split('/').at(-1);

@@ -1,49 +1,70 @@
-// A live figure, driven by keyboard and by its buttons:  node live-figures.test.mjs BUILD [FIGURE]; without a name, every one.
+// The live figures, driven by keyboard and by their buttons:  node live-figures.test.mjs BUILD [FIGURE]; without a name, every one.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
-import { setTimeout as wait } from 'node:timers/promises';
-import { browser, openTab } from './browser.mjs';
+import { before, describe, test } from 'node:test';
+import { alive, browser, frames, openTab } from './browser.mjs';
 import { figures, open } from './live.mjs';
 
-const tab = await openTab();
-const phone = await openTab('dark');
-const moving = await openTab();
-await moving.emulateMedia({ reducedMotion: 'no-preference' });
-// A click can miss what still glides, as the page does for readers who like motion.
-await moving.addInitScript(() =>
-  addEventListener('DOMContentLoaded', () => {
-    document.documentElement.style.scrollBehavior = 'auto';
-  }),
-);
-
+const only = process.argv[3];
+const asked = figures.filter(({ name }) => !only || name === only);
 const blank = tab => assert.deepEqual(tab.faults, []);
 
-const only = process.argv[3];
-for (const figure of figures.filter(({ name }) => !only || name === only)) {
-  const about = (sentence, body) => test(`${figure.name}: ${sentence}`, body);
+test('the figure is there', () => assert.ok(asked.length));
 
-  about('every control, moved by keyboard, changes the picture and says so', async () => {
-    for (const reader of [tab, phone]) {
-      for (const control of figure.controls) {
-        const { name, choices } = control;
-        const live = await open(reader, figure);
-        await live.reach(control);
-        const before = [await live.scene(), await live.chart()];
-        const input = live.control(name).locator(choices ? 'input:checked' : 'input');
-        const said = () => live.control(name).locator('input').first().getAttribute('aria-valuetext');
-        const first = await said();
-        await input.focus();
-        await reader.keyboard.press('ArrowRight');
-        assert.notDeepEqual([await live.scene(), await live.chart()], before, `${name} changes nothing that is seen`);
-        if (!choices) assert.notEqual(await said(), first, `${name} does not say where it stands`);
-      }
-      blank(reader);
-    }
+// Three readers at once, with a tab of one browser each. A page is opened once by each, and put back to how it opened before
+// each test.
+describe('live figures', { concurrency: 3 }, () => {
+  for (const [look, reader] of [
+    ['light', 'on a desktop'],
+    ['dark', 'on a phone'],
+  ])
+    describe(reader, { concurrency: 1 }, () => {
+      let tab;
+      before(async () => {
+        tab = await openTab(look);
+      });
+      for (const figure of asked) withoutMotion(figure, () => tab, `${figure.name}, ${reader}`, look === 'light');
+    });
+  describe('where the reader likes motion', { concurrency: 1 }, withMotion);
+});
+
+function withoutMotion(figure, reader, name, onDesktop) {
+  let live, tab;
+  const about = (sentence, body) =>
+    test(`${name}: ${sentence}`, async () => {
+      tab = reader();
+      if (!live) live = await open(tab, figure);
+      else await live.reopen();
+      await body();
+      blank(tab);
+    });
+
+  about('the whole run is shown and stays still', async () => {
+    const { t, h } = await live.now();
+    assert.ok(t > figure.seconds - 1.001 * h, `it ends at ${t}`);
+    const scene = await live.scene();
+    await frames(tab, 6);
+    assert.equal(await live.scene(), scene);
+    assert.equal(await live.playing(), false);
   });
+
+  for (const control of figure.controls)
+    about(`${control.name}, moved by keyboard, changes the picture and says so`, async () => {
+      const { name, choices } = control;
+      await live.reach(control);
+      const shown = [await live.scene(), await live.chart()];
+      const input = live.control(name).locator(choices ? 'input:checked' : 'input');
+      const said = () => live.control(name).locator('input').first().getAttribute('aria-valuetext');
+      const first = await said();
+      await input.focus();
+      await tab.keyboard.press('ArrowRight');
+      assert.notDeepEqual([await live.scene(), await live.chart()], shown, `${name} changes nothing that is seen`);
+      if (!choices) assert.notEqual(await said(), first, `${name} does not say where it stands`);
+    });
+
+  if (!onDesktop) return;
 
   about('the code beside it is that of the method chosen', async () => {
     const methods = Object.keys(figure.controls.find(({ name }) => name === 'method')?.choices ?? {});
-    const live = await open(tab, figure);
     for (const method of methods) {
       await live.control('method').locator(`[value=${method}]`).check();
       const shown = live.stage.locator('.listing:visible');
@@ -55,69 +76,7 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
     }
   });
 
-  about('without motion it shows the whole run and stays still', async () => {
-    const live = await open(tab, figure);
-    const { t, h } = await live.now();
-    assert.ok(t > figure.seconds - 1.001 * h, `it ends at ${t}`);
-    const scene = await live.scene();
-    await wait(500);
-    assert.equal(await live.scene(), scene);
-    assert.equal(await live.playing(), false);
-  });
-
-  about('with motion it plays once it is seen, and Pause holds it', async () => {
-    const live = await open(moving, figure);
-    await live.stage.evaluate(stage => stage.scrollIntoView());
-    await moving.waitForFunction(
-      of => globalThis.Live.opened[of].playing && globalThis.Live.opened[of].run.taken > 0,
-      figure.name,
-    );
-    await live.press('play');
-    const held = await live.now();
-    assert.ok(held.t < figure.seconds);
-    await wait(300);
-    assert.deepEqual(await live.now(), held);
-    assert.equal(await live.playing(), false);
-    blank(moving);
-  });
-
-  about('it pauses out of sight', async () => {
-    const live = await open(moving, figure);
-    await live.press('reset');
-    await live.press('play');
-    await moving.evaluate(() => scrollTo(0, document.body.scrollHeight));
-    await live.stage.evaluate(
-      stage =>
-        new Promise(done => {
-          new IntersectionObserver(([seen]) => seen.isIntersecting || done()).observe(stage);
-        }),
-    );
-    await wait(100);
-    const { t } = await live.now();
-    await wait(400);
-    assert.equal((await live.now()).t, t);
-  });
-
-  about('it says so when it runs slower than time', async () => {
-    const live = await open(moving, figure);
-    const slow = 'Runs slower than time.';
-    await live.press('reset');
-    assert.ok(!(await live.stage.locator('.readout').textContent()).includes(slow));
-    await moving.evaluate(of => {
-      const { run } = globalThis.Live.opened[of],
-        { step } = Object.getPrototypeOf(run);
-      run.step = () => {
-        for (const until = performance.now() + 300; performance.now() < until;);
-        step.call(run);
-      };
-    }, figure.name);
-    await live.press('play');
-    await live.stage.locator('.readout', { hasText: slow }).waitFor();
-    await live.press('play');
-  });
-
   about('Reset goes to the start, and Step on by one step', async () => {
-    const live = await open(tab, figure);
     await live.press('reset');
     const start = await live.now();
     const scene = await live.scene();
@@ -129,7 +88,6 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
   });
 
   about('a setting that is changed while it is held leaves it at its time', async () => {
-    const live = await open(tab, figure);
     await live.press('reset');
     for (let i = 0; i < 4; ++i) await live.press('step');
     const held = await live.now();
@@ -144,17 +102,30 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
   });
 
   about('picture and chart follow the theme button', async () => {
-    const live = await open(tab, figure);
-    const before = { scene: await live.scene(), chart: await live.chart() };
+    const shown = { scene: await live.scene(), chart: await live.chart() };
     const button = tab.locator('button.theme');
     await button.click();
-    for (const part of ['scene', 'chart']) assert.notEqual(await live[part](), before[part], part);
+    for (const part of ['scene', 'chart']) assert.notEqual(await live[part](), shown[part], part);
     await button.click();
-    for (const part of ['scene', 'chart']) assert.equal(await live[part](), before[part], part);
+    for (const part of ['scene', 'chart']) assert.equal(await live[part](), shown[part], part);
+  });
+
+  about('without scripts and on paper there is the still picture', async () => {
+    const context = await browser.newContext({ javaScriptEnabled: false });
+    const plain = await context.newPage();
+    await plain.goto(tab.url(), { waitUntil: 'domcontentloaded' });
+    await tab.emulateMedia({ media: 'print' });
+    for (const reader of [plain, tab]) {
+      const shown = reader.locator(`[data-live="${figure.name}"]`);
+      assert.ok(await shown.locator('.still .wide svg').isVisible());
+      assert.equal(await shown.locator('.stage:visible').count(), 0);
+    }
+    await tab.emulateMedia({ media: 'screen' });
+    assert.ok(await tab.locator(`[data-live="${figure.name}"] .still`).isHidden());
+    await context.close();
   });
 
   about('the link brings back the settings', async () => {
-    const live = await open(tab, figure);
     for (const { name, choices } of figure.controls) {
       if (await live.control(name).isHidden()) continue;
       await live
@@ -169,27 +140,78 @@ for (const figure of figures.filter(({ name }) => !only || name === only)) {
     const address = tab.url();
     await tab.goto('about:blank');
     await tab.goto(address, { waitUntil: 'load' });
-    await tab.waitForFunction(of => globalThis.Live?.opened[of], figure.name);
+    await alive(tab);
     assert.equal(await live.query(), query);
     assert.equal(await live.scene(), scene);
-    blank(tab);
-  });
-
-  about('without scripts and on paper there is the still picture', async () => {
-    const context = await browser.newContext({ javaScriptEnabled: false });
-    const plain = await context.newPage();
-    await open(tab, figure);
-    await plain.goto(tab.url());
-    await tab.emulateMedia({ media: 'print' });
-    for (const reader of [plain, tab]) {
-      const shown = reader.locator(`[data-live="${figure.name}"]`);
-      assert.ok(await shown.locator('.still .wide svg').isVisible());
-      assert.equal(await shown.locator('.stage:visible').count(), 0);
-    }
-    await tab.emulateMedia({ media: 'screen' });
-    assert.ok(await tab.locator(`[data-live="${figure.name}"] .still`).isHidden());
-    await context.close();
   });
 }
 
-test('the figure is there', () => assert.ok(figures.some(({ name }) => !only || name === only)));
+function withMotion() {
+  let moving;
+  before(async () => {
+    moving = await openTab('light', { reducedMotion: 'no-preference' });
+    // A click can miss what still glides, as the page does for readers who like motion.
+    await moving.addInitScript(() =>
+      addEventListener('DOMContentLoaded', () => {
+        document.documentElement.style.scrollBehavior = 'auto';
+      }),
+    );
+  });
+
+  for (const figure of asked) {
+    let live;
+    const about = (sentence, body) =>
+      test(`${figure.name}: ${sentence}`, async () => {
+        await body();
+        blank(moving);
+      });
+
+    about('it plays once it is seen, and Pause holds it', async () => {
+      live = await open(moving, figure);
+      await live.stage.evaluate(stage => stage.scrollIntoView());
+      await moving.waitForFunction(
+        of => globalThis.Live.opened[of].playing && globalThis.Live.opened[of].run.taken > 0,
+        figure.name,
+      );
+      await live.press('play');
+      const held = await live.now();
+      assert.ok(held.t < figure.seconds);
+      await frames(moving, 6);
+      assert.deepEqual(await live.now(), held);
+      assert.equal(await live.playing(), false);
+    });
+
+    about('it pauses out of sight', async () => {
+      await live.press('reset');
+      await live.press('play');
+      await moving.evaluate(() => scrollTo(0, document.body.scrollHeight));
+      await live.stage.evaluate(
+        stage =>
+          new Promise(done => {
+            new IntersectionObserver(([seen]) => seen.isIntersecting || done()).observe(stage);
+          }),
+      );
+      await frames(moving, 2);
+      const { t } = await live.now();
+      await frames(moving, 6);
+      assert.equal((await live.now()).t, t);
+    });
+
+    about('it says so when it runs slower than time', async () => {
+      const slow = 'Runs slower than time.';
+      await live.press('reset');
+      assert.ok(!(await live.stage.locator('.readout').textContent()).includes(slow));
+      await moving.evaluate(of => {
+        const { run } = globalThis.Live.opened[of],
+          { step } = Object.getPrototypeOf(run);
+        run.step = () => {
+          for (const until = performance.now() + 300; performance.now() < until;);
+          step.call(run);
+        };
+      }, figure.name);
+      await live.press('play');
+      await live.stage.locator('.readout', { hasText: slow }).waitFor();
+      await live.press('play');
+    });
+  }
+}

@@ -1,8 +1,8 @@
 // The live figures of the built book, each with the page that shows it.
 import { readFigures } from '../../book/live/cases.mjs';
-import { pages, parse } from './book.mjs';
+import { pages, read } from './book.mjs';
 
 export const figures = readFigures().map(figure => ({
   ...figure,
-  page: pages.find(page => parse(page)(`[data-live="${figure.name}"]`).length),
+  page: pages.find(page => read(page).includes(` data-live="${figure.name}"`)),
 }));

@@ -14,6 +14,7 @@ export async function open(tab, { name, page }, query = '') {
   await visit(tab, page + (query && `#figure-${name}?${query}`));
   const stage = tab.locator(`[data-live="${name}"] .stage`);
   await stage.scrollIntoViewIfNeeded();
+  const settings = await tab.evaluate(of => globalThis.Live.opened[of].settings.query, name);
   const canvas = selector =>
     stage
       .locator(selector)
@@ -31,6 +32,17 @@ export async function open(tab, { name, page }, query = '') {
       }, name),
     playing: () => tab.evaluate(of => globalThis.Live.opened[of].playing, name),
     query: () => tab.evaluate(of => globalThis.Live.opened[of].settings.query, name),
+    // Puts it back to how the page opened it: the whole run, with the settings of then.
+    reopen: () =>
+      tab.evaluate(
+        ([of, query]) => {
+          const figure = globalThis.Live.opened[of];
+          figure.settings.query = query;
+          figure.reset();
+          figure.showWhole();
+        },
+        [name, settings],
+      ),
     control: control => stage.locator(`[data-control="${control}"]`),
     // Some controls are for one choice of another alone: makes that choice.
     reach: async ({ for: choice = {} }) => {

@@ -1,38 +1,16 @@
-// Every page in the browser, in one look: light on a desktop, or dark on a phone.
+// Pages in the browser, light on a desktop and dark on a phone:  node pages.test.mjs BUILD [others]
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { before, describe, test } from 'node:test';
-import { kind, pages, parse } from './book.mjs';
+import { accessibility } from './accessibility.mjs';
+import { chapters, parse } from './book.mjs';
 import { openTab, visit } from './browser.mjs';
+import { asked, chosen, isMade, others } from './chosen.mjs';
 import { inspect } from './inspect.mjs';
 
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+// axe is slow, and of the pages that are made of the code it looks at those that stand for all, and at the others that hold an
+// element within an element, or a heading after a heading, that none before them held.
 const seen = new Set();
-
-// Two tabs take turns: while one waits for its page, the other works.
-describe('every page', { concurrency: 2 }, () => {
-  const free = [];
-  before(async () => free.push(await openTab(process.argv[3]), await openTab(process.argv[3])));
-  for (const page of pages) {
-    test(page, async () => {
-      const tab = free.pop();
-      try {
-        await visit(tab, page);
-        const faults = [...tab.faults, ...(await tab.evaluate(inspect))];
-        if (holdsSomethingNew(page)) faults.push(...(await accessibility(tab)));
-        assert.ok(!faults.length, faults.join('\n'));
-      } finally {
-        free.push(tab);
-      }
-    });
-  }
-});
-
-// axe is slow, and pages of code and of reference are made alike by the dozen: it looks at those that hold an element
-// within an element, or a heading after a heading, that none before them held.
 function holdsSomethingNew(page) {
-  if (!['api', 'source'].includes(kind(page))) return true;
   const $ = parse(page);
   const name = e => `${e.name}.${e.attribs.class ?? ''}`;
   const within = $('main *')
@@ -46,13 +24,36 @@ function holdsSomethingNew(page) {
   for (const pair of [...within, ...after]) seen.add(pair);
   return seen.size > before;
 }
+for (const page of chosen.filter(isMade)) holdsSomethingNew(page);
+const fresh = new Set(asked === others ? others.filter(holdsSomethingNew) : []);
 
-// preload would make axe fetch the style sheets, which a page on disk may not
-async function accessibility(tab) {
-  await tab.evaluate(axe);
-  const { violations } = await tab.evaluate(() => axe.run(document, { resultTypes: ['violations'], preload: false }));
-  return violations.map(
-    ({ id, help, nodes }) =>
-      `axe ${id}: ${help}, ${nodes.length} times, first at ${nodes[0].target} ${nodes[0].any[0]?.message ?? ''}`,
-  );
-}
+// A chapter is looked over by axe in one of the looks, and in the other one among the others: it takes some seconds.
+const turn = page => ['light', 'dark'][chapters.indexOf(page) % 2];
+const isChapter = page => chapters.includes(page);
+const looksWhole =
+  asked === chosen
+    ? (page, look) => !isChapter(page) || turn(page) === look
+    : page => isChapter(page) || fresh.has(page);
+const visited = look => (asked === chosen ? chosen : [...chapters.filter(page => turn(page) !== look), ...others]);
+
+// One browser, a tab for each look, and both at once.
+describe('in the browser', { concurrency: 2 }, () => {
+  for (const [look, reader] of [
+    ['light', 'light on a desktop'],
+    ['dark', 'dark on a phone'],
+  ])
+    describe(reader, { concurrency: 1 }, () => {
+      let tab;
+      before(async () => {
+        tab = await openTab(look);
+      });
+      for (const page of visited(look)) {
+        test(`${page}, ${reader}`, async () => {
+          await visit(tab, page);
+          const faults = [...tab.faults, ...(await tab.evaluate(inspect))];
+          if (looksWhole(page, look)) faults.push(...(await accessibility(tab)));
+          assert.ok(!faults.length, faults.join('\n'));
+        });
+      }
+    });
+});

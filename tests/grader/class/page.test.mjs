@@ -5,7 +5,7 @@ import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { HtmlValidate } from 'html-validate';
-import { openBrowser } from '../browser.mjs';
+import { openChromium } from '../../chromium.mjs';
 import { classroom } from './classroom.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
@@ -23,7 +23,7 @@ const page = room.path('results/summary.html');
 
 let browser;
 before(async () => {
-  browser = await openBrowser();
+  browser = await openChromium();
 });
 after(() => browser.close());
 

@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import Ajv from 'ajv/dist/2020.js';
-import { openBrowser } from '../browser.mjs';
+import { openChromium } from '../../chromium.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'reports-'));
 after(() => rmSync(folder, { recursive: true }));
@@ -88,7 +88,7 @@ test('results.json is what Gradescope reads, in whole points, and shows nothing 
 });
 
 test('junit.xml and plots are well-formed, and JUnit counts right', async () => {
-  const browser = await openBrowser();
+  const browser = await openChromium();
   const page = await browser.newPage();
   const parse = text =>
     page.evaluate(source => {
