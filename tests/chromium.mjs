@@ -19,6 +19,7 @@ const args = [
   '--disable-background-networking',
   '--disable-component-update',
   '--disable-sync',
+  '--font-render-hinting=none', // or letters of the headless one are wider, in print above all
 ];
 
 export function openChromium() {

@@ -1,11 +1,18 @@
-// The live figures, driven by keyboard and by their buttons:  node live-figures.test.mjs BUILD [FIGURE]; without a name, every one.
+// The live figures, driven by keyboard and by their buttons:  node live-figures.test.mjs BUILD [FIGURE | others]
+// Without a name every one is, on a desktop, and every second one on a phone; with "others", the others on a phone.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
-import { alive, browser, frames, openTab } from './browser.mjs';
-import { figures, open } from './live.mjs';
+import { alive, browser, frames, openTab, pageOf } from './browser.mjs';
+import { figures, hold, open } from './live.mjs';
 
-const only = process.argv[3];
+const others = process.argv[3] === 'others';
+const only = others ? undefined : process.argv[3];
 const asked = figures.filter(({ name }) => !only || name === only);
+const looks = [
+  ['light', 'on a desktop', others ? [] : asked],
+  ['dark', 'on a phone', asked.filter((_, i) => only || (i % 2 === 1) === others)],
+];
+const come = (tab, figure) => (pageOf(tab) === figure.page ? hold(tab, figure) : open(tab, figure));
 const blank = tab => assert.deepEqual(tab.faults, []);
 
 test('the figure is there', () => assert.ok(asked.length));
@@ -13,18 +20,15 @@ test('the figure is there', () => assert.ok(asked.length));
 // Three readers at once, with a tab of one browser each. A page is opened once by each, and put back to how it opened before
 // each test.
 describe('live figures', { concurrency: 3 }, () => {
-  for (const [look, reader] of [
-    ['light', 'on a desktop'],
-    ['dark', 'on a phone'],
-  ])
+  for (const [look, reader, all] of looks)
     describe(reader, { concurrency: 1 }, () => {
       let tab;
       before(async () => {
         tab = await openTab(look);
       });
-      for (const figure of asked) withoutMotion(figure, () => tab, `${figure.name}, ${reader}`, look === 'light');
+      for (const figure of all) withoutMotion(figure, () => tab, `${figure.name}, ${reader}`, look === 'light');
     });
-  describe('where the reader likes motion', { concurrency: 1 }, withMotion);
+  if (!others) describe('where the reader likes motion', { concurrency: 1 }, withMotion);
 });
 
 function withoutMotion(figure, reader, name, onDesktop) {
@@ -32,7 +36,7 @@ function withoutMotion(figure, reader, name, onDesktop) {
   const about = (sentence, body) =>
     test(`${name}: ${sentence}`, async () => {
       tab = reader();
-      if (!live) live = await open(tab, figure);
+      if (!live) live = await come(tab, figure);
       else await live.reopen();
       await body();
       blank(tab);
@@ -167,7 +171,7 @@ function withMotion() {
       });
 
     about('it plays once it is seen, and Pause holds it', async () => {
-      live = await open(moving, figure);
+      live = await come(moving, figure);
       await live.stage.evaluate(stage => stage.scrollIntoView());
       await moving.waitForFunction(
         of => globalThis.Live.opened[of].playing && globalThis.Live.opened[of].run.taken > 0,
@@ -205,12 +209,13 @@ function withMotion() {
         const { run } = globalThis.Live.opened[of],
           { step } = Object.getPrototypeOf(run);
         run.step = () => {
-          for (const until = performance.now() + 300; performance.now() < until;);
+          for (const until = performance.now() + 150; performance.now() < until;);
           step.call(run);
         };
       }, figure.name);
       await live.press('play');
       await live.stage.locator('.readout', { hasText: slow }).waitFor();
+      await moving.evaluate(of => delete globalThis.Live.opened[of].run.step, figure.name);
       await live.press('play');
     });
   }

@@ -1,8 +1,8 @@
 // The rope that hangs from the reader's hand: by mouse, by touch and by keyboard.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { openTab } from './browser.mjs';
-import { figures, open } from './live.mjs';
+import { openTab, pageOf } from './browser.mjs';
+import { figures, hold, open } from './live.mjs';
 
 const NAME = 'rope-to-drag';
 const figure = figures.find(({ name }) => name === NAME);
@@ -10,7 +10,7 @@ const tab = await openTab();
 const phone = await openTab('dark');
 
 async function openRope(reader) {
-  const live = await open(reader, figure);
+  const live = await (pageOf(reader) === figure.page ? hold : open)(reader, figure);
   await live.press('reset');
   const handle = live.stage.locator('.handle');
   const middle = async () => {

@@ -10,8 +10,13 @@ export const MODULE = join(build, 'weave/live/live.wasm');
 export const module = readFileSync(MODULE);
 
 // Opens the page of a figure, and returns what there is to do with it.
-export async function open(tab, { name, page }, query = '') {
-  await visit(tab, page + (query && `#figure-${name}?${query}`));
+export async function open(tab, figure, query = '') {
+  await visit(tab, figure.page + (query && `#figure-${figure.name}?${query}`));
+  return hold(tab, figure);
+}
+
+// What there is to do with a figure of the page that is open.
+export async function hold(tab, { name }) {
   const stage = tab.locator(`[data-live="${name}"] .stage`);
   await stage.scrollIntoViewIfNeeded();
   const settings = await tab.evaluate(of => globalThis.Live.opened[of].settings.query, name);

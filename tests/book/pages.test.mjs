@@ -6,6 +6,7 @@ import { chapters, parse } from './book.mjs';
 import { openTab, visit } from './browser.mjs';
 import { asked, chosen, isMade, others } from './chosen.mjs';
 import { inspect } from './inspect.mjs';
+import { typesetting } from './typesetting.mjs';
 
 // axe is slow, and of the pages that are made of the code it looks at those that stand for all, and at the others that hold an
 // element within an element, or a heading after a heading, that none before them held.
@@ -51,6 +52,7 @@ describe('in the browser', { concurrency: 2 }, () => {
         test(`${page}, ${reader}`, async () => {
           await visit(tab, page);
           const faults = [...tab.faults, ...(await tab.evaluate(inspect))];
+          if (!isMade(page)) faults.push(...(await tab.evaluate(typesetting)));
           if (looksWhole(page, look)) faults.push(...(await accessibility(tab)));
           assert.ok(!faults.length, faults.join('\n'));
         });

@@ -1,11 +1,15 @@
 // What a reader does on a page: light and dark, copying, values under the mouse, hints, the next page, printing.
+//   node reading.test.mjs BUILD [others]
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { test } from 'node:test';
+import { test as register } from 'node:test';
 import { chapters, parse } from './book.mjs';
 import { addressOf, openTab, pageOf, visit } from './browser.mjs';
 
+// What the tier `thorough` does besides is the last of the tests alone.
+const others = process.argv.includes('others');
+const test = (name, body) => others || register(name, body);
 const tab = await openTab();
 const phone = await openTab('dark');
 const chapter = chapters.at(-1);
@@ -17,6 +21,9 @@ const colours = () => {
   );
 };
 const paper = page => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+
+// Where the page is open, it stays: these tests leave nothing behind that another one would stumble over.
+const come = (reader, page) => (pageOf(reader) === page ? null : visit(reader, page));
 
 // A page that scrolls hides the value shown, and it tells so one frame later.
 async function bringIntoView(thing) {
@@ -50,7 +57,7 @@ test('dark by the button has the colours of dark by the system', async () => {
 });
 
 test('the copy button copies the lines of the source, and no line numbers', async () => {
-  await visit(tab, chapter);
+  await come(tab, chapter);
   const listing = tab.locator('figure.listing').first();
   await listing.locator('button').click();
   await listing.locator('button', { hasText: 'Copied' }).waitFor();
@@ -70,7 +77,7 @@ test('the copy button copies the lines of the source, and no line numbers', asyn
 });
 
 test('a point of a figure shows its value', async () => {
-  await visit(tab, chapter);
+  await come(tab, chapter);
   const points = tab.locator('.plot:not([data-live]) .wide [data-tip]');
   const point = points.nth(Math.floor((await points.count()) / 2));
   const value = await point.getAttribute('data-tip');
@@ -84,7 +91,7 @@ test('a point of a figure shows its value', async () => {
 });
 
 test('a number shows its full value', async () => {
-  await visit(tab, chapter);
+  await come(tab, chapter);
   const number = tab.locator('data.number').first();
   await bringIntoView(number);
   await number.hover();
@@ -94,34 +101,32 @@ test('a number shows its full value', async () => {
 });
 
 test('a hint is closed, and opens', async () => {
-  await visit(tab, chapter);
+  await come(tab, chapter);
   const hint = tab.locator('details.hint').first();
   assert.ok(await hint.locator('> :not(summary)').first().isHidden());
   await hint.locator('summary').click();
   assert.ok(await hint.locator('> :not(summary)').first().isVisible());
 });
 
-test('next leads from the first page to the last, previous back', async () => {
-  const way = [
-    'index.html',
-    'preface.html',
-    ...chapters,
-    'wall.html',
-    'cast.html',
-    'engines.html',
-    'talks.html',
-    'teaching.html',
-    'glossary.html',
-    'references.html',
-  ];
+const way = [
+  'index.html',
+  'preface.html',
+  ...chapters,
+  'wall.html',
+  'cast.html',
+  'engines.html',
+  'talks.html',
+  'teaching.html',
+  'glossary.html',
+  'references.html',
+];
+
+test('next leads from the first page to the last, and the other link of each page back', async () => {
   await visit(tab, way[0]);
-  for (const page of way.slice(1)) {
+  for (const [i, page] of way.slice(1).entries()) {
     await tab.locator('a[rel=next]').click();
     assert.equal(pageOf(tab), page);
-  }
-  for (const page of way.slice(0, -1).reverse()) {
-    await tab.locator('a[rel=prev]').click();
-    assert.equal(pageOf(tab), page);
+    assert.equal(await tab.locator('a[rel=prev]').getAttribute('href'), way[i]);
   }
 });
 
@@ -130,11 +135,24 @@ test('figures have a shape for a desktop and one for a phone', async () => {
     [tab, '.wide', '.narrow'],
     [phone, '.narrow', '.wide'],
   ]) {
-    await visit(reader, chapter);
-    for (const figure of await reader.locator('figure.plot:not([data-live]):not(:has(iframe))').all()) {
-      const id = await figure.getAttribute('id');
-      assert.ok(await figure.locator(`${shown} svg`).isVisible(), `${id}: no ${shown}`);
-      assert.ok(await figure.locator(`${hidden} svg`).isHidden(), `${id}: ${hidden} as well`);
+    await come(reader, chapter);
+    const figures = await reader.evaluate(
+      sizes => {
+        const isVisible = part => {
+          const { width, height } = part.getBoundingClientRect();
+          return width > 0 && height > 0 && getComputedStyle(part).visibility === 'visible';
+        };
+        return [...document.querySelectorAll('figure.plot:not([data-live]):not(:has(iframe))')].map(figure => [
+          figure.id,
+          ...sizes.map(size => isVisible(figure.querySelector(`${size} svg`))),
+        ]);
+      },
+      [shown, hidden],
+    );
+    assert.ok(figures.length);
+    for (const [id, first, second] of figures) {
+      assert.ok(first, `${id}: no ${shown}`);
+      assert.ok(!second, `${id}: ${hidden} as well`);
     }
   }
 });
@@ -173,3 +191,12 @@ test('a chapter prints on white, without menus, with its hints open', async () =
   const sheets = pdf.toString('latin1').match(/\/Type\s*\/Page\b/g).length;
   assert.ok(sheets >= 1 && sheets < 60, `${sheets} sheets`);
 });
+
+if (others)
+  register('previous leads from the last page to the first', async () => {
+    await visit(tab, way.at(-1));
+    for (const page of way.slice(0, -1).reverse()) {
+      await tab.locator('a[rel=prev]').click();
+      assert.equal(pageOf(tab), page);
+    }
+  });

@@ -1,5 +1,5 @@
 // The README's figure, which is committed, is the one that the build draws:
-//   node readme-figure.test.mjs BUILD COMMITTED.svg DRAWN.svg
+//   node readme-figure.test.mjs BUILD SOURCE
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -9,7 +9,9 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import * as cheerio from 'cheerio';
 
-const [committed, drawn] = process.argv.slice(3);
+const [build, source] = process.argv.slice(2);
+const committed = join(source, 'book/readme.svg');
+const drawn = join(build, 'chapters/2-euler/figures/drone-spiral.svg');
 const standalone = fileURLToPath(new URL('../../book/weave/standalone.mjs', import.meta.url));
 const styleSheet = fileURLToPath(new URL('../../book/theme/book.css', import.meta.url));
 

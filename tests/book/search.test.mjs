@@ -1,7 +1,7 @@
 // For each chapter, a word that stands only there: the search finds it and leads there.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { chapters, pages, parse, prose } from './book.mjs';
+import { chapters, pages, prose, read } from './book.mjs';
 import { openTab, pageOf, visit } from './browser.mjs';
 
 const words = page =>
@@ -9,10 +9,19 @@ const words = page =>
     .toLowerCase()
     .match(/(?<![\p{L}\p{N}’'-])[a-z]{6,}(?![\p{L}\p{N}’'-])/gu) ?? [];
 
+const texts = new Map(
+  pages.map(page => [
+    page,
+    read(page)
+      .replace(/<[^>]*>/g, '')
+      .toLowerCase(),
+  ]),
+);
+
 function wordOnlyIn(chapter) {
   const elsewhere = pages
     .filter(page => page !== chapter)
-    .map(page => parse(page)('main').text().toLowerCase())
+    .map(page => texts.get(page))
     .join(' ');
   const own = [...new Set(words(chapter))].filter(word => !elsewhere.includes(word));
   return own.sort((a, b) => b.length - a.length || (a < b ? -1 : 1))[0];
