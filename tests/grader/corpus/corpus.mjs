@@ -1,25 +1,26 @@
 // Grades every hostile and every broken submission of the corpus through the real grader, and prints
 // one table:  node corpus.mjs GRADE ALONE EXERCISES BUILD [PART OF A NAME]
-import {readFileSync} from 'node:fs';
+import { readFileSync } from 'node:fs';
 import os from 'node:os';
-import {join} from 'node:path';
-import {items} from './items.mjs';
-import {checker} from './one.mjs';
+import { join } from 'node:path';
+import { items } from './items.mjs';
+import { checker } from './one.mjs';
 
 const [grade, alone, exercises, build, part = ''] = process.argv.slice(2);
-const check = checker({grade, alone, exercises, build});
-const waiting = items(readFileSync(join(exercises, '2-euler/orbit-drift/solution.h'), 'utf8'))
-    .filter(item => item.name.includes(part));
+const check = checker({ grade, alone, exercises, build });
+const waiting = items(readFileSync(join(exercises, '2-euler/orbit-drift/solution.h'), 'utf8')).filter(item =>
+  item.name.includes(part),
+);
 if (waiting.length === 0) throw new Error(`no item's name holds '${part}'`);
 
 const done = [];
 async function work() {
   for (let item = waiting.shift(); item; item = waiting.shift()) done.push(await check(item));
 }
-await Promise.all(Array.from({length: os.cpus().length}, work));
+await Promise.all(Array.from({ length: os.cpus().length }, work));
 
 done.sort((a, b) => (a.name < b.name ? -1 : 1));
-for (const {name, verdictFound, score, seconds, faults} of done) {
+for (const { name, verdictFound, score, seconds, faults } of done) {
   const line = [name.padEnd(36), verdictFound.padEnd(15), score.padStart(5), `${seconds.toFixed(1)} s`.padStart(8)];
   console.log(line.join(' '), faults.length ? ` WRONG: ${faults.join(', ')}` : ' ok');
 }

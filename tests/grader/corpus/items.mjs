@@ -1,8 +1,8 @@
 // The corpus: files whose first lines say what must come of them, and what is generated.
-import {copyFileSync, readFileSync, readdirSync} from 'node:fs';
-import {join} from 'node:path';
-import {fileURLToPath} from 'node:url';
-import {generated} from './generated.mjs';
+import { copyFileSync, readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { generated } from './generated.mjs';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 
@@ -12,7 +12,7 @@ function fromFile(kind, file) {
   if (!verdict) throw new Error(`${kind}/${file}: the first line must be "// VERDICT: what it does"`);
   const [, says] = source.match(/^.*\n\/\/ says: (.*)/) ?? [];
   const make = at => (copyFileSync(join(here, kind, file), join(at, file)), join(at, file));
-  return {name: `${kind}/${file.replace(/\.h$/, '')}`, verdict, says, source, make};
+  return { name: `${kind}/${file.replace(/\.h$/, '')}`, verdict, says, source, make };
 }
 
 export function items(solution) {
