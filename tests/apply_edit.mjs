@@ -14,9 +14,7 @@
 // written, as comments.
 import { readFileSync, writeFileSync, mkdirSync } from 'node:fs';
 import { dirname } from 'node:path';
-
-const [file, ...edits] = process.argv.slice(2);
-const text = readFileSync(file, 'utf8');
+import { fileURLToPath } from 'node:url';
 
 function lines(block, sign) {
   return block
@@ -27,14 +25,16 @@ function lines(block, sign) {
 }
 
 // From the name where it is declared to the brace that ends it.
-function span(name, fail) {
+function span(file, text, name, fail) {
   const start = text.search(new RegExp(`(^class |^(?!//).*[ >])${name}\\b(?=[([]| *\\{)`, 'm'));
   const end = text.indexOf('\n}', start);
   if (start < 0 || end < 0) fail(`there is no ${name} in ${file}`);
   return [start, end];
 }
 
-function apply(edit, out) {
+// The text of FILE with the mistake.
+export function edited(file, edit) {
+  const text = readFileSync(file, 'utf8');
   const fail = message => {
     console.error(`${edit}: ${message}`);
     process.exit(1);
@@ -44,7 +44,7 @@ function apply(edit, out) {
     fail('needs "Fails: TEST" as its first line and at least one change');
   }
   const name = /^In: (\w+)$/m.exec(head)?.[1];
-  const [start, end] = name ? span(name, fail) : [0, text.length];
+  const [start, end] = name ? span(file, text, name, fail) : [0, text.length];
   const original = text.slice(start, end);
   const found = changes
     .map(change => {
@@ -56,12 +56,17 @@ function apply(edit, out) {
       return { at, from, to: lines(change, '+') };
     })
     .sort((one, other) => other.at - one.at);
-  let edited = original;
+  let changed = original;
   for (const { at, from, to } of found) {
-    edited = edited.slice(0, at) + to + edited.slice(at + from.length);
+    changed = changed.slice(0, at) + to + changed.slice(at + from.length);
   }
-  mkdirSync(dirname(out), { recursive: true });
-  writeFileSync(out, head.replace(/^/gm, '// ') + '\n' + text.slice(0, start) + edited + text.slice(end));
+  return head.replace(/^/gm, '// ') + '\n' + text.slice(0, start) + changed + text.slice(end);
 }
 
-for (let i = 0; i < edits.length; i += 2) apply(edits[i], edits[i + 1]);
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const [file, ...edits] = process.argv.slice(2);
+  for (let i = 0; i < edits.length; i += 2) {
+    mkdirSync(dirname(edits[i + 1]), { recursive: true });
+    writeFileSync(edits[i + 1], edited(file, edits[i]));
+  }
+}

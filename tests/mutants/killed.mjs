@@ -1,42 +1,39 @@
 // SPDX-License-Identifier: MIT-0
-// node killed.mjs MUTANTS OUT: runs each mutant's program and writes to OUT which test killed it.
+// node killed.mjs PROGRAM EDIT...: runs the test of each version that program.mjs put into PROGRAM.
 //
-// A line of MUTANTS is the mutant's name, its program and the test that must fail, with tabs
-// between. A mutant is killed by a failed assertion of that test, and by nothing else. Says how
-// many were killed; exits with 1 if one survived.
-import { execFileSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+// A wrong version is killed by a failed assertion of its test, and by nothing else; and the header as it is must pass the
+// same test, or the test would say nothing of the mistake. Says how many were killed; exits with 1 if one survived.
+import { spawnSync } from 'node:child_process';
+import { versionsOf } from './versions.mjs';
 
-const [mutantsFile, outFile] = process.argv.slice(2);
+const [program, ...edits] = process.argv.slice(2);
 
 // Catch2 reads commas, brackets and stars in the name of a test as its own, and appends to the name
 // of a test that goes over a list.
-function output(program, test) {
-  const escaped = test.replace(/[\\,[\]*"~]/g, '\\$&');
-  try {
-    return execFileSync(program, [`${escaped}*`], {
-      encoding: 'utf8',
-      timeout: 60_000,
-      stdio: 'pipe',
-      maxBuffer: 2 ** 28,
-    });
-  } catch (error) {
-    return error.signal ? `ended by ${error.signal}` : error.stdout;
-  }
+function output({ name, test }) {
+  const escaped = `${name}: ${test}`.replace(/[\\,[\]*"~]/g, '\\$&');
+  const { signal, stdout } = spawnSync(program, [`${escaped}*`, '--abort'], {
+    encoding: 'utf8',
+    timeout: 60_000,
+    maxBuffer: 2 ** 28,
+  });
+  return signal ? `ended by ${signal}` : stdout;
 }
 
-const survivors = [];
-const lines = readFileSync(mutantsFile, 'utf8').trim().split('\n');
-for (const line of lines) {
-  const [name, program, test] = line.split('\t');
-  const printed = output(program, test);
-  if (!/^assertions:.* failed$/m.test(printed)) {
-    survivors.push(`${name} survived "${test}":\n${printed.slice(-300).trim()}`);
-  }
+function fault({ edit, name, test }, printed) {
+  if (edit) return /^assertions:.* failed$/m.test(printed) ? '' : `${name} survived "${test}":`;
+  return /^(?:All tests passed|test cases: (\d+) \| \1 passed$)/m.test(printed)
+    ? ''
+    : `${name} does not pass "${test}":`;
 }
-console.log(`mutants: ${lines.length - survivors.length} of ${lines.length} killed`);
-if (survivors.length > 0) {
-  console.error(survivors.join('\n'));
-  process.exit(1);
-}
-writeFileSync(outFile, lines.map(line => `${line.replace(/\t.*\t/, ': ')}\n`).join(''));
+
+const versions = versionsOf(edits);
+const faults = versions.flatMap(version => {
+  const printed = output(version);
+  const found = fault(version, printed);
+  return found ? [{ edit: version.edit, text: `${found}\n${printed.slice(-300).trim()}` }] : [];
+});
+const survived = faults.filter(({ edit }) => edit).length;
+console.log(`mutants: ${edits.length - survived} of ${edits.length} killed`);
+for (const { text } of faults) console.error(text);
+process.exit(faults.length > 0 ? 1 : 0);

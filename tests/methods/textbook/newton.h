@@ -2,33 +2,35 @@
 // The implicit methods with a single solve: one step of Newton's method for both unknowns at once,
 // on the defect of the implicit formula.
 #pragma once
-#include <Eigen/LU>
 #include <vector>
 
 #include "runge_kutta.h"
 
 namespace textbook {
 
-// The derivative by central differences of order 8, exact for a polynomial up to that degree.
+// Solves for two unknowns by Cramer's rule, where the derivative of the defect by each of them is a
+// column; by central differences of order 8, exact for a polynomial up to that degree.
 template <class Defect>
-Eigen::Matrix<Real, 2, 2> derivative(const Defect& defect, const Pair& z) {
+Pair solved(const Defect& defect, const Pair& z) {
   constexpr Real weights[] = {4 / 5.0L, -1 / 5.0L, 4 / 105.0L, -1 / 280.0L};
   constexpr Real apart = 0.125L;
-  Eigen::Matrix<Real, 2, 2> matrix = Eigen::Matrix<Real, 2, 2>::Zero();
-  for (int column = 0; column < 2; ++column) {
-    for (int n = 1; n <= 4; ++n) {
-      const Pair far = n * apart * Pair::Unit(column);
-      matrix.col(column) += weights[n - 1] / apart * (defect(z + far) - defect(z - far));
-    }
+  Pair by_position{0, 0}, by_velocity{0, 0};
+  for (int n = 1; n <= 4; ++n) {
+    const Real far = n * apart, weight = weights[n - 1] / apart;
+    by_position += weight * (defect({z[0] + far, z[1]}) - defect({z[0] - far, z[1]}));
+    by_velocity += weight * (defect({z[0], z[1] + far}) - defect({z[0], z[1] - far}));
   }
-  return matrix;
+  const auto area = [](const Pair& p, const Pair& q) { return p[0] * q[1] - p[1] * q[0]; };
+  const Pair right = defect(z);
+  const Real whole = area(by_position, by_velocity);
+  return {area(right, by_velocity) / whole, area(by_position, right) / whole};
 }
 
 // Newton's method begins where the velocity of the start leads to, with that velocity.
 template <class Defect>
 Pair newton_step(const Defect& defect, const Pair& z, Real h) {
   const Pair guess{z[0] + h * z[1], z[1]};
-  return guess - derivative(defect, guess).partialPivLu().solve(defect(guess));
+  return guess - solved(defect, guess);
 }
 
 inline std::vector<State> steps(measure::BackwardEuler, const Force& force, const State& start,
@@ -93,7 +95,7 @@ inline std::vector<State> steps(measure::Bdf2Newton, const Force& force, const S
                                 int count) {
   const auto to_the_end = [](const auto& defect, const Pair& from, Real part) {
     Pair end = newton_step(defect, from, part);
-    for (int n = 0; n < 20; ++n) end -= derivative(defect, end).partialPivLu().solve(defect(end));
+    for (int n = 0; n < 20; ++n) end -= solved(defect, end);
     return end;
   };
   return bdf2_steps(force, start, h, count, to_the_end);
