@@ -81,6 +81,14 @@ void put_in_place(const path& file) {
   if (problem) throw failure(file, problem.value());
 }
 
+/// Refuses a folder that won't take what is found, before anything is measured.
+void try_folder(const path& folder) {
+  const path numbers = folder / "numbers.csv";
+  write_part(numbers, "");
+  std::filesystem::remove(part(numbers));
+  if (is_directory(numbers)) throw failure(numbers, EISDIR);
+}
+
 }  // namespace
 
 void Table::add(std::vector<Cell> row) {
@@ -149,6 +157,7 @@ int record(int argc, char** argv, const std::function<void(Record&)>& fill) {
     return 2;
   }
   try {
+    if (argc == 2) try_folder(argv[1]);
     Record found;
     fill(found);
     if (argc == 1) {
