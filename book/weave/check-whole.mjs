@@ -1,12 +1,13 @@
 // Looks at what only the whole book shows: what is there and shown nowhere, tests that fail, boxes without what they are for.
 import { bareCaptions } from './captions.mjs';
 import { failureText } from './claims.mjs';
-import { checkPrograms } from './films.mjs';
+import { checkPrints, checkPrograms } from './films.mjs';
 
 export function checkWhole(book) {
   checkFigureScripts(book);
   checkLiveFigures(book);
   checkPrograms(book);
+  checkPrints(book);
   checkClaims(book);
   checkCaptions(book);
   for (const page of book.pages) checkContents(book, page);

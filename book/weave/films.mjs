@@ -6,14 +6,22 @@ import { isMark } from './snippets.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
-// { play: { name, source, page, shape } } of a chapter: its programs that make a film, and where the film is.
+// { play: { name, source, page, prints, shape } } of a chapter: its programs that make a film, where the film is, and what they print.
 export function readFilms(source, folder, build) {
   const there = join(source, folder);
   const programs = (existsSync(there) ? readdirSync(there) : []).filter(file => /^play\w*\.cpp$/.test(file)).sort();
   return new Map(
     programs.map(file => {
       const name = file.slice(0, -4);
-      return [name, { name, source: `${folder}/${file}`, page: join(build, 'films', `${name}.html`) }];
+      return [
+        name,
+        {
+          name,
+          source: `${folder}/${file}`,
+          page: join(build, 'films', `${name}.html`),
+          prints: join(build, 'films', `${name}.txt`),
+        },
+      ];
     }),
   );
 }
@@ -48,6 +56,28 @@ export function checkPrograms(book) {
         if (line.trim() && !isMark(line) && !shown.has(i + 1) && !/^\/\/ /.test(line))
           book.problems.add(film.source, i + 1, `no \\listing of ${page.file} shows this line`);
       });
+    }
+  }
+}
+
+// What a program prints, but for where its film is.
+const printsOf = film =>
+  existsSync(film.prints)
+    ? readFileSync(film.prints, 'utf8')
+        .replace(/^Open .*\n/m, '')
+        .trim()
+    : null;
+
+// A fence `prints` quotes one of the chapter's programs to the letter; in "Change it" stands what a changed one prints, which
+// the tests compile.
+export function checkPrints(book) {
+  for (const { films, page } of book.programs.values()) {
+    const printed = [...films.values()].map(printsOf);
+    for (const piece of page.pieces) {
+      const quotes = piece.name === 'fence' && piece.language === 'prints' && piece.box?.name !== 'change';
+      if (!quotes || printed.includes(piece.code.trim())) continue;
+      const files = [...films.keys()].map(name => `${name}.txt`).join(', ');
+      book.problems.add(page.file, piece.line, `no program of the chapter prints this; they print films/${files}`);
     }
   }
 }

@@ -45,6 +45,17 @@ test('a line of the program that no listing shows', () =>
     [PROGRAM, 'int left_out', 'no \\listing of chapters/2-euler/chapter.md shows this line'],
   ));
 
+const prints = ['built/2-euler/films/play.txt', 'Open play.html\nit flies 3 m\n'];
+const quoted = words => paragraph(`\`\`\`prints\n${words}\n\`\`\``);
+
+test('what a program prints, quoted to the letter', () => {
+  weaves(code, page, prints, paragraph(listing + film), quoted('it flies 3 m'));
+  refuses(
+    [code, page, prints, paragraph(listing + film), quoted('it flies 4 m')],
+    [CHAPTER, '```prints', 'no program of the chapter prints this; they print films/play.txt'],
+  );
+});
+
 test('what to change in a program: lines that go, and lines that come', () => {
   const change = '\\change{Fly faster}\n```diff\n- h = 1;\n+ h = 2;\n```\nIt flies away.\n\n\\endchange';
   const html = weaves(code, page, paragraph(listing + film), paragraph(change))('2-euler.html');
