@@ -33,7 +33,7 @@ answers(0 "Take it:\n  constant_acceleration, 1 step a frame" --scene ball)
 answers(0 "^The cheapest within the bounds:\n" --scene drag --drag 2 --seconds 1)
 answers(0 "^The cheapest within the bounds:\n" --scene pendulum --angle 2 --energy 0.001)
 answers(0 "^The cheapest within the bounds:\n  dopri5" --scene orbit --energy 0.001)
-answers(1 "^Nothing meets the bounds. The nearest:\n" --scene orbit --error 1e-14 --hz 10)
+answers(1 "^Nothing meets the bounds. The nearest:\n" --scene orbit --error 1e-15 --hz 10 --seconds 1)
 answers(0 "--eccentricity[^\n]*default 0.5.*default any.*2 bad input.*Example: choose" --help)
 answers(0 "evals/s +us/frame +error +uneven +energy .*\nsymplectic_euler +33 +1980 +[0-9.]+ +0.0097 +0.00[0-9]+ +- +error 0.0100[1-9] in 32 steps"
   --scene spring --omega 40 --zeta 0.1 --hz 60 --error 0.01)
@@ -42,7 +42,7 @@ answers(0 "within the bounds is\n  velocity_verlet, 5 steps a frame: 300 evaluat
   --scene spring --omega 60 --zeta 2 --hz 60 --seconds 1 --error 0.01)
 answers(0 "within the bounds is\n  velocity_verlet, 3 steps a frame: 90 "
   --scene spring --omega 25 --zeta 0.3 --hz 30 --seconds 5 --error 0.02)
-answers(0 "\nvelocity_verlet [^\n]*\nleapfrog [^\n]*\nstormer_verlet " --scene spring --omega 10)
+answers(0 "\nvelocity_verlet [^\n]*\nleapfrog [^\n]*\nstormer_verlet " --scene spring --omega 10 --seconds 1)
 answers(0 "\nvelocity_verlet [^\n]*\nleapfrog [^\n]*\nstormer_verlet " --scene ball)
 
 # A stiffness and a mass are a frequency. Errors that are asked for in metres are told in metres.
