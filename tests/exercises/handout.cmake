@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT-0
 # What students get holds all that they need and nothing that they should find out.
-# cmake -DSOURCE=repository -DBUILD=build -DGXX=g++ -DNAMES=exercises -DWORK=folder -P handout.cmake
+# cmake -DSOURCE=repository -DBUILD=build -DGXX=g++ -DNAMES=exercises -DGRADED=those-graded -DWORK=folder -P handout.cmake
 set(zip ${WORK}/one-step-at-a-time.zip)
 file(REMOVE_RECURSE ${WORK})
 execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE=${SOURCE} -DBUILD=${BUILD} -DGXX=${GXX} -DOUT=${zip}
@@ -39,7 +39,7 @@ function(is_clean folder name)
     message(SEND_ERROR "in ${folder} an editor shows errors in the starter of ${name}: ${said}")
   endif()
 endfunction()
-foreach(name IN LISTS NAMES)
+foreach(name IN LISTS GRADED)
   is_clean(${top} ${name})
 endforeach()
 list(GET NAMES 0 first)
@@ -48,7 +48,7 @@ is_clean(${SOURCE}/exercises ${first})
 # It is ready in seconds, and grades as here.
 execute_process(COMMAND ${CMAKE_COMMAND} --workflow --preset grader
   WORKING_DIRECTORY ${top} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-foreach(name IN LISTS NAMES)
+foreach(name IN LISTS GRADED)
   foreach(way "solution.h 0" "starter.h 1")
     separate_arguments(way UNIX_COMMAND ${way})
     list(POP_FRONT way file wanted)

@@ -3,7 +3,7 @@
 // right/*.h score full marks, its starter scores nothing, and every way in wrong, be it a header or
 // an edit of the solution, fails the test that its first line names and is told what its line
 // `Says:` promises. All of them lie in one driver, which is run without a cage, the right ones
-// under three seeds; then the right ones and one that is wrong go the way of a submission. With a
+// under one seed; then the right ones and one that is wrong go the way of a submission. With a
 // number, the driver alone is tried, under so many seeds; with `caged`, all go the way of a
 // submission. Prints one line for each; the exit code is 1 if any is not so.
 #include <algorithm>
@@ -176,7 +176,7 @@ bool prove(const Grade& grade, const grade::Exercise& exercise, int seeds,
 enum class Caged { none, few, all };
 
 struct Trial {
-  int seeds = 3;  ///< for what is in the driver; with none, only the cage is tried
+  int seeds = 1;  ///< for what is in the driver; with none, only the cage is tried
   Caged caged = Caged::few;
 };
 
