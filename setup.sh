@@ -5,7 +5,7 @@
 #   ./setup.sh          the book and its tests
 #   ./setup.sh thorough these, and what the tests need that the preset `test` leaves out
 #   ./setup.sh peers    the first, and the libraries that the benchmark sets beside the book's methods
-#   ./setup.sh grader   only what the grader needs that students get, compiled
+#   ./setup.sh grader   only what the grader needs: to compile it, or, among what students get, to run it
 set -euo pipefail
 
 fail() {
@@ -30,13 +30,14 @@ chromium=chromium-headless-shell firefox=firefox-esr
 needs="cmake ninja-build g++: to build the programs and the tests
 gnuplot-nox: figures
 bubblewrap: the cage in which exercises are graded"
-[ "$*" = grader ] || needs+="
+compiled=exercises/grader/compiled/grade  # students get it so
+[ -e "$compiled" ] || needs+="
 libeigen3-dev: vectors and linear systems
 catch2: C++ tests, version 3
 libcli11-dev: command lines, of the chooser of methods and of the grader
 libseccomp-dev nlohmann-json3-dev: the grader"
 [ "$*" = grader ] || needs+="
-clang-19: the second compiler
+clang-19 libclang-rt-19-dev: the second compiler, and its sanitizers
 clang-format-19 clang-tidy-19: to lay the sources out, and to look them over
 libglm-dev: to try the snippets on another library's vectors
 doxygen: prose to HTML, reference of the code
