@@ -3,7 +3,9 @@
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 
 const CHAPTERS = new URL('../../chapters/', import.meta.url);
-export const STEPS = 20_000;
+// Steps of a run, with each build, and where there is time.
+export const STEPS = 2_000;
+export const MANY_STEPS = 20_000;
 
 export function readFigures() {
   const folders = readdirSync(CHAPTERS)
@@ -51,7 +53,7 @@ function sliders(controls, end) {
 }
 
 // The line that asks the native program for this run.
-export const question = ({ figure, settings }) =>
-  `${figure} ${STEPS} ${Object.entries(settings)
+export const question = ({ figure, settings }, steps) =>
+  `${figure} ${steps} ${Object.entries(settings)
     .map(([name, value]) => `${name}=${value}`)
     .join(' ')}`;

@@ -1,21 +1,22 @@
-// Compares the runs of the native program with those of the module in Node:  node same-bits.mjs PROGRAM MODULE TABLE
+// Compares the runs of the native program with those of the module in Node:  node same-bits.mjs PROGRAM MODULE TABLE [many]
 // Prints the table of fingerprints, and writes it where all are the same.
 import { execFile } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { promisify } from 'node:util';
 import './page/module.js';
-import { STEPS, cases, question } from './cases.mjs';
+import { MANY_STEPS, STEPS, cases, question } from './cases.mjs';
 
-const [program, module, table] = process.argv.slice(2);
+const [program, module, table, many] = process.argv.slice(2);
+const steps = many ? MANY_STEPS : STEPS;
 const runs = cases();
 const natively = promisify(execFile)(program); // beside this process
-natively.child.stdin.end(runs.map(question).join('\n'));
+natively.child.stdin.end(runs.map(run => question(run, steps)).join('\n'));
 const compiled = await WebAssembly.compile(readFileSync(module));
 const inNode = [];
 for (const { figure, settings } of runs) {
   const opened = await globalThis.Live.open(compiled, figure);
   for (const [name, value] of Object.entries(settings)) opened.set(name, value);
-  inNode.push(opened.fingerprint(STEPS));
+  inNode.push(opened.fingerprint(steps));
 }
 const native = (await natively).stdout.trim().split('\n');
 const lines = [];
@@ -31,7 +32,7 @@ for (const [i, { figure, settings }] of runs.entries()) {
   );
 }
 const head = `${'figure'.padEnd(14)} ${'settings'.padEnd(44)} ${'native'.padEnd(16)} ${'Node'.padEnd(16)}`;
-const text = `Fingerprints of ${STEPS} steps\n${head}\n${lines.join('\n')}\n`;
+const text = `Fingerprints of ${steps} steps\n${head}\n${lines.join('\n')}\n`;
 process.stdout.write(text);
 if (different) {
   console.error(

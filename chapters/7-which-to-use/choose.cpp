@@ -11,7 +11,7 @@
 
 #include "answer.h"
 #include "chart.h"
-#include "contest.h"
+#include "contests.h"
 #include "own.h"
 
 namespace {

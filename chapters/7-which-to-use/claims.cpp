@@ -55,14 +55,13 @@ std::string words(const Method& step) {
 /// The cheapest evaluations a second with which a method keeps all six within a centimetre.
 std::map<std::string, double> bills() {
   std::map<std::string, double> found;
-  for_each_thing([&](const auto&, const auto& scene, double seconds) {
-    const Contest done = to_within(centimetre, scene, seconds);
+  for (const auto& [thing, done] : contests_to_within(centimetre)) {
     found["chosen"] += taken(done).evaluations;
     for (const Entry& entry : done.methods) {
       if (entry.method->header == "linear_damping.h") continue;  // not for all six
       found[entry.name] += entry.good ? entry.evaluations : INFINITY;
     }
-  });
+  }
   return found;
 }
 
@@ -638,7 +637,7 @@ TEST_CASE("Symplectic Euler for everything costs 21 times what the choice costs"
 
 TEST_CASE(
     "With 1024 steps a frame Euler, predicted and backward Euler miss the shuttle's centimetre") {
-  const Contest found = to_within(centimetre, shuttle, 8);
+  const Contest& found = contests_to_within(centimetre).at("shuttle");
   for (const Entry& entry : found.methods) {
     INFO(entry.name);
     CHECK(entry.good == (entry.method != &euler && entry.method != &method::predicted_euler &&
@@ -716,12 +715,12 @@ TEST_CASE("Velocity Verlet with drag divided at the end has more room and only o
 }
 
 TEST_CASE("To a millimetre only the lamp pays more, and the level less than a fifth more") {
-  for_each_thing([&](const std::string& name, const auto& scene, double seconds) {
+  for (const auto& [name, found] : contests_to_within(centimetre / 10)) {
     INFO(name);
-    const Entry before = taken(to_within(centimetre, scene, seconds));
-    const Entry now = taken(to_within(centimetre / 10, scene, seconds));
+    const Entry& before = taken(contests_to_within(centimetre).at(name));
+    const Entry& now = taken(found);
     CHECK(now.method == before.method);
     CHECK(now.evaluations == (name == "lamp" ? 2 : 1) * before.evaluations);
-  });
+  }
   CHECK(total_to_within(centimetre / 10) < 1.2 * total_to_within(centimetre));
 }

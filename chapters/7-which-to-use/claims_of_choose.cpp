@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "asks.h"
-#include "contest.h"
+#include "contests.h"
 #include "entrants.h"
 
 using Catch::Matchers::WithinRel;

@@ -8,18 +8,23 @@
 #include <utility>
 #include <vector>
 
-#include "contest.h"
+#include "contests.h"
 #include "entrants.h"
 #include "measure/record.h"
 
 inline constexpr double centimetre = 0.01;  ///< the largest error that the level may show [m]
 
-/// The contest for one thing of the level, to a distance [m].
-template <class Scene>
-Contest to_within(double distance, const Scene& scene, double seconds) {
-  Bounds bounds{.seconds = seconds};
-  bounds.error = distance / size_of(scene, bounds);
-  return contest(scene, bounds);
+/// The contest for each thing of the level, to a distance [m]; worked out once.
+inline const std::map<std::string, Contest>& contests_to_within(double distance) {
+  static std::map<double, std::map<std::string, Contest>> known;
+  auto& found = known[distance];
+  if (!found.empty()) return found;
+  for_each_thing([&](const std::string& thing, const auto& scene, double seconds) {
+    Bounds bounds{.seconds = seconds};
+    bounds.error = distance / size_of(scene, bounds);
+    found[thing] = contest(scene, bounds);
+  });
+  return found;
 }
 
 /// What the contest would take: the exact step, if there is one.
@@ -30,9 +35,9 @@ inline const Entry& taken(const Contest& found) {
 /// Evaluations a second for the whole level, each thing with what the contest would take.
 inline double total_to_within(double distance) {
   double total = 0;
-  for_each_thing([&](const auto&, const auto& scene, double seconds) {
-    total += taken(to_within(distance, scene, seconds)).evaluations;
-  });
+  for (const auto& [thing, found] : contests_to_within(distance)) {
+    total += taken(found).evaluations;
+  }
   return total;
 }
 
@@ -41,13 +46,12 @@ inline double total_to_within(double distance) {
 /// bodies in a loop.
 inline std::map<std::string, double> times_alone() {
   std::map<std::string, double> all;
-  for_each_thing([&](const std::string& thing, const auto& scene, double seconds) {
-    const Contest found = to_within(centimetre, scene, seconds);
+  for (const auto& [thing, found] : contests_to_within(centimetre)) {
     for (const Entry& entry : found.methods) {
       const double steps = double(entry.last.substeps) / frame;
       all[entry.name] += entry.good ? steps * step_time(thing, in_a_loop, *entry.method) : INFINITY;
     }
-  });
+  }
   return all;
 }
 
@@ -61,7 +65,7 @@ inline void level_again(measure::Record& record) {
   double total = 0;
   std::map<std::string, double> alone;
   for_each_thing([&](const auto& name, const auto& scene, double seconds) {
-    const Contest found = to_within(centimetre, scene, seconds);
+    const Contest& found = contests_to_within(centimetre).at(name);
     const Entry& best = taken(found);
     total += best.evaluations;
     table.add({name, best.name, best.method->header, double(best.last.substeps), best.evaluations,

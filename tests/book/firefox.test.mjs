@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import playwright from 'playwright-core';
-import { STEPS, cases, question } from '../../book/live/cases.mjs';
+import { MANY_STEPS, cases, question } from '../../book/live/cases.mjs';
 import { build, folder } from './book.mjs';
 import { figures } from './live-list.mjs';
 
@@ -57,10 +57,10 @@ for (const { name, page, controls } of figures) {
   });
 }
 
-test(`${STEPS} steps of every figure have the same bits as in the native program`, async () => {
+test(`${MANY_STEPS} steps of every figure have the same bits as in the native program`, async () => {
   const runs = cases();
   const native = execFileSync(join(build, 'weave/live/live.fingerprints'), {
-    input: runs.map(question).join('\n'),
+    input: runs.map(run => question(run, MANY_STEPS)).join('\n'),
     encoding: 'utf8',
   })
     .trim()
@@ -74,7 +74,7 @@ test(`${STEPS} steps of every figure have the same bits as in the native program
         for (const [setting, value] of Object.entries(values)) opened.set(setting, value);
         return opened.fingerprint(steps);
       },
-      [figure, settings, STEPS],
+      [figure, settings, MANY_STEPS],
     );
     assert.equal(found, native[i], `${figure} ${JSON.stringify(settings)}`);
   }
