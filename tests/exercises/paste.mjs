@@ -2,9 +2,11 @@
 // exercise's chapter, of its own judge, helpers and harness, and calls of the headers, in place of one function of the
 // solution, with the other functions right. A function that none of them answers has to be written.
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { basename, dirname, join } from 'node:path';
+import { readFileSync, readdirSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { graded, verdicts } from './driver.mjs';
+
+const limits = '10,30,1,3';
 
 const bare = text => text.replace(/\/\*[\s\S]*?\*\/|\/\/.*$/gm, '');
 
@@ -98,35 +100,43 @@ function candidatesFor(parameters, sources) {
   return [...all.values()];
 }
 
+// clang++ goes first, for names that it does not know. g++ looks a millisecond long for what each of them was meant to
+// be, and after thousands of errors it stops, so that what comes behind would seem to compile.
+const compilers = [
+  {
+    compiler: 'clang++-19',
+    flags: ['-ferror-limit=0', '-fno-spell-checking', '-fno-caret-diagnostics'],
+    error: 'error: (?:use of undeclared identifier|unknown type name)',
+  },
+  { compiler: 'g++', flags: ['-fmax-errors=0'], error: '(?:fatal )?error' },
+];
+
 // All in one go, each in a file of its own name, so that each error tells whose it is.
-function thatCompile(candidates, place, { source, headers }) {
+function notRefused(candidates, place, { source, headers }, { compiler, flags, error }) {
   const parts = candidates.map(({ body }, i) => `namespace c${i} {\n#line 1 "c${i}"\n${place(body)}\n}`);
   const included = headers.map(path => `#include "${path}"`).join('\n');
-  const { stderr } = spawnSync(
-    'g++',
-    [
-      '-std=c++20',
-      '-fsyntax-only',
-      '-w',
-      '-fmax-errors=0',
-      '-fdiagnostics-color=never',
-      `-I${join(source, 'exercises/grader/harness')}`,
-      `-I${join(source, 'code')}`,
-      '-DGRADING',
-      '-xc++',
-      '-',
-    ],
-    {
-      input: `#include "given.h"\n#include <complex>\n${included}\n${parts.join('\n')}\n`,
-      encoding: 'utf8',
-      maxBuffer: 1 << 28,
-      timeout: 120000,
-    },
-  );
+  const folders = ['exercises/grader/harness', 'code'].map(path => `-I${join(source, path)}`);
+  const common = ['-std=c++20', '-fsyntax-only', '-w', '-fdiagnostics-color=never', '-DGRADING', ...folders];
+  const { status, stderr } = spawnSync(compiler, [...common, ...flags, '-xc++', '-'], {
+    input: `#include "given.h"\n#include <complex>\n${included}\n${parts.join('\n')}\n`,
+    encoding: 'utf8',
+    maxBuffer: 1 << 28,
+    timeout: 120000,
+  });
+  if (status === null) throw new Error(`nothing can be tried: ${compiler} does not come to its end`);
   const ours = stderr.match(/^(?!c\d+:)\S+:\d+:\d+: fatal error.*$/m);
   if (ours) throw new Error(`nothing can be tried: ${ours[0]}`);
-  const bad = new Set([...stderr.matchAll(/^c(\d+):\d+:\d+: (?:fatal )?error/gm)].map(([, i]) => Number(i)));
-  return candidates.filter((_, i) => !bad.has(i));
+  const bad = new Set([...stderr.matchAll(new RegExp(`^c(\\d+):\\d+:\\d+: ${error}`, 'gm'))].map(([, i]) => Number(i)));
+  const left = candidates.filter((_, i) => !bad.has(i));
+  const stopped = bad.size > 0 && /confused by earlier errors/.test(stderr); // before it had read all
+  return stopped ? notRefused(left, place, { source, headers }, { compiler, flags, error }) : left;
+}
+
+// The function that the solution has goes with them: if that is refused, so would be what is right.
+function thatCompile(own, candidates, place, context) {
+  const good = compilers.reduce((left, one) => notRefused(left, place, context, one), [own, ...candidates]);
+  if (good[0] !== own) throw new Error(`nothing can be tried: ${own.name} does not compile`);
+  return good.slice(1);
 }
 
 function filesFor(exercise, source) {
@@ -157,25 +167,19 @@ export function pasted(exercise, { source, grade }) {
   const names = [...read(`exercises/${exercise}/harness.h`).matchAll(/\bwanted\w*\s*=\s*(\w+)/g)].map(
     ([, name]) => name,
   );
-  const work = mkdtempSync(join(tmpdir(), 'paste-'));
-  const full = (body, above = []) => {
-    const file = join(work, `${basename(exercise)}.h`);
-    writeFileSync(file, above.map(path => whole(code, path)).join('\n') + body);
-    const words = [exercise, file, '--exit-status', 'verdict', '--limits', '10,30,1,3'];
-    return spawnSync(grade, words, { encoding: 'utf8', timeout: 20000 }).status === 0;
-  };
-  if (!full(solution)) throw new Error(`${exercise}: its solution does not have full marks`);
-  const found = names.map(name => {
+  const isRight = text => graded(exercise, text, { grade, limits }).status === 0;
+  if (!isRight(solution)) throw new Error(`${exercise}: its solution does not have full marks`);
+  return names.map(name => {
     const own = bodies(solution).findLast(one => one.name === name);
     const place = body => solution.slice(0, own.begin) + body + solution.slice(own.end + 1);
     const candidates = [
       ...candidatesFor(own.parameters, sources),
       ...headers.flatMap(path => callsOf(code, path, own.parameters)),
     ];
-    const good = thatCompile(candidates, body => place(body).replace(/^#.*$/gm, ''), { source, headers });
-    const answers = good.filter(({ body, above }) => full(place(body), above));
+    const good = thatCompile(own, candidates, body => place(body).replace(/^#.*$/gm, ''), { source, headers });
+    const texts = good.map(({ body, above = [] }) => above.map(path => whole(code, path)).join('\n') + place(body));
+    const found = verdicts(exercise, texts, { source, grade, limits });
+    const answers = good.filter((_, i) => found[i].full && isRight(texts[i]));
     return { name, tried: good.length, from: [...new Set(answers.map(({ from }) => from))] };
   });
-  rmSync(work, { recursive: true });
-  return found;
 }
