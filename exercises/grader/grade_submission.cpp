@@ -51,6 +51,7 @@ Judged judge_once(const Request& request, const cage::Kit& kit, const cage::File
   session.limits = request.run_limits;
   session.seed = request.seed;
   session.arguments = request.arguments;
+  session.only = request.only;
   judge::run_tests(request.exercise.name);
   Judged judged{session.ended, session.why, session.tests};
   if (!session.stopped()) judged.verdict = verdict(judged);

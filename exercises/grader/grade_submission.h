@@ -24,6 +24,7 @@ struct Request {
   int runs = 3;                        ///< with the same inputs, of which the worst counts
   bool check_memory = true;            ///< in another run, for a message
   std::vector<std::string> arguments;  ///< of the driver; that of a submission takes none
+  std::string only;                    ///< the one test to run, by its name; all, if empty
 };
 
 /// All that is known at the end; the report in words and in JSON is made from this alone.

@@ -3,9 +3,10 @@
 // right/*.h score full marks, its starter scores nothing, and every way in wrong, be it a header or
 // an edit of the solution, fails the test that its first line names and is told what its line
 // `Says:` promises. All of them lie in one driver, which is run without a cage, the right ones
-// under one seed; then the right ones and one that is wrong go the way of a submission. With a
-// number, the driver alone is tried, under so many seeds; with `caged`, all go the way of a
-// submission. Prints one line for each; the exit code is 1 if any is not so.
+// under one seed, the wrong ones by the test that they are named for; then the right ones and one
+// that is wrong go the way of a submission. With a number, the driver alone is tried, under so many
+// seeds; with `caged`, all go the way of a submission, through all tests. Prints one line for each;
+// the exit code is 1 if any is not so.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -26,12 +27,13 @@ namespace {
 using grade::Report;
 using grade::Verdict;
 
-// How a header is graded, with what seed.
-using Grade = std::function<Report(const std::filesystem::path& file, std::uint64_t seed)>;
+// How a header is graded: with what seed, and by which of the tests; by all, if that is empty.
+using Grade = std::function<Report(const std::filesystem::path& file, std::uint64_t seed,
+                                   const std::string& only)>;
 
 // As a submission is: compiled in the cage and run there.
 Grade in_the_cage(const grade::Exercise& exercise) {
-  return [=](const std::filesystem::path& file, std::uint64_t seed) {
+  return [=](const std::filesystem::path& file, std::uint64_t seed, const std::string&) {
     grade::Request request;
     request.exercise = exercise;
     request.submission = file;
@@ -74,7 +76,7 @@ void print_tests(const std::string& exercise) {
 
 bool is_right(const Grade& grade, const std::filesystem::path& file, int seeds) {
   for (int seed = 1; seed <= seeds; ++seed) {
-    const Report report = grade(file, static_cast<std::uint64_t>(seed));
+    const Report report = grade(file, static_cast<std::uint64_t>(seed), "");
     const bool full = report.verdict == Verdict::accepted && report.points > 0;
     if (!full || seed == seeds) {
       return say(report, file, full,
@@ -86,7 +88,7 @@ bool is_right(const Grade& grade, const std::filesystem::path& file, int seeds) 
 }
 
 bool is_nothing(const Grade& grade, const std::filesystem::path& file) {
-  const Report report = grade(file, 1);
+  const Report report = grade(file, 1, "");
   const bool ran = std::all_of(report.tests.begin(), report.tests.end(),
                                [](const grade::TestResult& test) { return test.ran; });
   return say(report, file, ran && report.score == 0, ran ? "" : "a test was not run");
@@ -113,8 +115,8 @@ std::string told(const Report& report, const grade::TestResult& test) {
 
 // A test that was never run, because the code crashed, is not one that it failed.
 bool is_caught(const Grade& grade, const std::filesystem::path& file) {
-  const Report report = grade(file, 1);
   const std::string name = promised(file, "Fails"), words = promised(file, "Says");
+  const Report report = grade(file, 1, name);
   const auto named = std::find_if(report.tests.begin(), report.tests.end(),
                                   [&](const grade::TestResult& test) { return test.name == name; });
   if (name.empty()) return say(report, file, false, "its first line is not \"// Fails: TEST\"");
@@ -127,10 +129,8 @@ bool is_caught(const Grade& grade, const std::filesystem::path& file) {
                "has no line \"// Says: WORDS\"; is told:" + told(report, *named));
   if (caught && told(report, *named).find(words) == std::string::npos)
     return say(report, file, false, "is not told \"" + words + "\" but:" + told(report, *named));
-  return say(
-      report, file, caught && report.score < report.points,
-      caught ? failed(report) + ", named for " + std::to_string(named - report.tests.begin() + 1)
-             : "passed: " + name);
+  return say(report, file, caught && report.score < report.points,
+             (caught ? "fails: " : "passed: ") + name);
 }
 
 // The header that the build made of an edit of the solution.
@@ -188,8 +188,8 @@ int prove(const grade::Exercise& exercise, const Trial& trial) {
   good = are_enough("wrong ways", wrong.size(), 6) && good;
   if (trial.seeds > 0) {
     const ways::Driver driver(exercise, std::filesystem::path(EDITED) / exercise.name / "ways");
-    const Grade alone = [&](const auto& file, std::uint64_t seed) {
-      return driver.grade(file, seed);
+    const Grade alone = [&](const auto& file, std::uint64_t seed, const std::string& only) {
+      return driver.grade(file, seed, {}, only);
     };
     good = prove(alone, exercise, trial.seeds, right, wrong) && good;
   }

@@ -14,7 +14,7 @@ Driver::Driver(grade::Exercise exercise, const std::filesystem::path& driver)
 }
 
 grade::Report Driver::grade(const std::filesystem::path& header, std::uint64_t seed,
-                            const cage::Limits& limits) const {
+                            const cage::Limits& limits, const std::string& only) const {
   grade::Request request;
   request.exercise = exercise_;
   request.submission = header;
@@ -22,6 +22,7 @@ grade::Report Driver::grade(const std::filesystem::path& header, std::uint64_t s
   request.sandbox = cage::Sandbox::none;
   request.run_limits = limits;
   request.runs = 1;
+  request.only = only;
   request.arguments = {weakly_canonical(header)};
   return grade::grade_driver(request, file_);
 }

@@ -17,8 +17,9 @@ class Driver {
 
   /// Judges the submission that the driver has under the header's path. It runs in a process of its
   /// own for each test, with the limits of a submission.
+  /// @param only  the one test to run, by its name; all, if empty
   grade::Report grade(const std::filesystem::path& header, std::uint64_t seed,
-                      const cage::Limits& limits = {}) const;
+                      const cage::Limits& limits = {}, const std::string& only = "") const;
 
  private:
   grade::Exercise exercise_;

@@ -76,6 +76,16 @@ std::vector<TestResult> listed(const std::string& exercise) {
   return tests;
 }
 
+// A name as Catch2 takes it literally, with no character that means something there.
+std::string escaped(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    if (std::string_view("\\,[\"").find(c) != std::string_view::npos) text += '\\';
+    text += c;
+  }
+  return text;
+}
+
 }  // namespace
 
 Session& session() {
@@ -91,7 +101,8 @@ void run_tests(const std::string& exercise) {
   static Catch::Session catch_session;
   session().tests.clear();
   Catch::ConfigData config;
-  config.testsOrTags = {"[" + exercise + "]"};
+  const std::string& only = session().only;
+  config.testsOrTags = {(only.empty() ? "" : escaped(only)) + "[" + exercise + "]"};
   config.reporterSpecifications = {*Catch::parseReporterSpec("judge")};
   config.runOrder = Catch::TestRunOrder::Declared;
   config.noThrow = false;

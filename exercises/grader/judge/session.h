@@ -23,6 +23,7 @@ struct Session {
   cage::Limits limits;
   std::uint64_t seed = 1;
   std::vector<std::string> arguments;  ///< of the driver
+  std::string only;                    ///< the one test to run, by its name; all, if empty
 
   // Found.
   std::vector<grade::TestResult> tests;
@@ -38,7 +39,8 @@ struct Session {
 /// The session of this process.
 Session& session();
 
-/// Runs all tests with this tag; what they found is in the session.
+/// Runs the tests with this tag, or the only one that is asked for; what they found is in the
+/// session.
 void run_tests(const std::string& exercise);
 
 /// The tests with this tag, not run: their names and points.
