@@ -195,7 +195,7 @@ TEST_CASE("At 10 cm/s the chain's fastest motion goes 17 micrometres out of plac
   CHECK((a + slow * slow * shape).norm() < 0.01 * a.norm());
 }
 
-TEST_CASE("What there is to see stays what it is in half the steps") {
+TEST_CASE("What there is to see stays what it is in half the steps", "[long]") {
   for (const std::string& net : nets) CHECK(off_of_truth(net, gentle) < 1e-4);
 }
 
@@ -234,8 +234,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "Where the fewest substeps can be paid, as many as a solved step costs show a net better") {
+TEST_CASE("Where the fewest substeps can be paid, as many as a solved step costs show a net better",
+          "[long]") {
   for (const std::string& net : nets) {
     const int fewest = fewest_substeps(net);
     const double least = work(net, "symplectic Euler", fewest);
@@ -268,7 +268,8 @@ TEST_CASE(
 
 TEST_CASE(
     "In a tenth more than the fewest substeps a net is shown at least four times as well as by "
-    "anything cheaper, after each of three blows") {
+    "anything cheaper, after each of three blows",
+    "[long]") {
   for (const std::string& net : nets) {
     std::vector<Ask> asked{{"symplectic Euler", fewest_substeps(net) * 11 / 10}};
     for (const char* method : {"backward Euler", "BDF2", "trapezoid"}) {

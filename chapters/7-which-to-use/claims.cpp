@@ -560,7 +560,8 @@ TEST_CASE("No method and no number of steps meets the bounds for less than the c
   check(leaf, {.seconds = 2, .error = 1e-6}, 240);
 }
 
-TEST_CASE("No method keeps the level within a centimetre with fewer steps than it is billed for") {
+TEST_CASE("No method keeps the level within a centimetre with fewer steps than it is billed for",
+          "[long]") {
   for_each_thing([&](const std::string& thing, const auto& scene, double seconds) {
     Bounds bounds{.seconds = seconds};
     bounds.error = centimetre / size_of(scene, bounds);

@@ -97,7 +97,8 @@ double off_after(double seconds, double omega, Vec x) {
 
 }  // namespace
 
-TEST_CASE("With the steps that the page asks for a spring of any game is as near as it says") {
+TEST_CASE("With the steps that the page asks for a spring of any game is as near as it says",
+          "[long]") {
   for (std::size_t which = 0; which < std::size(answers); ++which) {
     const Answer& answer = answers[which];
     const Rates& rates = all_rates()[which];
@@ -118,7 +119,8 @@ TEST_CASE("With the steps that the page asks for a spring of any game is as near
   }
 }
 
-TEST_CASE("With a fifth fewer steps than the page asks for a spring is farther off than it says") {
+TEST_CASE("With a fifth fewer steps than the page asks for a spring is farther off than it says",
+          "[long]") {
   for (std::size_t which = 0; which < std::size(answers); ++which) {
     const Answer& answer = answers[which];
     const Rates& rates = all_rates()[which];

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <string>
 #include <system_error>
 
@@ -51,8 +51,10 @@ inline bool running(const std::string& mark) {
   for (const auto& process : std::filesystem::directory_iterator("/proc")) {
     if (process.path().filename() == std::to_string(::getpid())) continue;
     std::ifstream file(process.path() / "cmdline");
-    const std::string line{std::istreambuf_iterator<char>(file), {}};
-    if (line.find(mark) != line.npos) return true;
+    std::ostringstream line;
+    line << file.rdbuf();  // which reads nothing, and throws nothing, of one that has ended
+                           // meanwhile
+    if (line.str().find(mark) != std::string::npos) return true;
   }
   return false;
 }
