@@ -1,6 +1,5 @@
 # Programs that record, compiled by the other compiler: in the build, where each source is compiled once, and again only
 # when it has changed.
-find_program(OTHER_COMPILER clang++-19 REQUIRED)
 get_target_property(options reproducible INTERFACE_COMPILE_OPTIONS)
 get_target_property(definitions reproducible INTERFACE_COMPILE_DEFINITIONS)
 list(TRANSFORM definitions PREPEND -D)
@@ -30,16 +29,8 @@ get_target_property(folder measure SOURCE_DIR)
 list(TRANSFORM sources PREPEND ${folder}/)
 other_objects(measure_by_other ${sources})
 
-# A test that what a program of these sources writes is what lies in `data`, byte for byte. Chapter 2's in every build, and the
-# others where the tier `thorough` is built.
+# A test that what a program of these sources writes is what lies in `data`, byte for byte.
 function(same_numbers name data)
-  set(labels chapters)
-  if(NOT name STREQUAL 2-euler)
-    list(APPEND labels thorough)
-    if(NOT THOROUGH)
-      return()
-    endif()
-  endif()
   other_objects(objects ${ARGN})
   set(program ${CMAKE_CURRENT_BINARY_DIR}/other/${name}.program)
   add_custom_command(OUTPUT ${program}
@@ -51,5 +42,5 @@ function(same_numbers name data)
     COMMAND ${CMAKE_COMMAND} -DPROGRAM=${program} -DDATA=${data}
             -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/${name}/other
             -P ${CMAKE_CURRENT_SOURCE_DIR}/same-numbers.cmake)
-  set_tests_properties("${name}: the same numbers from clang++" PROPERTIES LABELS "${labels}")
+  set_tests_properties("${name}: the same numbers from clang++" PROPERTIES LABELS "chapters;thorough")
 endfunction()
