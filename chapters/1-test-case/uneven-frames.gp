@@ -1,11 +1,11 @@
 eval axis_names("time  [s]", "height  [m]")
-set xrange [0.31:0.75]
-set yrange [1.1:1.4]
-set xtics 0.4,0.1
-set ytics 1.1,0.1
-set label 1 "three meet a late frame" at 0.53,1.375 center tc ls EULER
-set label 2 "ledge" at 0.32,1.342 left tc ls LIMIT
-set label 3 "seven don't" at 0.53,NARROW ? 1.25 : 1.295 center tc ls CONTEXT
+set xrange [0:0.75]
+set yrange [0:1.5]
+set xtics 0,0.2
+set ytics 0,0.5
+set label 1 "three: late on the way up" at 0.53,1.44 center tc ls EULER
+set label 2 "ledge" at 0.02,1.37 left tc ls LIMIT
+set label 3 "seven: not" at 0.53,NARROW ? 1.1 : 1.16 center tc ls CONTEXT
 array look[10]
 do for [jump=1:10] { look[jump] = cell("uneven-tops", jump, "top") > exact("ledge") ? EULER : CONTEXT }
 plot exact("ledge") with lines ls LIMIT, \

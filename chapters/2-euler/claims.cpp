@@ -147,6 +147,16 @@ TEST_CASE("Twice the damping above critical halves the step that Euler can take,
   }
 }
 
+TEST_CASE("Less damping than critical leaves Euler a shorter step") {
+  double before = 0;
+  for (const double zeta : {0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0}) {
+    const double limit = measure::stability_limit(euler, Spring<>{.zeta = zeta}, 1e-6, 10);
+    CHECK_THAT(limit, WithinRel(2 * zeta, 1e-6));
+    CHECK(limit > before);
+    before = limit;
+  }
+}
+
 TEST_CASE("Below c h = 1 Euler brakes without turning round") {
   for (long n = 1; n <= 20; ++n) {
     CHECK(speed_after(0.5, n) > 0);
@@ -180,6 +190,20 @@ TEST_CASE("At ten steps a second a parachute that opens too fast throws its dive
   x = 0, v = diving;
   integrate::euler(x, v, 0.0, frame, parachute);
   CHECK(v < 0);
+}
+
+TEST_CASE(
+    "Near its final speed Euler settles in drag that grows with the square while k v h is less "
+    "than one") {
+  const double terminal = parachute.terminal_speed();
+  const auto off = [&](double kvh, long steps) {
+    double x = 0, v = -0.99 * terminal;
+    const double step = kvh / (parachute.k * terminal);
+    for (long n = 0; n < steps; ++n) integrate::euler(x, v, 0.0, step, parachute);
+    return std::abs(v / terminal + 1);
+  };
+  CHECK(off(0.98, 5000) < 1e-12);
+  for (const long steps : {5000, 5001}) CHECK(off(1.02, steps) > 0.05);  // between two speeds
 }
 
 TEST_CASE("Under a constant force Euler's velocity is exact") {

@@ -83,6 +83,34 @@ std::vector<double> braking_slopes(double ch) {
   return slopes;
 }
 
+/// How far the rocket is from its height after six seconds, at so many steps a second. The truth is
+/// by many short steps up to the burnout, and the height that a throw gains from there.
+double off_across(bool by_rk4, int rate) {
+  const double step = off_beat_rocket.burn_time / 1000, coasting = 6 - off_beat_rocket.burn_time;
+  double x = 0, v = 0;
+  for (int n = 0; n < 1000; ++n) integrate::rk4(x, v, n * step, step, engine_on);
+  const double truth = x + coasting * v - off_beat_rocket.g * coasting * coasting / 2;
+  x = 0, v = 0;
+  for (int n = 0; n < 6 * rate; ++n) {
+    if (by_rk4) {
+      integrate::rk4(x, v, double(n) / rate, 1.0 / rate, off_beat_rocket);
+    } else {
+      integrate::euler(x, v, double(n) / rate, 1.0 / rate, off_beat_rocket);
+    }
+  }
+  return x - truth;
+}
+
+/// At what share of the rates from 20 to 240 RK4 is further off than Euler with so many steps for
+/// each of its own.
+double share_of_rates(int steps_of_euler) {
+  int worse = 0;
+  for (int rate = 20; rate <= 240; ++rate) {
+    worse += std::abs(off_across(true, rate)) > std::abs(off_across(false, steps_of_euler * rate));
+  }
+  return worse / 221.0;
+}
+
 }  // namespace
 
 TEST_CASE(
@@ -134,6 +162,15 @@ TEST_CASE("The midpoint method keeps the drone within a millimetre of its circle
   auto s = drone.start();
   measure::run(midpoint, drone, s, frame, 10 * turn,
                [](double, const auto& now) { CHECK_THAT(now.x.norm(), WithinAbs(10, 0.001)); });
+}
+
+TEST_CASE("After ten turns the midpoint drone is out by a hundredth of what it is ahead") {
+  const auto end = measure::after(midpoint, drone, drone.start(), frame, 10 * turn);
+  const double ahead = 10 * std::atan2(end.x.y(), end.x.x());
+  CHECK_THAT(ahead, WithinAbs(0.0179, 0.0002));
+  CHECK_THAT((end.x.norm() - 10) / ahead, WithinAbs(0.01, 0.001));
+  CHECK_THAT(measure::largest_error(midpoint, drone, frame, 10 * turn).position,
+             WithinRel(ahead, 0.01));
 }
 
 TEST_CASE("The midpoint method has order two on a circle, an ellipse, a parachute and a rocket") {
@@ -266,6 +303,15 @@ TEST_CASE(
   CHECK(off(euler, ellipse) > 1);
 }
 
+TEST_CASE(
+    "On four evaluations a second symplectic Euler is off by no more than a tenth more than RK4") {
+  const double by_rk4 = measure::largest_error(rk4, drone, 1.0, 80).position;
+  const double by_swap =
+      measure::largest_error(measure::symplectic_euler, drone, 0.25, 320).position;
+  CHECK(by_swap > by_rk4);
+  CHECK(by_swap < 1.1 * by_rk4);
+}
+
 TEST_CASE("Across the end of a burn RK4 has order one") {
   // The error depends on where in its step the engine stops; the worst of many rates does not.
   const auto worst = [](double rate) {
@@ -279,30 +325,13 @@ TEST_CASE("Across the end of a burn RK4 has order one") {
 }
 
 TEST_CASE("Across a burnout at 60 Hz RK4 is further off than Euler, as at a third of all rates") {
-  // The truth by many short steps up to the burnout, and the height that a throw gains from there.
-  const auto end = [](bool by_rk4, int rate) {
-    const double step = 1.0 / rate;
-    double x = 0, v = 0;
-    for (int n = 0; n < 6 * rate; ++n) {
-      if (by_rk4) {
-        integrate::rk4(x, v, n * step, step, off_beat_rocket);
-      } else {
-        integrate::euler(x, v, n * step, step, off_beat_rocket);
-      }
-    }
-    return x;
-  };
-  const double step = off_beat_rocket.burn_time / 1000, coasting = 6 - off_beat_rocket.burn_time;
-  double x = 0, v = 0;
-  for (int n = 0; n < 1000; ++n) integrate::rk4(x, v, n * step, step, engine_on);
-  const double truth = x + coasting * v - off_beat_rocket.g * coasting * coasting / 2;
-  CHECK_THAT(end(true, 60) - truth, WithinAbs(0.268, 0.001));
-  CHECK_THAT(end(false, 60) - truth, WithinAbs(-0.237, 0.001));
-  int worse = 0;
-  for (int rate = 20; rate <= 240; ++rate) {
-    worse += std::abs(end(true, rate) - truth) > std::abs(end(false, rate) - truth);
-  }
-  CHECK_THAT(worse / 221.0, WithinAbs(0.34, 0.02));
+  CHECK_THAT(off_across(true, 60), WithinAbs(0.268, 0.001));
+  CHECK_THAT(off_across(false, 60), WithinAbs(-0.237, 0.001));
+  CHECK_THAT(share_of_rates(1), WithinAbs(0.34, 0.02));
+}
+
+TEST_CASE("Across a burnout Euler ends nearer than RK4 at three quarters of all prices") {
+  CHECK_THAT(share_of_rates(4), WithinAbs(0.75, 0.02));
 }
 
 TEST_CASE("A step cut where the engine stops gives RK4 its fourth order back") {
@@ -327,6 +356,27 @@ TEST_CASE("In a day RK4 takes less than a millionth of the drone's energy") {
   const double lost = -measure::drift(rk4, drone, frame, 24L * 3600 * 60, drone_energy).last;
   CHECK_THAT(lost, WithinRel(24 * 3600 * 60 * std::pow(frame * drone.omega, 6) / 72, 0.01));
   CHECK(lost < 1e-6);
+}
+
+TEST_CASE(
+    "With forty steps a swing RK4 takes a fifth of a per cent in a minute of four swings a "
+    "second") {
+  const auto spring = swinging(4);
+  const auto energy = [&](double x, double v) { return spring.energy(x, v); };
+  const double lost = -measure::drift(rk4, spring, 1.0 / 160, 160 * 60, energy).last;
+  CHECK_THAT(lost, WithinAbs(0.002, 0.0001));
+  const double in_an_hour = -measure::drift(rk4, spring, 1.0 / 160, 160 * 3600, energy).last;
+  CHECK_THAT(in_an_hour, WithinAbs(0.113, 0.001));
+}
+
+TEST_CASE("In a float rounding changes the drone's energy in a day by more than RK4 takes") {
+  const scenes::Circle<float> single{.omega = float(drone.omega), .radius = 10};
+  auto s = single.start();
+  for (long n = 0; n < 24L * 3600 * 60; ++n) integrate::rk4(s.x, s.v, 0.0, 1.0f / 60, single);
+  const auto energy_of = [&](const auto& state) {
+    return drone.energy(state.x.template cast<double>(), state.v.template cast<double>());
+  };
+  CHECK(std::abs(energy_of(s) / energy_of(single.start()) - 1) > 2e-6);
 }
 
 TEST_CASE("In one minute at 60 Hz RK4 takes a quarter of the energy at four swings a second") {
@@ -501,21 +551,29 @@ TEST_CASE("With its fourth stage along the second slope RK4 has order three and 
   CHECK(error_in_one_turn(bug, 60) < 1e-5);
 }
 
-TEST_CASE("In a float RK4 is nearest to the drone at 16 steps a second, and more make it worse") {
-  double before = 1;
-  for (const int rate : {4, 8, 16}) {
-    CHECK(error_in_float(rk4, rate) < before / 10);
-    before = error_in_float(rk4, rate);
-  }
-  for (const int rate : {32, 64, 128, 256}) CHECK(error_in_float(rk4, rate) > 2 * before);
+TEST_CASE(
+    "In a float RK4 is nearest to the drone at 16 to 32 steps a second, by the median of many "
+    "starts") {
+  const auto median = [](int rate) { return errors_in_float(rk4, rate)[starts / 2]; };
+  CHECK(median(8) < median(4) / 10);
+  CHECK(median(16) < median(8) / 8);
+  CHECK_THAT(median(32) / median(16), WithinAbs(1, 0.1));
+  CHECK(median(64) > 1.3 * median(32));
+  CHECK(median(128) > 1.5 * median(64));
+  CHECK(median(256) > 1.4 * median(128));
   // In double the same runs go on falling.
   CHECK(error_in_one_turn(rk4, 128) < 1e-3 * error_in_one_turn(rk4, 16));
 }
 
-TEST_CASE("In a float the right RK4 shows a negative order, and the wrong index nearly three") {
-  CHECK_THAT(order_in_float(rk4), WithinAbs(-1.4, 0.1));
-  const auto bug = wrong::method_of(wrong::fourth_looks_too_soon.stages);
-  CHECK_THAT(order_in_float(bug), WithinAbs(2.77, 0.05));
+TEST_CASE(
+    "In a float the order that the right RK4 shows is luck, and lower than that of the wrong "
+    "index") {
+  const auto right = orders_in_float(rk4);
+  const auto bug = orders_in_float(wrong::method_of(wrong::fourth_looks_too_soon.stages));
+  CHECK(right.front() < -2);
+  CHECK(right.back() > 1);
+  CHECK(right.back() < 2);
+  CHECK(bug.front() > right.back());
 }
 
 TEST_CASE("With its third stage a repeat of the second RK4 has order two") {

@@ -133,6 +133,11 @@ inline void comet_passes(measure::Record& record) {
   record.number("comet-rk4", double(4 * rate) * comet_year, 2);
   record.number("comet-rk4-rate", double(rate), measure::whole);
   record.number("comet-rk4-60", error_of_equal_steps(60), 2, "m");
+  const auto fixed = end_of_fixed_steps(60);
+  record.number("comet-fixed-frame", 4 * 1000.0 / 60, 2);
+  record.number("comet-fixed", 4 * 1000 * comet_year, measure::whole);
+  record.number("comet-fixed-error", 1000 * (fixed.x - comet.exact(comet_year / 2).x).norm(), 2,
+                "mm");
   record.number("comet-apart", 1e6 * (framed.end.x - pass(2880).end.x).norm(), 2, "µm");
 
   auto& table = record.table("comet", {{"t", "s"}, {"evaluations", "", measure::whole}});

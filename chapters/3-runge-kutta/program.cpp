@@ -47,6 +47,10 @@ void first_try(Record& record) {
   record.number("old-10", end[2].value, 4, "m");
   record.number("euler-120-10", end[3].value, 4, "m");
   record.number("midpoint-10", 1000 * (end[4].value - 10), 2, "mm");
+  const auto arrived =
+      measure::after(midpoint, drone, drone.start(), frame, std::lround(80 / frame));
+  const double ahead = std::atan2(arrived.x.y(), arrived.x.x());
+  record.number("midpoint-10-ahead", 1000 * ahead * arrived.x.norm(), 3, "mm");
   record.number("rate", 1 / frame, whole, "Hz");
   record.number("rate-twice", 2 / frame, whole, "Hz");
   record.number("circle", drone.radius, 2, "m");

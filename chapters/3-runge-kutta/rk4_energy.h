@@ -82,6 +82,10 @@ inline void energy(measure::Record& record) {
   record.number("drone-day", 100 * day, 2, "%");
   record.number("drone-years", 0.01 / day / 365.25, 2, "years");
 
+  const double forty = 2 * std::numbers::pi / 40;  // steps of each of four swings a second
+  record.number("forty-minute", 100 * (1 - left_after(4 * 40 * 60L, forty)), 2, "%");
+  record.number("forty-hour", 100 * (1 - left_after(4 * 40 * 3600L, forty)), 2, "%");
+
   double line = 1, over = 10;  // swings per second
   for (int halving = 0; halving < 50; ++halving) {
     const double middle = (line + over) / 2;

@@ -93,6 +93,7 @@ void orders(Record& record) {
   row("leapfrog", leapfrog);
   row("velocity Verlet", velocity_verlet);
   record.number("float-position", 1e6 * lost_digits(stormer_verlet), 2, "µm");
+  record.number("float-distance", 1e6 * lost_digits(DistanceKept{}), 2, "µm");
   record.number("float-velocity", 1e6 * lost_digits(velocity_verlet), 2, "µm");
 }
 

@@ -3,8 +3,10 @@
 /// What becomes of two metres of rope.
 #pragma once
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "measure/eigenvalues.h"
 #include "measure/methods.h"
@@ -13,6 +15,14 @@
 #include "rope_in_frames.h"
 #include "shelf/link.h"
 #include "toys.h"
+
+/// Where something last turned from rising to falling.
+inline double last_rise(const std::vector<double>& heights) {
+  for (std::size_t n = heights.size() - 2; n > 0; --n) {
+    if (heights[n] >= heights[n - 1] && heights[n] >= heights[n + 1]) return heights[n];
+  }
+  return heights.front();
+}
 
 /// The length of the rope of springs [m].
 inline double length_of(const Eigen::VectorXd& x) {
@@ -122,14 +132,14 @@ inline void ropes(measure::Record& record) {
 
   auto& pendulum = record.table("pendulum", {{"t", "s"}, {"one step", "m"}, {"eight", "m"}});
   Rope once = two_metres(1, {1, 0}), often = once;
-  double again = -2, again_often = -2;
+  std::vector<double> again, again_often;
   for (int n = 0; n <= 600; ++n) {
     pendulum.add({n * frame, once.x[1].y(), often.x[1].y()});
-    if (n > 480) again = std::max(again, once.x[1].y());
-    if (n > 480) again_often = std::max(again_often, often.x[1].y());
+    again.push_back(once.x[1].y());
+    again_often.push_back(often.x[1].y());
     once.step(frame, 1);
     for (int substep = 0; substep < 8; ++substep) often.step(frame / 8, 1);
   }
-  record.number("pendulum-again", 2 + again, 2, "m");
-  record.number("pendulum-often", 2 + again_often, 2, "m");
+  record.number("pendulum-again", 2 + last_rise(again), 2, "m");
+  record.number("pendulum-often", 2 + last_rise(again_often), 2, "m");
 }

@@ -56,6 +56,11 @@ TEST_CASE("Of 512 shuttles RK4 takes five times Euler's time, Dormand-Prince ten
   CHECK_THAT(of_512(method::dopri5) / of_512(euler), WithinAbs(10, 0.8));
 }
 
+TEST_CASE("Alone, a shuttle takes RK4 twice as long as midpoint, and Yoshida three times") {
+  CHECK_THAT(of_one(rk4) / of_one(method::midpoint), WithinAbs(2, 0.1));
+  CHECK_THAT(of_one(method::yoshida4) / of_one(method::midpoint), WithinAbs(3, 0.15));
+}
+
 TEST_CASE("Of 512 shuttles Yoshida's step takes about as long as RK4's, not three of Verlet's") {
   CHECK_THAT(of_512(method::yoshida4) / of_512(rk4), WithinAbs(1, 0.15));
   CHECK(of_512(method::yoshida4) > 4 * of_512(velocity_verlet));

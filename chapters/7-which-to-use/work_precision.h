@@ -251,6 +251,17 @@ inline double ahead_after_a_day(const measure::Method& method, double h, double 
   return day * double(turns) / (last - first) - day / shuttle.period();
 }
 
+/// The largest relative error of the shuttle's energy within a day.
+inline double energy_error_in_a_day(const measure::Method& method, double h) {
+  const double first = shuttle.energy(shuttle.start().x, shuttle.start().v);
+  double most = 0;
+  auto s = shuttle.start();
+  measure::run(method, shuttle, s, h, std::lround(86'400 / h), [&](double, const auto& now) {
+    most = std::max(most, std::abs(shuttle.energy(now.x, now.v) / first - 1));
+  });
+  return most;
+}
+
 inline void all_work(measure::Record& record) {
   work_precision(record);
   work_energy(record);
@@ -261,6 +272,10 @@ inline void all_work(measure::Record& record) {
   record.number("energy-passes", energy_passes() / 60, 3, "min");
   record.number("day-verlet", -ahead_after_a_day(method::velocity_verlet, frame / 4), 2);
   record.number("day-verlet-later", ahead_after_a_day(method::velocity_verlet, frame / 4, 1), 1);
+  record.number("day-yoshida-energy", 100 * energy_error_in_a_day(method::yoshida4, 3 * frame / 4),
+                2, "%");
+  record.number("day-verlet-energy",
+                100 * energy_error_in_a_day(method::velocity_verlet, frame / 4), 2, "%");
   record.number("day-rk4", ahead_after_a_day(method::rk4, frame), 2);
   record.number("shuttle-240-symplectic",
                 100 * off(method::symplectic_euler, shuttle, frame / 4, 8), 2, "cm");
