@@ -205,14 +205,19 @@ function withMotion() {
       const slow = 'Runs slower than time.';
       await live.press('reset');
       assert.ok(!(await live.stage.locator('.readout').textContent()).includes(slow));
-      await moving.evaluate(of => {
-        const { run } = globalThis.Live.opened[of],
-          { step } = Object.getPrototypeOf(run);
-        run.step = () => {
-          for (const until = performance.now() + 150; performance.now() < until;);
-          step.call(run);
-        };
-      }, figure.name);
+      const { h } = await live.now();
+      const busy = Math.max(150, (1500 * h) / (figure.pace ?? 1)); // for longer than a step lasts [ms]
+      await moving.evaluate(
+        ([of, milliseconds]) => {
+          const { run } = globalThis.Live.opened[of],
+            { step } = Object.getPrototypeOf(run);
+          run.step = () => {
+            for (const until = performance.now() + milliseconds; performance.now() < until;);
+            step.call(run);
+          };
+        },
+        [figure.name, busy],
+      );
       await live.press('play');
       await live.stage.locator('.readout', { hasText: slow }).waitFor();
       await moving.evaluate(of => delete globalThis.Live.opened[of].run.step, figure.name);
