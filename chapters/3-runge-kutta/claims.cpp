@@ -83,14 +83,19 @@ std::vector<double> braking_slopes(double ch) {
   return slopes;
 }
 
-/// How far the rocket is from its height after six seconds, at so many steps a second. The truth is
-/// by many short steps up to the burnout, and the height that a throw gains from there.
-double off_across(bool by_rk4, int rate) {
+/// The rocket's height after six seconds, by many short steps up to the burnout and what a throw
+/// gains from there.
+double height_across() {
   const double step = off_beat_rocket.burn_time / 1000, coasting = 6 - off_beat_rocket.burn_time;
   double x = 0, v = 0;
   for (int n = 0; n < 1000; ++n) integrate::rk4(x, v, n * step, step, engine_on);
-  const double truth = x + coasting * v - off_beat_rocket.g * coasting * coasting / 2;
-  x = 0, v = 0;
+  return x + coasting * v - off_beat_rocket.g * coasting * coasting / 2;
+}
+
+/// How far from that a method leaves it, at so many steps a second.
+double off_across(bool by_rk4, int rate) {
+  static const double truth = height_across();
+  double x = 0, v = 0;
   for (int n = 0; n < 6 * rate; ++n) {
     if (by_rk4) {
       integrate::rk4(x, v, double(n) / rate, 1.0 / rate, off_beat_rocket);

@@ -60,11 +60,13 @@ inline double highest_on_a_trampoline(double h) {
   return highest;
 }
 
-/// The same in steps of 400 lengths between these two shares of a frame, in order of height.
+inline constexpr int lengths = 400;  ///< of a step, that are tried on the trampoline
+
+/// The same in steps of so many lengths between these two shares of a frame, in order of height.
 inline std::vector<double> highest_on_a_trampoline(double least, double most) {
   std::vector<double> found;
-  for (int n = 0; n < 400; ++n) {
-    found.push_back(highest_on_a_trampoline(frame * (least + (most - least) * n / 399)));
+  for (int n = 0; n < lengths; ++n) {
+    found.push_back(highest_on_a_trampoline(frame * (least + (most - least) * n / (lengths - 1))));
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -82,5 +84,5 @@ inline void bounces(measure::Record& record) {
   follow("bounce-symplectic", measure::symplectic_euler);
   follow("bounce-exact", measure::constant_acceleration);
   record.number("switch-highest", highest_on_a_trampoline(frame), 2, "m");
-  record.number("switch-tried", double(highest_on_a_trampoline(0.9, 1.1).size()), measure::whole);
+  record.number("switch-tried", lengths, measure::whole);
 }

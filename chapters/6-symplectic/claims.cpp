@@ -574,7 +574,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "In steps of a quarter or less a ball on a trampoline never rises by more than ten "
+    "In steps of a tenth to a quarter a ball on a trampoline never rises by more than ten "
     "centimetres") {
   CHECK(highest_on_a_trampoline(0.1, 0.25).back() < 1.1);
 }

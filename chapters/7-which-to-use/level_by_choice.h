@@ -41,6 +41,11 @@ inline double total_to_within(double distance) {
   return total;
 }
 
+/// What a second of a thing takes an entry, of one of many bodies in a loop [ns].
+inline double time_of(const std::string& thing, const Entry& entry) {
+  return double(entry.last.substeps) / frame * step_time(thing, in_a_loop, *entry.method);
+}
+
 /// What a second of the level takes each method, every thing with as many steps as it needs [ns];
 /// infinite if one of them is never good enough, NaN if a time is not recorded. Of one of many
 /// bodies in a loop.
@@ -48,8 +53,7 @@ inline std::map<std::string, double> times_alone() {
   std::map<std::string, double> all;
   for (const auto& [thing, found] : contests_to_within(centimetre)) {
     for (const Entry& entry : found.methods) {
-      const double steps = double(entry.last.substeps) / frame;
-      all[entry.name] += entry.good ? steps * step_time(thing, in_a_loop, *entry.method) : INFINITY;
+      all[entry.name] += entry.good ? time_of(thing, entry) : INFINITY;
     }
   }
   return all;
@@ -59,8 +63,7 @@ inline std::map<std::string, double> times_alone() {
 inline double time_of_choice() {
   double total = 0;
   for (const auto& [thing, found] : contests_to_within(centimetre)) {
-    const Entry& best = taken(found);
-    total += double(best.last.substeps) / frame * step_time(thing, in_a_loop, *best.method);
+    total += time_of(thing, taken(found));
   }
   return total;
 }

@@ -17,11 +17,12 @@
 inline constexpr int rates[] = {30, 60, 120, 240, 480, 960};  ///< steps a second
 inline constexpr double watched = 60;                         ///< how long energy is watched [s]
 
-/// The largest relative change of the energy in a minute.
+/// The largest relative change of the energy, in a minute unless told otherwise.
 template <class Scene>
-double energy_error(const measure::Method& method, const Scene& scene, double h) {
+double energy_error(const measure::Method& method, const Scene& scene, double h,
+                    double seconds = watched) {
   const auto energy = [&](const auto& x, const auto& v) { return scene.energy(x, v); };
-  return measure::drift(method, scene, h, std::lround(watched / h), energy).largest;
+  return measure::drift(method, scene, h, std::lround(seconds / h), energy).largest;
 }
 
 /// A method in one thing of the level, and what a step of it costs.
@@ -233,10 +234,11 @@ inline double energy_passes() {
   return passed;
 }
 
+inline constexpr double day = 86'400;  ///< [s]
+
 /// How many turns the shuttle is ahead after a day, by its farthest points [turns].
 /// @param started  how long after its nearest point it sets out [s]
 inline double ahead_after_a_day(const measure::Method& method, double h, double started = 0) {
-  constexpr double day = 86'400;
   double first = 0, last = 0;
   long turns = -1;
   auto kept = measure::start(method, shuttle.exact(started), h, shuttle);
@@ -251,17 +253,6 @@ inline double ahead_after_a_day(const measure::Method& method, double h, double 
   return day * double(turns) / (last - first) - day / shuttle.period();
 }
 
-/// The largest relative error of the shuttle's energy within a day.
-inline double energy_error_in_a_day(const measure::Method& method, double h) {
-  const double first = shuttle.energy(shuttle.start().x, shuttle.start().v);
-  double most = 0;
-  auto s = shuttle.start();
-  measure::run(method, shuttle, s, h, std::lround(86'400 / h), [&](double, const auto& now) {
-    most = std::max(most, std::abs(shuttle.energy(now.x, now.v) / first - 1));
-  });
-  return most;
-}
-
 inline void all_work(measure::Record& record) {
   work_precision(record);
   work_energy(record);
@@ -272,10 +263,10 @@ inline void all_work(measure::Record& record) {
   record.number("energy-passes", energy_passes() / 60, 3, "min");
   record.number("day-verlet", -ahead_after_a_day(method::velocity_verlet, frame / 4), 2);
   record.number("day-verlet-later", ahead_after_a_day(method::velocity_verlet, frame / 4, 1), 1);
-  record.number("day-yoshida-energy", 100 * energy_error_in_a_day(method::yoshida4, 3 * frame / 4),
-                2, "%");
+  record.number("day-yoshida-energy",
+                100 * energy_error(method::yoshida4, shuttle, 3 * frame / 4, day), 2, "%");
   record.number("day-verlet-energy",
-                100 * energy_error_in_a_day(method::velocity_verlet, frame / 4), 2, "%");
+                100 * energy_error(method::velocity_verlet, shuttle, frame / 4, day), 2, "%");
   record.number("day-rk4", ahead_after_a_day(method::rk4, frame), 2);
   record.number("shuttle-240-symplectic",
                 100 * off(method::symplectic_euler, shuttle, frame / 4, 8), 2, "cm");

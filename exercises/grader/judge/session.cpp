@@ -101,8 +101,7 @@ void run_tests(const std::string& exercise) {
   static Catch::Session catch_session;
   session().tests.clear();
   Catch::ConfigData config;
-  const std::string& only = session().only;
-  config.testsOrTags = {(only.empty() ? "" : escaped(only)) + "[" + exercise + "]"};
+  config.testsOrTags = {escaped(session().only) + "[" + exercise + "]"};
   config.reporterSpecifications = {*Catch::parseReporterSpec("judge")};
   config.runOrder = Catch::TestRunOrder::Declared;
   config.noThrow = false;
