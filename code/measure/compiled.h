@@ -104,6 +104,8 @@ inline constexpr const measure::Method& backward_euler_spring =
     measure::compiled<measure::BackwardEulerSpring>;
 /// Exact step of a spring.
 inline constexpr const measure::Method& spring_exact = measure::compiled<measure::SpringExact>;
+/// Exact step of a spring, folded.
+inline constexpr const measure::Method& spring_folded = measure::compiled<measure::SpringFolded>;
 /// Symplectic Euler, drag by its rate.
 inline constexpr const measure::Method& linear_damping_explicit_last =
     measure::compiled<measure::LinearDampingExplicitLast>;

@@ -35,7 +35,7 @@ namespace {
 
 template <class Method>
 constexpr bool calls_the_c_library =
-    std::is_same_v<Method, measure::SpringExact> ||
+    std::is_same_v<Method, measure::SpringExact> || std::is_same_v<Method, measure::SpringFolded> ||
     std::is_same_v<Method, measure::LinearDampingExponentialLast> ||
     std::is_same_v<Method, measure::LinearDampingExponentialFirst> ||
     std::is_same_v<Method, measure::LinearDampingExact>;

@@ -45,9 +45,9 @@ double closed_gain(theory::OneOf<measure::BackwardEuler, measure::BackwardEulerN
                    double w) {
   return 1 / (1 + w * w);
 }
-double closed_gain(
-    theory::OneOf<measure::Trapezoid, measure::TrapezoidNewton, measure::SpringExact> auto,
-    double) {
+double closed_gain(theory::OneOf<measure::Trapezoid, measure::TrapezoidNewton, measure::SpringExact,
+                                 measure::SpringFolded> auto,
+                   double) {
   return 1;
 }
 

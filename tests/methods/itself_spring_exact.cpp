@@ -121,3 +121,19 @@ TEST_CASE("Without stiffness the exact spring drifts on, damped or not") {
     }
   }
 }
+
+TEMPLATE_TEST_CASE("The folded exact step takes the bits of the exact one", "", double, float) {
+  for (const TestType zeta : {TestType(0), TestType(0.3), TestType(1), TestType(3)}) {
+    for (const TestType h : {TestType(1e-6), TestType(0.02), TestType(-0.02), TestType(4)}) {
+      const auto folded = integrate::spring_folded_start(h, TestType(7), zeta);
+      TestType x = TestType(0.7), v = TestType(-1.1), exact_x = x, exact_v = v;
+      for (int n = 0; n < 20; ++n) {
+        integrate::spring_folded(x, v, folded);
+        integrate::spring_exact(exact_x, exact_v, h, TestType(7), zeta);
+      }
+      CAPTURE(zeta, h);
+      CHECK(x == exact_x);
+      CHECK(v == exact_v);
+    }
+  }
+}

@@ -70,7 +70,7 @@ inline Complex closed_factor(
 inline Complex closed_factor(OneOf<measure::Trapezoid, measure::TrapezoidNewton> auto, Complex z) {
   return (1.0 + z / 2.0) / (1.0 - z / 2.0);
 }
-inline Complex closed_factor(measure::SpringExact, Complex z) {
+inline Complex closed_factor(OneOf<measure::SpringExact, measure::SpringFolded> auto, Complex z) {
   return std::exp(z);
 }
 

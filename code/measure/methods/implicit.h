@@ -93,31 +93,13 @@ struct TrapezoidNewton : Orders<2> {
   }
 };
 
-/// What both forms of BDF2 have in common: they keep the state of a step ago as well.
-struct KeepsLastState {
-  /// Besides the true 50, a quarter that its start moves too far.
-  static constexpr double free_fall = 50.25 - 0.25 / 59049;
-
-  /// What it keeps at the start.
-  template <class Vec, class Real, class Scene>
-  static std::array<Vec, 4> start(const scenes::State<Vec>& s, Real h, const Scene& scene) {
-    const auto previous = integrate::bdf2_start(s.x, s.v, Real(0), h, scene);
-    return {s.x, s.v, previous.x, previous.v};
-  }
-  /// The state that it stands for.
-  template <class Kept, class Real, class Scene>
-  static StateOf<Kept> state_of(const Kept& kept, Real, Real, const Scene&) {
-    return {kept[0], kept[1]};
-  }
-};
-
 /// integrate::bdf2 with equal steps on a scene with a `jacobian`: keeps the last state.
 struct Bdf2 : Orders<2>, KeepsLastState {
   static constexpr std::string_view name = "BDF2", function = "bdf2", header = "bdf2.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = always, spring_limit = always;
   static constexpr bool symplectic = false, reversible = false, central = false;
-  static constexpr bool goes_back = false, contender = false;
+  static constexpr bool goes_back = false, contender = true;
 
   /// One step, as long as the one before it.
   template <class Kept, class Real, class Scene>

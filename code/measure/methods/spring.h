@@ -46,16 +46,28 @@ struct SpringExact {
   }
 };
 
+/// integrate::spring_folded on a scene with `omega` and `zeta`.
+struct SpringFolded {
+  static constexpr std::string_view name = "exact step of a spring, folded",
+                                    function = "spring_folded", header = "spring_exact.h";
+
+  /// One step.
+  void operator()(auto& x, auto& v, auto, auto h, const auto& spring) const {
+    integrate::spring_folded(x, v, integrate::spring_folded_start(h, spring.omega, spring.zeta));
+  }
+};
+
 inline constexpr BackwardEulerSpring backward_euler_spring;  ///< to hand on
 inline constexpr Rk4Linear rk4_linear;                       ///< to hand on
 inline constexpr SpringExact spring_exact;                   ///< to hand on
+inline constexpr SpringFolded spring_folded;                 ///< to hand on
 
 }  // namespace measure
 
 namespace list {
 
 /// The methods for one damped spring alone.
-using SpringKin =
-    std::tuple<measure::BackwardEulerSpring, measure::Rk4Linear, measure::SpringExact>;
+using SpringKin = std::tuple<measure::BackwardEulerSpring, measure::Rk4Linear, measure::SpringExact,
+                             measure::SpringFolded>;
 
 }  // namespace list
