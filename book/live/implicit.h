@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "integrate/backward_euler.h"
+#include "integrate/bdf2.h"
 #include "integrate/trapezoid.h"
+#include "measure/methods/keeps.h"
 #include "measure/solver_of.h"
 
 namespace live {
@@ -21,5 +23,21 @@ inline constexpr auto trapezoid = [](auto& x, auto& v, auto t, auto h, const aut
   const bool solved = integrate::trapezoid(x, v, t, h, scene, measure::solver_of(scene));
   if (!solved) x = std::numeric_limits<double>::quiet_NaN() * x;
 };
+
+/// integrate::bdf2 with equal steps on a scene with a `jacobian`; not a number where it has no
+/// solution.
+struct Bdf2 : measure::KeepsLastState {
+  /// One step, as long as the one before it.
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
+    integrate::Bdf2Previous<typename Kept::value_type> previous{kept[2], kept[3]};
+    const bool solved =
+        integrate::bdf2(kept[0], kept[1], previous, t, h, h, scene, measure::solver_of(scene));
+    if (!solved) kept[0] = std::numeric_limits<double>::quiet_NaN() * kept[0];
+    kept[2] = previous.x, kept[3] = previous.v;
+  }
+};
+
+inline constexpr Bdf2 bdf2;  ///< to hand on
 
 }  // namespace live

@@ -104,7 +104,7 @@ inline void print_text(const Contest& found, const Bounds& bounds) {
   const Entry& best = found.methods[0];
   if (exact) {
     std::printf("This scene has an exact step. Take it:\n");
-    print_choice(found.exact[0], bounds);
+    for (const Entry& entry : found.exact) print_choice(entry, bounds);
   }
   const char* said = best.good ? exact ? "If other forces act as well, the cheapest within the "
                                          "bounds is"

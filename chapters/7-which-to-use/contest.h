@@ -162,18 +162,21 @@ Attempt attempt(const measure::Method& method, const Scene& scene, const Bounds&
   return worst;
 }
 
-/// The largest error in uneven frames, each cut into as many equal steps.
+/// The largest error in uneven frames, each cut into as many equal steps. What is folded takes the
+/// step that it was folded for, that of the mean frame.
 template <class Scene, class Vec>
 double uneven_error(const measure::Method& method, const Scene& scene, const Truth<Vec>& uneven,
                     long substeps) {
   Attempt worst;
+  const double mean = uneven.ends.back() / double((uneven.ends.size() - 1) * std::size_t(substeps));
   auto kept = measure::start(method, scene.start(), uneven.ends[1] / double(substeps), scene);
   for (std::size_t seen = 1; seen < uneven.x.size(); ++seen) {
     const double begin = uneven.ends[seen - 1], end = uneven.ends[seen];
     const double h = (end - begin) / double(substeps);
+    const double taken = &method == &method::spring_folded ? mean : h;
     try {
       for (long n = 0; n < substeps; ++n)
-        measure::advance(method, kept, begin + double(n) * h, h, scene);
+        measure::advance(method, kept, begin + double(n) * h, taken, scene);
     } catch (const std::runtime_error&) {
       return INFINITY;
     }
@@ -352,17 +355,9 @@ inline bool better(const Entry& a, const Entry& b, const Bounds& bounds) {
   return verlet != other_verlet ? verlet : a.method->function < b.method->function;
 }
 
-/// The exact step of a scene, or null if it has none.
-template <class Scene>
-const measure::Method* exact_step_of(const Scene&) {
-  if constexpr (std::is_same_v<Scene, scenes::Spring<>>) return &method::spring_exact;
-  if constexpr (std::is_same_v<Scene, Ball>) return &method::constant_acceleration;
-  return nullptr;
-}
-
 /// All entries for a scene, the best first.
 struct Contest {
-  std::vector<Entry> exact;        ///< the exact step, if there is one
+  std::vector<Entry> exact;        ///< the exact steps, as exact_steps_of() has them
   std::vector<Entry> methods;      ///< what works with other forces added, too
   std::vector<Entry> undisturbed;  ///< adaptive steps, for what moves with nobody interfering
   bool keeps_energy = false;       ///< whether the scene's energy ought to stay what it is
@@ -381,7 +376,7 @@ template <class Scene, class Vec>
 Contest contest(const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth) {
   Contest found;
   found.keeps_energy = keeps_energy(scene);
-  if (const measure::Method* exact = exact_step_of(scene)) {
+  for (const measure::Method* exact : exact_steps_of(scene)) {
     found.exact.push_back(enter(*exact, scene, bounds, truth));
     found.exact.back().name = "exact step";
     fill_in(found.exact.back(), scene, bounds, truth, INFINITY);

@@ -104,7 +104,9 @@ inline void level_again(measure::Record& record) {
   auto times = times_alone();
   record.number("verlet-time", 1e-3 * times["velocity Verlet"], 2, "µs");
   record.number("symplectic-time", 1e-3 * times["symplectic Euler"], 2, "µs");
+  record.number("chosen-share", 100 * 1e-9 * 1000 * time_of_choice(), 1, "%");
   record.number("millimetre-total", total_to_within(centimetre / 10), measure::whole);
+  record.number("leapfrog-total", alone["leapfrog"], measure::whole);
   record.number("rk4-total", alone["RK4"], measure::whole);
   record.number("verlet-total", alone["velocity Verlet"], measure::whole);
   record.number("symplectic-total", alone["symplectic Euler"], measure::whole);

@@ -3,9 +3,11 @@
 // suspension in several layouts.
 #include <array>
 #include <string>
+#include <tuple>
 #include <type_traits>
 
 #include "../times.h"
+#include "folded.h"
 #include "level.h"
 #include "loops.h"
 #include "measure/methods.h"
@@ -25,17 +27,19 @@ void add(std::vector<measure::Timed>& all, const std::string& thing, Step step, 
                  }});
 }
 
-/// What else a scene can be stepped with: its exact step, and what takes its damping apart.
+/// What else a scene can be stepped with: its exact step, one that knows its force, and what takes
+/// its damping apart.
 template <class Scene>
-auto special_methods(const Scene&) {
+auto special_methods(const Scene& scene) {
   using namespace measure;
-  using Dampers = std::tuple<LinearDampingImplicitLast, LinearDampingExact>;
+  const std::tuple<LinearDampingImplicitLast, LinearDampingExact> dampers;
   if constexpr (std::is_same_v<Scene, Ball>) {
     return std::tuple<ConstantAcceleration>();
   } else if constexpr (std::is_same_v<Scene, scenes::Spring<>>) {
-    return list::Joined<std::tuple<SpringExact>, Dampers>();
-  } else if constexpr (requires(const Scene scene) { scene.damping(); }) {
-    return Dampers();
+    return std::tuple_cat(std::tuple(SpringExact(), folded_once(scene), BackwardEulerSpring()),
+                          dampers);
+  } else if constexpr (requires { scene.damping(); }) {
+    return dampers;
   } else {
     return std::tuple<>();
   }
@@ -77,7 +81,7 @@ void add_step_times(std::vector<measure::Timed>& all) {
       }
     };
     list::for_each(list::Contenders(), add_to_all);
-    list::for_each(special_methods(scene), add_to_all);
+    std::apply([&](const auto&... method) { (add_to_all(method), ...); }, special_methods(scene));
   });
   add_layouts<double>(all, "double");
   add_layouts<float>(all, "float");

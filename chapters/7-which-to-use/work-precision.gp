@@ -2,7 +2,7 @@ eval NARROW ? canvas(400, 1040) : canvas(720, 1180)
 # Six rows of two panels, each one unit wide and one high: on the left against evaluations, on the right against time.
 array things = ["jump", "leaf", "suspension", "hatch", "lamp", "shuttle"]
 array prices = ["evaluations", "microseconds"]
-array cheapest = [25, 0.02]
+array cheapest = [25, 0.01]
 array dearest = [7000, 60]
 finest = 1e-9
 coarsest = 10
@@ -48,7 +48,7 @@ do for [j=1:6] {
     set label n metres(errors[i]) at -0.02,py(j, errors[i]) right tc ls EXACT
   }
 }
-look(m) = m eq "drag divided" || m eq "drag exact" ? style("symplectic Euler, drag divided") : style(m)
+look(m) = m eq "drag divided" || m eq "drag exact" ? style("symplectic Euler, drag divided") : m eq "soft constraint" ? style("backward Euler on a spring") : style(m)
 all(j) = names("work", "method", "thing", things[j])
 at(j, k, m) = txt("thing") eq things[j] && txt("method") eq m ? px(k, val(prices[k])) : NaN
 tip(j) = txt("thing") eq things[j] ? sprintf("%s, %d steps a second: %.2g m", txt("method"), val("steps per second"), val("error")) : ""
@@ -62,7 +62,15 @@ panels = names("work-answers", "panel", "changes left", "1")
 # From the top down, in the order of their prices.
 named(p, m) = txt("panel") eq p && txt("method") eq m && val("changes left") > 0 ? left(side_of(p)) + 0.02 : NaN
 best(p) = names("work-answers", "method", "panel", p)
-plot for [k=1:2] for [j=1:6] for [m in all(j)] file("work") using (at(j, k, m)):(py(j, val("error"))) with lines ls CONTEXT, \
+place(t) = sum [j=1:6] (t eq things[j])*j
+exact_things = names("work-exact", "thing", "steps per second", "60")
+exact_at(t, k) = txt("thing") eq t ? px(k, val(prices[k])) : NaN
+exact_tip(t) = txt("thing") eq t ? sprintf("exact step by %s, %d steps a second", txt("function"), val("steps per second")) : ""
+steps_of(t) = names("work-exact", "function", "thing", t)
+by(t, k, f) = txt("function") eq f ? exact_at(t, k) : NaN
+plot for [k=1:2] for [t in exact_things] for [f in steps_of(t)] file("work-exact") using (by(t, k, f)):(py(place(t), finest)) with linespoints ls EXACT lw 3 dt solid pt 7 ps 0.5, \
+     for [k=1:2] for [t in exact_things] file("work-exact") using (exact_at(t, k)):(py(place(t), finest)):(exact_tip(t)) with labels hypertext point ls EXACT ps 0.3, \
+     for [k=1:2] for [j=1:6] for [m in all(j)] file("work") using (at(j, k, m)):(py(j, val("error"))) with lines ls CONTEXT, \
      for [k=1:2] for [j=1:6] file("work") using (txt("thing") eq things[j] ? px(k, val(prices[k])) : NaN):(py(j, val("error"))):(tip(j)) with labels hypertext point ls CONTEXT ps 0.3, \
      for [p in panels] for [m in best(p)] file("work-answers") using (answer(p, txt("method") eq m)):(height(p)) with linespoints ls look(m) lw 4 dt solid pt 7 ps 0.35, \
      for [p in panels] for [m in best(p)] file("work-answers") using (named(p, m)):(low(row(p)) + 0.13*val("changes left") - 0.04):(short(0)) with labels left font SMALL tc ls look(m)

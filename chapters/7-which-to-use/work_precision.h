@@ -32,11 +32,12 @@ struct Offer {
   double nanoseconds;  ///< of a step, of one of many bodies in a loop; NaN until it is recorded
 };
 
-/// What a scene can be stepped with.
+/// What methods cost on a scene.
 template <class Scene>
-std::vector<Offer> offers_on(const std::string& thing, const Scene& scene) {
+std::vector<Offer> offers_of(const std::vector<const measure::Method*>& methods,
+                             const std::string& thing, const Scene& scene) {
   std::vector<Offer> all;
-  for (const measure::Method* method : entrants_on(scene)) {
+  for (const measure::Method* method : methods) {
     all.push_back(
         {method, double(price(*method, scene, frame)), step_time(thing, in_a_loop, *method)});
   }
@@ -79,6 +80,7 @@ Bought best_for(double price, double Offer::* cost, const std::vector<Offer>& of
 
 /// What a method is called on a chart.
 inline std::string chart_name(const measure::Method& method) {
+  if (&method == &method::backward_euler_spring) return "soft constraint";
   const std::string name(method.name), swapped = "symplectic Euler, ";
   return name.starts_with(swapped) ? name.substr(swapped.size()) : name;
 }
@@ -90,30 +92,55 @@ inline std::vector<double> prices(double from, double to) {
   return all;
 }
 
-/// One row for each price: what to take for it.
-/// @param by  as the price is called in the table `work`
+/// What a thing may cost, in the units of a chart.
+struct Priced {
+  double Offer::* cost;
+  double unit = 1;               ///< of the chart's prices, for one of the cost's
+  std::vector<double> prices{};  ///< the lowest first
+};
+
+/// What to take for each price, as far as anything comes within ten metres and nothing is exact.
 template <class Scene>
-void answer(measure::Table& table, const std::string& thing, const std::string& by,
-            const std::vector<double>& prices, double Offer::* cost, double unit,
-            const std::vector<Offer>& offers, const Scene& scene, double seconds) {
+std::vector<std::pair<double, Bought>> answers(const Priced& priced,
+                                               const std::vector<Offer>& offers, const Scene& scene,
+                                               double seconds) {
   std::vector<std::pair<double, Bought>> all;
   const measure::Method* last = nullptr;
-  double changes = 0;
-  for (const double price : prices) {
-    const Bought best = best_for(price / unit, cost, offers, scene, seconds, last);
+  for (const double price : priced.prices) {
+    const Bought best = best_for(price / priced.unit, priced.cost, offers, scene, seconds, last);
     if (!(best.error < 10)) continue;
     all.push_back({price, best});
-    changes += best.method != last;
     last = best.method;
     if (best.error <= 1e-9) break;
   }
-  last = nullptr;
-  for (const auto& [price, best] : all) {
-    const bool change = best.method != last;
-    table.add({thing + " by " + by, chart_name(*best.method), price, best.error,
-               change ? changes-- : 0.0});
-    last = best.method;
+  return all;
+}
+
+/// One row for each price: what to take for it.
+/// @param panel  of the figure
+inline void add_answers(measure::Table& table, const std::string& panel,
+                        const std::vector<std::pair<double, Bought>>& all) {
+  double changes = 0;
+  const auto changes_at = [&](std::size_t n) {
+    return n == 0 || all[n].second.method != all[n - 1].second.method;
+  };
+  for (std::size_t n = 0; n < all.size(); ++n) changes += changes_at(n);
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    const auto& [price, best] = all[n];
+    table.add(
+        {panel, chart_name(*best.method), price, best.error, changes_at(n) ? changes-- : 0.0});
   }
+}
+
+/// The prices of the figure's left panels.
+inline Priced by_evaluations() {
+  return {&Offer::evaluations, 1, prices(rates[0], 6000)};
+}
+
+/// The prices of its right panel for a thing [µs for a second of play].
+inline Priced by_time(const std::string& thing) {
+  const double verlet = step_time(thing, in_a_loop, method::velocity_verlet);
+  return {&Offer::nanoseconds, 1e-3, prices(1e-3 * rates[0] * verlet, 100)};
 }
 
 /// Error against price for each thing of the level, and the answer: at this price, this method.
@@ -126,22 +153,49 @@ inline void work_precision(measure::Record& record) {
                                      {"evaluations", "", measure::whole},
                                      {"microseconds", "µs"},
                                      {"error", "m"}});
-  auto& answers = record.table(
-      "work-answers", {{"panel"}, {"method"}, {"price"}, {"error", "m"}, {"changes left"}});
+  auto& bought = record.table("work-answers",
+                              {{"panel"}, {"method"}, {"price"}, {"error", "m"}, {"changes left"}});
+  auto& exact = record.table("work-exact", {{"thing"},
+                                            {"function"},
+                                            {"steps per second", "", measure::whole},
+                                            {"evaluations", "", measure::whole},
+                                            {"microseconds", "µs"}});
   for_each_thing([&](const std::string& thing, const auto& scene, double seconds) {
-    const std::vector<Offer> offers = offers_on(thing, scene);
+    for (const Offer& offer : offers_of(exact_steps_of(scene), thing, scene)) {
+      for (const int rate : rates) {
+        exact.add({thing, offer.method->function, double(rate), rate * offer.evaluations,
+                   1e-3 * rate * offer.nanoseconds});
+      }
+    }
+    const std::vector<Offer> offers = offers_of(entrants_on(scene), thing, scene);
     for (const Offer& offer : offers) {
       for (const int rate : rates) {
         work.add({thing, chart_name(*offer.method), double(rate), rate * offer.evaluations,
                   1e-3 * rate * offer.nanoseconds, off_at(rate, *offer.method, scene, seconds)});
       }
     }
-    const double verlet = step_time(thing, in_a_loop, method::velocity_verlet);
-    answer(answers, thing, "evaluations", prices(rates[0], 6000), &Offer::evaluations, 1, offers,
-           scene, seconds);
-    answer(answers, thing, "microseconds", prices(1e-3 * rates[0] * verlet, 100),
-           &Offer::nanoseconds, 1e-3, offers, scene, seconds);
+    add_answers(bought, thing + " by evaluations",
+                answers(by_evaluations(), offers, scene, seconds));
+    add_answers(bought, thing + " by microseconds",
+                answers(by_time(thing), offers, scene, seconds));
   });
+}
+
+/// What a step of a thousand takes of a frame [%].
+inline double share_of_a_frame(const char* thing, const measure::Method& method) {
+  return 100 * 1e-9 * 1000 * step_time(thing, in_a_loop, method) / frame;
+}
+
+/// Single times that the prose tells.
+inline void told_times(measure::Record& record) {
+  record.number("frame-shuttles", share_of_a_frame("shuttle", method::dopri5), 1, "%");
+  record.number("frame-suspensions", share_of_a_frame("suspension", method::rk4), 1, "%");
+  const auto of_a_suspension = [&](const char* name, const measure::Method& method) {
+    record.number(name, step_time("suspension", in_a_loop, method), 2, "ns");
+  };
+  of_a_suspension("exact-time", method::spring_exact);
+  of_a_suspension("folded-time", method::spring_folded);
+  of_a_suspension("verlet-step", method::velocity_verlet);
 }
 
 /// The same for the energy of the shuttle.
@@ -178,11 +232,14 @@ inline void step_times(measure::Record& record) {
 
 /// The recorded times of a step in a loop, for the figure in which readers take their own.
 inline void recorded_steps(measure::Record& record) {
-  auto& table = record.table("recorded-steps", {{"thing"}, {"method"}, {"nanoseconds", "ns"}});
+  auto& table =
+      record.table("recorded-steps", {{"thing"}, {"method"}, {"header"}, {"nanoseconds", "ns"}});
   record.number("most-tried", double(tried_in_a_frame.back()), measure::whole);
-  for_each_thing([&](const std::string& thing, const auto&, double) {
-    for (const measure::Method* method : entrants) {
-      table.add({thing, method->function, step_time(thing, in_a_loop, *method)});
+  for_each_thing([&](const std::string& thing, const auto& scene, double) {
+    for (const auto& methods : {entrants_on(scene), exact_steps_of(scene)}) {
+      for (const measure::Method* method : methods) {
+        table.add({thing, method->function, method->header, step_time(thing, in_a_loop, *method)});
+      }
     }
   });
 }
@@ -278,6 +335,7 @@ inline void all_work(measure::Record& record) {
       off(method::symplectic_euler, shuttle, frame / 4, 8) / off(method::rk4, shuttle, frame, 8),
       2);
   step_times(record);
+  told_times(record);
   recorded_steps(record);
   layouts(record);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
-// Nine methods on a thing of the level, or on one of the reader's own: what each makes of it with
-// 1, 2, 3 and more steps in a frame, and the loop in which the page times them.
+// All methods of the level on a thing of the level, or on one of the reader's own: what each makes
+// of it with 1, 2, 3 and more steps in a frame, and the loop in which the page times them.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,38 +13,70 @@
 #include <vector>
 
 #include "7-which-to-use/bill.h"
+#include "7-which-to-use/folded.h"
 #include "7-which-to-use/level.h"
 #include "7-which-to-use/loops.h"
 #include "live/figure.h"
 #include "live/implicit.h"
 #include "live/run.h"
 #include "measure/length.h"
+#include "measure/methods/damping.h"
 #include "measure/methods/euler.h"
 #include "measure/methods/runge_kutta.h"
+#include "measure/methods/spring.h"
 #include "measure/methods/verlet.h"
 
 namespace live {
 namespace {
 
-constexpr std::tuple methods{Method{"euler", measure::euler},
-                             Method{"symplectic_euler", measure::symplectic_euler},
-                             Method{"velocity_verlet", measure::velocity_verlet},
-                             Method{"yoshida4", measure::yoshida4},
-                             Method{"midpoint", measure::midpoint},
-                             Method{"rk4", measure::rk4},
-                             Method{"dopri5", measure::dopri5},
-                             Method{"trapezoid", trapezoid},
-                             Method{"backward_euler", backward_euler}};
+constexpr std::tuple methods{
+    Method{"euler", measure::euler},
+    Method{"symplectic_euler", measure::symplectic_euler},
+    Method{"velocity_verlet", measure::velocity_verlet},
+    Method{"yoshida4", measure::yoshida4},
+    Method{"midpoint", measure::midpoint},
+    Method{"rk4", measure::rk4},
+    Method{"dopri5", measure::dopri5},
+    Method{"trapezoid", trapezoid},
+    Method{"backward_euler", backward_euler},
+    Method{"bdf2", bdf2},
+    Method{"linear_damping_implicit_last", measure::linear_damping_implicit_last},
+    Method{"backward_euler_spring", measure::backward_euler_spring},
+    Method{"spring_folded", measure::spring_folded},
+    Method{"constant_acceleration", measure::constant_acceleration}};
+
+/// Whether a method is for such scenes; the last four are not for all of them.
+template <class Scene, class Step>
+constexpr bool is_for(const Step&) {
+  using namespace measure;
+  if constexpr (std::is_same_v<Step, LinearDampingImplicitLast>) {
+    return !std::is_same_v<Scene, Ball> && requires(const Scene scene) { scene.damping(); };
+  } else if constexpr (std::is_same_v<Step, BackwardEulerSpring> ||
+                       std::is_same_v<Step, SpringFolded>) {
+    return requires(const Scene scene) { scene.omega, scene.zeta; };
+  } else if constexpr (std::is_same_v<Step, ConstantAcceleration>) {
+    return std::is_same_v<Scene, Ball>;
+  } else {
+    return true;
+  }
+}
+
+/// Whether every machine finds the same bits; not where a sine or an exponential is called.
+template <class Step>
+constexpr bool is_reproducible(const Step&) {
+  return !std::is_same_v<Step, measure::SpringFolded>;
+}
 
 constexpr int of_the_truth = 32;  ///< steps that Dormand-Prince takes in a frame
 constexpr double gone = 1000;     ///< nobody sees how far beyond [m]
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// What a method makes of a thing, for each number of steps.
+/// What a method makes of a thing, for each number of steps; nothing if it is not for such things.
 struct Outcome {
   std::vector<double> paths;   ///< places at the ends of frames, one run after the other [m]
   std::vector<double> errors;  ///< the largest at the end of a frame; infinite if it is gone [m]
-  double evaluations;          ///< of a step
+  double evaluations = none;   ///< of a step
+  bool reproducible = true;
 };
 
 /// What all methods make of one thing.
@@ -119,12 +151,15 @@ class TrialOf final : public Trial {
   template <class Step>
   Outcome try_out(Step step, const Path& right) const {
     Outcome outcome;
-    for (const int in_a_frame : tried_in_a_frame) {
-      const Path places = path(step, in_a_frame);
-      append(outcome.paths, places);
-      outcome.errors.push_back(largest_error(places, right));
+    if constexpr (is_for<Scene>(Step())) {
+      outcome.reproducible = is_reproducible(step);
+      for (const int in_a_frame : tried_in_a_frame) {
+        const Path places = path(step, in_a_frame);
+        append(outcome.paths, places);
+        outcome.errors.push_back(largest_error(places, right));
+      }
+      outcome.evaluations = evaluations(step);
     }
-    outcome.evaluations = evaluations(step);
     return outcome;
   }
 
@@ -144,7 +179,7 @@ class TrialOf final : public Trial {
     auto kept = measure::start(step, scene_.start(), frame, billed);
     billed.evaluations = 0;
     measure::advance(step, kept, 0.0, frame, billed);
-    return double(billed.evaluations);
+    return double(std::max(1L, billed.evaluations));
   }
 
   // One coordinate after the other, of each place.
@@ -159,7 +194,18 @@ class TrialOf final : public Trial {
   }
 
   template <class Step>
-  __attribute__((flatten)) double move(Step step, int rounds) const {
+  double move(Step step, int rounds) const {
+    if constexpr (!is_for<Scene>(Step())) {
+      return none;
+    } else if constexpr (std::is_same_v<Step, measure::SpringFolded>) {
+      return move_all(folded_once(scene_), rounds);
+    } else {
+      return move_all(step, rounds);
+    }
+  }
+
+  template <class Step>
+  __attribute__((flatten)) double move_all(Step step, int rounds) const {
     std::vector bodies(in_a_loop, measure::start(step, scene_.start(), brief_step, scene_));
     for (int n = 0; n < rounds; ++n) {
       for (auto& kept : bodies) measure::advance(step, kept, n * brief_step, brief_step, scene_);
@@ -249,9 +295,13 @@ class SpeedAgainstAccuracy final : public Figure {
     show("tried", std::vector<double>(tried_in_a_frame.begin(), tried_in_a_frame.end()));
     show("truth", trial_->truth);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      show(paths_[i].c_str(), trial_->outcomes[i].paths);
-      show(errors_[i].c_str(), trial_->outcomes[i].errors);
-      show(evaluations_[i].c_str(), trial_->outcomes[i].evaluations);
+      const Outcome& outcome = trial_->outcomes[i];
+      const auto show_list = [&](const std::string& called, const std::vector<double>& list) {
+        outcome.reproducible ? show(called.c_str(), list) : show_reference(called.c_str(), list);
+      };
+      show_list(paths_[i], outcome.paths);
+      show_list(errors_[i], outcome.errors);
+      show(evaluations_[i].c_str(), outcome.evaluations);
     }
   }
 

@@ -1,11 +1,13 @@
-// Nine methods on one thing: what each gets for a price, the three that are nearest, and what is cheapest within a tolerance.
+// All methods on one thing: what each gets for a price, the three that are nearest, and what is cheapest within a tolerance.
 (function () {
   'use strict';
   const Live = globalThis.Live;
   const NAME = 'speed-against-accuracy';
   const FRAMES = 60; // a second
   const LIKE = { spring: 'suspension', orbit: 'shuttle', air: 'leaf' }; // whose recorded times stand for the reader's own thing
-  const KIN = ['dopri5', 'trapezoid']; // share a colour, and are dashed
+  const KIN = ['dopri5', 'trapezoid', 'linear_damping_implicit_last', 'backward_euler_spring']; // share a colour, and are dashed
+  const EXACT = ['spring_folded', 'constant_acceleration']; // right for this thing alone, with nothing else acting
+  const FRAME = 1e6 / FRAMES; // [µs]
   const NOTHING = 1e-9; // of an error: what is less is rounding, or as good as that [m]
   const description = () => Live.descriptions[NAME];
   const metres = error => (error === Infinity ? 'gone' : error > NOTHING ? Live.metres(error) : '<\u202f1\u202fnm');
@@ -19,10 +21,18 @@
     return Object.fromEntries(nanoseconds.flatMap((ns, i) => (things[i] === wanted ? [[method[i], ns]] : [])));
   }
 
-  // What each method offers: { steps in a frame, error, time for a thousand [µs] } for each number of steps that was tried.
+  // The header that has a method.
+  function headerOf(name) {
+    const { method, header } = description().tables['recorded-steps'];
+    return header[method.indexOf(name)];
+  }
+
+  // What each method that is for this thing offers: { steps in a frame, error, time for a thousand [µs] } for each number of steps
+  // that was tried.
   function offers({ now, times }, { thing }) {
     const known = recorded(thing);
-    return Object.entries(description().methods).map(([name, label]) => {
+    const fitting = Object.entries(description().methods).filter(([name]) => now[`${name} errors`].length);
+    return fitting.map(([name, label]) => {
       const error = i => Math.max(NOTHING, now[`${name} errors`][i]);
       const rungs = step => [...now.tried].map((steps, i) => ({ steps, rung: i, error: error(i), time: steps * step }));
       return { name, label, rungs: rungs((times ?? known)[name]), recorded: times && rungs(known[name]) };
@@ -154,6 +164,10 @@
         x: power => (power < 3 ? `${10 ** power}\u202fµs` : '1\u202fms'),
         y: power => Live.metres(10 ** power).replace('.0', ''),
       });
+      // The same as shares of a frame, along the upper edge.
+      for (const share of [0.01, 0.1, 1, 10]) {
+        pen.text(Math.log10((share / 100) * FRAME), y[1] - 0.3, `${share}\u202f%`, { colour: 'ink' });
+      }
       const line = (rungs, look) =>
         pen.line(
           rungs.map(({ time }) => Math.log10(time)),
@@ -170,7 +184,7 @@
       pen.line([price, price], y, { colour: 'ink', width: 1.6 });
       pen.line(x, [tolerance, tolerance], { colour: 'limit', width: 1.6, dash: [3, 4] });
       const beside = price < 2.5 ? [price + 0.06, 'left'] : [price - 0.06, 'right'];
-      pen.text(beside[0], y[1] - 0.3, micro(values.price), { colour: 'ink', align: beside[1] });
+      pen.text(beside[0], y[1] - 0.8, micro(values.price), { colour: 'ink', align: beside[1] });
       three.forEach(({ name, bought }, i) => {
         const at = [Math.log10(bought.time), height(bought.error)];
         pen.dot(...at, 9, name);
@@ -188,37 +202,49 @@
     answer(stage, run, values) {
       const all = offers(run, values),
         ranked = rank(all, values),
-        cheap = cheapest(all, values);
-      const three = ranked.filter(({ bought }) => bought && bought.error < Infinity).slice(0, 3);
-      this.found = { all, three, cheap };
+        cheap = cheapest(
+          all.filter(({ name }) => !EXACT.includes(name)),
+          values,
+        );
+      const exact = all.find(({ name }) => EXACT.includes(name));
+      // The exact step would move as the truth does, which is drawn anyway.
+      const three = ranked
+        .filter(({ name, bought }) => bought && bought.error < Infinity && !EXACT.includes(name))
+        .slice(0, 3);
+      this.found = { all, three, cheap, exact };
       const rows = ranked.map(({ name, label, bought, rungs }, i) => {
         const near = bought && bought.error <= values.tolerance;
         const off = bought ? metres(bought.error) + (near ? ' ✓' : '') : 'too dear';
         const { steps, time } = bought ?? rungs[0];
         const cells = [steps, off, micro(time)];
         const key = `<span class="key${KIN.includes(name) ? ' dashed' : ''}" style="--key:var(--${name.replace(/_/g, '-')})"></span>`;
-        return `<tr${i < three.length ? ' class="shown"' : ''}><td>${bought ? i + 1 : ''}</td><th scope="row">${key}${label}</th>${cells.map(cell => `<td>${cell}</td>`).join('')}</tr>`;
+        return `<tr${three.some(one => one.name === name) ? ' class="shown"' : ''}><td>${bought ? i + 1 : ''}</td><th scope="row">${key}${label}</th>${cells.map(cell => `<td>${cell}</td>`).join('')}</tr>`;
       });
       const whose = { undefined: 'as recorded', null: 'being taken …' }[run.times] ?? 'taken in your browser';
-      const { name } = cheap ?? ranked[0];
-      const header = `${name}.h`,
-        why = cheap ? 'the cheapest that is near enough' : 'the nearest, though not near enough';
+      const { name } = cheap ?? ranked.find(one => !EXACT.includes(one.name));
+      const link = method => `<a href="headers/${headerOf(method)}" download>${headerOf(method)}</a>`;
+      const why = cheap ? 'the cheapest that is near enough' : 'the nearest, though not near enough';
+      const take = exact
+        ? `This thing has an exact step: take ${link(exact.name)}. If other forces act as well, take ${link(name)}`
+        : `Take ${link(name)}`;
       stage.querySelector('.ranked').innerHTML =
         `<table><caption class="unseen">The methods, nearest first</caption><thead><tr><th scope="col"><span class="unseen">Rank</span></th><th scope="col">Method</th><th scope="col">Steps</th><th scope="col">Off by</th><th scope="col">Time</th></tr></thead>` +
         `<tbody>${rows.join('')}</tbody></table><p>Times: ${whose}. ✓: within ${millimetres(values.tolerance)}.</p>`;
       stage.querySelector('.advice').innerHTML =
-        `<p>Take <a href="headers/${header}" download>${header}</a>, ${why}. Or have all methods tried, from 1 step to 1024:</p>` +
+        `<p>${take}, ${why}. Or have all methods tried, from 1 step to 1024:</p>` +
         `<pre><code>${question(run, values)}</code></pre>`;
-      return name;
+      return exact?.name ?? name;
     },
     tell(now, values) {
       const {
         three: [first],
         cheap,
+        exact,
       } = this.found;
+      const other = exact ? `This thing has an exact step, for ${micro(exact.rungs[0].time)}. Of the others, ` : '';
       const nearest = first
-        ? `${first.label} is nearest for ${micro(values.price)}: ${inSteps(first.bought)}, off by ${metres(first.bought.error)}.`
-        : `None holds it for ${micro(values.price)}.`;
+        ? `${other}${first.label} is nearest for ${micro(values.price)}: ${inSteps(first.bought)}, off by ${metres(first.bought.error)}.`
+        : `${exact ? `${other}none` : 'None'} holds it for ${micro(values.price)}.`;
       const near = millimetres(values.tolerance);
       return cheap
         ? `${nearest} Within ${near}, ${cheap.label} is cheapest: ${inSteps(cheap)}, ${micro(cheap.time)}.`
