@@ -6,6 +6,7 @@
 
 #include "entrants.h"
 #include "float_floor.h"
+#include "kerb.h"
 #include "level.h"
 #include "level_by_choice.h"
 #include "map.h"
@@ -70,6 +71,7 @@ int main(int argc, char** argv) {
     memory_wall(record);
     libraries(record);
     level_again(record);
+    over_a_kerb(record);
     example_choice(record);
     wall(record);
   });
