@@ -35,7 +35,8 @@ Unreal’s <code>FVector</code>, Godot’s <code>Vector3</code>, a register of f
 <code>std::experimental::simd</code>, and plain structs; those of engines by stubs that have their operators. A few need a word:</p>
 <ul>
 <li>raylib lacks one operator: <code>${RAYLIB_OPERATOR}</code> Put it where <code>Vector3</code> is, in no namespace of your own, or the headers don’t find it.</li>
-<li>All numbers of a call are of one type. With vectors of floats write <code>1 / 60.0f</code>, and <code>shelf::FixedStep&lt;float&gt;</code>.</li>
+<li>All numbers of a call are of one type, but for the time. With vectors of floats write <code>1 / 60.0f</code>, and <code>float(clock.h)</code> in the steps of a <code>shelf::FixedStep&lt;&gt;</code>: a clock stays in double, or
+its times are uneven after an hour (<code>fixed_step.h</code>).</li>
 <li>A thing that flies, and that nothing but gravity moves, takes <code>constant_acceleration.h</code>, which is exact there. What pulls it
 back to a place takes <code>velocity_verlet.h</code> or <code>symplectic_euler.h</code>.
 <i>Pick a method</i> asks what else there is.</li>

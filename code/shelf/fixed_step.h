@@ -18,15 +18,24 @@
 /// // Now shown is 0.31766.
 /// @endcode
 ///
-/// All of its times are in Real: take `FixedStep<float>` with `1 / 60.0f`. Ten seconds of frames
-/// may make 599 steps, with nearly a whole one saved, since a sixtieth is no binary number. To draw
+/// Keep it in double, beside vectors of floats as well: `FixedStep<>`, and `float(clock.h)` in the
+/// step. `FixedStep<float>`, with `1 / 60.0f`, is for what never asks for the time: in float, after
+/// an hour, two steps of 16.67 ms in a row begin 16.60 or 16.85 ms apart. Ten seconds of frames may
+/// make 599 steps, with nearly a whole one saved, since a sixtieth is no binary number. To draw
 /// between two steps, keep a copy of what was before the last, as here.
+///
+/// For slow motion make the frames shorter, `clock.frame(0.25 * frame, step)`, and for a pause
+/// bring none: the steps are the same, and so is the jump. Leave `h` as it is. A step begins at
+/// steps * h, so another h changes the time that has passed: halved after ten seconds, it goes back
+/// to five.
 ///
 /// Promises:
 /// - the same steps, to the last bit, from even frames and from 600 recorded ones
 /// - steps and saved time add up to the time that the frames took, to 1e-12 of it
 /// - a frame longer than the longest takes as many steps as the longest
 /// - a frame whose length is negative or not a number takes no step and stops no clock
+/// - after a day two steps in a row begin 1/60 s apart, to 1e-9 of it; in float 15.6 or 23.4 ms
+/// - frames a quarter as long, for slow motion, make the same steps, to the last bit
 #pragma once
 
 /// Things that a game needs beside a method, one per header, to copy as well.
@@ -41,7 +50,7 @@ namespace shelf {
 /// @see G. Fiedler, Fix Your Timestep! (2004)
 template <class Real = double>
 struct FixedStep {
-  Real h = Real(1) / Real(60);       ///< step size [s], above zero
+  Real h = Real(1) / Real(60);       ///< step size [s], above zero; not to be changed on the way
   Real longest_frame = Real(1) / 4;  ///< time beyond this in one frame is dropped [s]
   Real saved = 0;                    ///< time not yet spent, always under one step [s]
   long steps = 0;                    ///< steps taken so far

@@ -29,14 +29,17 @@
 /// substep ago. A kick by dv is `before[i] = before[i] + (-h) * dv`. To blend fixed steps for the
 /// screen, keep a copy of x from before the whole step; `before` is another thing.
 ///
-/// No damping is built in. The links take a little by the way, but in its eleventh second the rope
-/// above still bobs by 6.4 cm. To slow each point as exp(-c t) does, do this before each substep:
-/// `before[i] = before[i] + (c * h) * (x[i] - before[i])`, with c h well below 1.
+/// No damping is built in. Of a bobbing the links take little: in its eleventh second the rope
+/// above still bobs by 6.4 cm. Of a swing they take more, and the more the longer the step: for a
+/// grapple, see the promises, and take 4 substeps or 8. To slow each point as exp(-c t) does, do
+/// this before each substep: `before[i] = before[i] + (c * h) * (x[i] - before[i])`, with c h well
+/// below 1.
 ///
 /// In float keep the places near the origin, as by counting them from the hook, or take double.
 /// What a substep adds to a place, h^2 a, is rounded as the place is, and so gravity is wrong by a
-/// share of up to |x| / (2^24 h^2 |a|). At 60 frames a second that is 1 % at 1.8 m with 16
-/// substeps, and at 29 m with 4. Beyond 2^25 h^2 |a|, 360 m with 16 substeps, gravity is gone.
+/// share of up to |x| / (2^24 h^2 |a|). The more substeps, the worse: at 60 frames a second that is
+/// 1 % at 29 m with 4 substeps, at 1.8 m with 16, and at 45 cm with 32. Beyond 2^25 h^2 |a|, 360 m
+/// with 16 substeps, gravity is gone.
 ///
 /// One link: a dog of 20 kg, 2.2 m from a post, on a leash of 2 m that gives by 1 cm for 100 N;
 /// the same again, begun with the tension that it had; and with a chain for a leash.
@@ -69,6 +72,8 @@
 ///   the stiffness of a link and m the mass of a point; begun cold, it comes to rest at 10^9
 /// - in float, let go at up to 2^17 h^2 g from the origin, it falls as in double, to 1 %; let go
 ///   at 2^25 h^2 g, it does not fall
+/// - a grapple, one link of 6 m let go at 1 rad, has 81 % of its energy in seconds 5 to 10 with one
+///   step in 1/60 s, 95 with 4 substeps, 97 with 8 and 99 with 16
 /// - no free point is below the floor after a step
 #pragma once
 #include <type_traits>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT-0
 #include "shelf/fixed_step.h"
 
+#include <algorithm>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -72,4 +74,45 @@ TEST_CASE("A frame longer than the longest is cut, and the next frame is on time
   clock.frame(0.125, count);
   CHECK(steps == 3);
   CHECK(clock.saved == 0);
+}
+
+TEST_CASE(
+    "The clock of a step stays even for a day in double, and in float for less than an hour") {
+  const auto uneven = [](auto clock, long hours) {
+    clock.steps = 60L * 3600 * hours;
+    double before = 0, most = 0;
+    for (int n = 0; n < 600; ++n) {
+      clock.frame(clock.h, [&](auto t) {
+        if (before > 0) most = std::max(most, std::abs(double(t) - before - 1.0 / 60));
+        before = double(t);
+      });
+    }
+    return most;
+  };
+  CHECK(uneven(FixedStep<>{}, 24) < 1e-10);
+  CHECK_THAT(uneven(FixedStep<float>{}, 1), WithinAbs(179e-6, 1e-6));
+  CHECK_THAT(uneven(FixedStep<float>{}, 24), WithinAbs(3.0 / 128 - 1.0 / 60, 1e-9));
+}
+
+TEST_CASE("In slow motion a jump is as high, and a new step size would throw the time back") {
+  const auto top = [](double pace) {
+    FixedStep<> clock;
+    double height = 0, speed = 5, highest = 0;
+    while (clock.steps < 60) {
+      clock.frame(pace / 60, [&](double) {
+        speed = speed - 9.81 * clock.h;
+        height = height + speed * clock.h;
+        highest = std::max(highest, height);
+      });
+    }
+    return highest;
+  };
+  CHECK(top(0.25) == top(1));
+  CHECK(top(0.1) == top(1));
+  FixedStep<> clock{.steps = 600};
+  double began = 0;
+  const auto look = [&](double t) { began = t; };
+  clock.h = 1 / 120.0;
+  clock.frame(clock.h, look);
+  CHECK(began == 5);
 }

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "three.h"
@@ -400,6 +401,24 @@ TEST_CASE("The rope of the example bobs by 6.4 cm after ten seconds, and not if 
     } else {
       CHECK_THAT(highest - lowest, WithinAbs(0.064, 0.0005));
     }
+  }
+}
+
+TEST_CASE("A grapple swings lower and lower, and the lower the longer its steps") {
+  for (const auto& [substeps, angle] : {std::pair{1, 0.894}, {4, 0.971}, {8, 0.986}, {16, 0.993}}) {
+    const double h = 1 / 60.0 / substeps;
+    using Place = Three<double>;
+    std::vector<Place> x{{0, 0, 0}, {6 * std::sin(1.0), -6 * std::cos(1.0), 0}}, before = x;
+    std::vector<double> tension{0}, w{0, 1};
+    const shelf::Rope<double> rope{6};
+    double widest = 0;
+    for (int n = 0; n < 600 * substeps; ++n) {
+      shelf::rope_step(x, before, tension, w, x.size(), rope, Place{0, -g, 0}, h, norm,
+                       [](const Place& place) { return place; });
+      if (n >= 300 * substeps) widest = std::max(widest, std::atan2(x[1].x, -x[1].y));
+    }
+    CAPTURE(substeps);
+    CHECK_THAT(widest, WithinAbs(angle, 0.002));
   }
 }
 

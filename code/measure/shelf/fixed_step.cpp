@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT-0
 #include "shelf/fixed_step.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "frames/recorded.h"
@@ -21,7 +23,7 @@ struct Jump {
   }
 };
 
-// The heights after each step, from frames that a clock brings for ten seconds.
+// The heights after each step, from frames that a clock brings until there are 600.
 template <class Frame>
 std::vector<double> heights(Frame frame) {
   shelf::FixedStep<> clock;
@@ -82,10 +84,44 @@ Promise not_a_frame() {
           taken == 0 && clock.steps == 1, double(taken), whole, "steps"};
 }
 
+// How long after the step before a step begins at least and at most, a day after the start [s].
+template <class Real>
+std::pair<double, double> apart_after_a_day() {
+  shelf::FixedStep<Real> clock{Real(1) / Real(60)};
+  clock.steps = 60L * 60 * 60 * 24;
+  double before = 0, least = 1, most = 0;
+  while (clock.steps < 60L * (60 * 60 * 24 + 10)) {
+    clock.frame(clock.h, [&](Real t) {
+      if (before > 0) {
+        least = std::min(least, double(t) - before);
+        most = std::max(most, double(t) - before);
+      }
+      before = double(t);
+    });
+  }
+  return {least, most};
+}
+
+Promise day() {
+  const auto [least, most] = apart_after_a_day<double>();
+  const auto [least_in_float, most_in_float] = apart_after_a_day<float>();
+  const double off = 60 * std::max(most - 1 / 60.0, 1 / 60.0 - least);
+  const bool kept = off < 1e-9 && least_in_float == 1.0 / 64 && most_in_float == 3.0 / 128;
+  return {
+      "after a day two steps in a row begin 1/60 s apart, to 1e-9 of it; in float 15.6 or 23.4 ms",
+      kept, off};
+}
+
+Promise slow_motion() {
+  const bool same = heights([] { return 1.0 / 60; }) == heights([] { return 0.25 / 60; });
+  return {"frames a quarter as long, for slow motion, make the same steps, to the last bit", same,
+          same ? Cell("the same") : Cell("others")};
+}
+
 }  // namespace
 
 ShelfCard fixed_step() {
-  return {"fixed_step", {same_steps(), time_kept(), cut(), not_a_frame()}};
+  return {"fixed_step", {same_steps(), time_kept(), cut(), not_a_frame(), day(), slow_motion()}};
 }
 
 }  // namespace measure::shelf_cards

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "measure/shelf/every_card.h"
@@ -208,6 +210,34 @@ Promise in_float() {
       off < 0.01 && lost == 0, 100 * off, 2, "%"};
 }
 
+// What a grapple that is let go at 1 rad has of its energy where it swings highest in its seconds 5
+// to 10 [%].
+double left_of_a_swing(int substeps) {
+  using Flat = std::complex<double>;  // right and up
+  const double h = frame / substeps, reach = 6;
+  Flat x[] = {0, std::polar(reach, 1 - std::numbers::pi / 2)}, before[] = {x[0], x[1]};
+  double tension[] = {0}, highest = -reach;
+  const double w[] = {0, 1.0 / 80};
+  const shelf::Rope<double> rope{reach};
+  const auto norm = [](Flat way) { return std::abs(way); };
+  const auto free = [](Flat place) { return place; };
+  for (int n = 0; n < 600 * substeps; ++n) {
+    shelf::rope_step(x, before, tension, w, 2, rope, Flat(0, -g), h, norm, free);
+    if (n >= 300 * substeps) highest = std::max(highest, x[1].imag());
+  }
+  return 100 * (reach + highest) / (reach - reach * std::cos(1.0));
+}
+
+Promise of_a_swing() {
+  const auto near = [](int substeps, double promised) {
+    return std::abs(left_of_a_swing(substeps) - promised) < 0.5;
+  };
+  return {
+      "a grapple, one link of 6 m let go at 1 rad, has 81 % of its energy in seconds 5 to 10 with "
+      "one step in 1/60 s, 95 with 4 substeps, 97 with 8 and 99 with 16",
+      near(1, 81) && near(4, 95) && near(8, 97) && near(16, 99), left_of_a_swing(1), 3, "%"};
+}
+
 Promise on_the_floor() {
   Hanging hanging(20, one_per_cent);
   double lowest = 0;
@@ -223,7 +253,7 @@ Promise on_the_floor() {
 ShelfCard link() {
   return {"link",
           {distance(), centre(), backward_euler(), next_link(), law(), warm(), bursting(),
-           in_float(), on_the_floor()}};
+           in_float(), of_a_swing(), on_the_floor()}};
 }
 
 }  // namespace measure::shelf_cards
