@@ -220,6 +220,51 @@ TEST_CASE("With the lines of the page a leaf and a pellet are where drag and gra
   }
 }
 
+TEST_CASE(
+    "Against drag by the square of the speed RK4 is 1 % off at most below h k v = 1/2, and "
+    "explodes "
+    "from 2.5") {
+  // Slower and slower for a second: how far it is off at most, as a share of the way and the speed
+  const auto worst_off = [](double hkv) {
+    const double fast = 300, k = hkv / (tick * fast);
+    const auto drag = [k](Vec, Vec v, double) { return (-k * length(v)) * v; };
+    Vec x{}, v{fast, 0};
+    double worst = 0;
+    for (int n = 1; n <= 60; ++n) {
+      move_closely(x, v, (n - 1) * tick, tick, 1, drag);
+      const double true_x = std::log1p(n * hkv) / k, true_v = fast / (1 + n * hkv);
+      for (const double off : {length(x - Vec{true_x, 0}) / true_x, std::abs(v.x / true_v - 1)}) {
+        if (!(off <= worst)) worst = off;
+      }
+    }
+    return worst;
+  };
+  for (const double below : {0.01, 0.1, 0.3, 0.5}) CHECK(worst_off(below) < 0.01);
+  CHECK(worst_off(0.75) > 0.01);
+  CHECK(worst_off(2.4) < 10);
+  for (const double beyond : {2.5, 3.0, 7.0, 50.0}) CHECK(!(worst_off(beyond) < 1e10));
+}
+
+TEST_CASE(
+    "Divided by 1 + h k v, drag by the square of the speed brakes right at any speed, and the last "
+    "speed is right") {
+  const double fast = 300;
+  for (const double hkv : {0.01, 0.5, 2.5, 7.0, 50.0}) {
+    const double k = hkv / (tick * fast);
+    CAPTURE(hkv);
+    const auto nothing = [](Vec, Vec, double) { return Vec{}; };
+    Vec x{}, v{fast, 0};
+    for (int n = 1; n <= 60; ++n) {
+      move_with_drag(x, v, 0.0, tick, 1, k * length(v), nothing);
+      CHECK_THAT(v.x, WithinRel(fast / (1 + n * hkv), 1e-12));
+    }
+    const auto gravity = [](Vec, Vec, double) { return Vec{0, -9.81}; };
+    v = {0, -fast};
+    for (int n = 0; n < 6000; ++n) move_with_drag(x, v, 0.0, tick, 1, k * length(v), gravity);
+    CHECK_THAT(v.y, WithinRel(-std::sqrt(9.81 / k), 1e-6));
+  }
+}
+
 TEST_CASE("A camera behind a runner is where a spring with a moving target takes it") {
   for (const double zeta : {0.2, 1.0, 3.0}) {
     for (const double h : {0.003, tick, 0.2}) {

@@ -102,6 +102,17 @@ TEST_CASE("The lines of the page move float vectors as well") {
     for (int n = 0; n < 60; ++n) move_in_shape(x, v, n / 60.0, tick, 1, forces);
     CHECK(is_back(0.01f));
   }
+  SECTION("frames of any length") {
+    shelf::FixedStep<> clock{double(tick) / 4};
+    Vec a = integrate::velocity_verlet_start(x, v, 0.0, forces);
+    for (int n = 0; n < 60; ++n) {
+      clock.frame(n % 2 ? 0.025 : 1.0 / 120, [&](double now) {
+        integrate::velocity_verlet(x, v, a, now, float(clock.h), forces);
+      });
+    }
+    const float turned = omega * float(double(clock.steps) * clock.h);
+    CHECK(length(x - Vec{std::cos(turned), 0, 0}) < 0.01f);
+  }
   SECTION("closely") {
     for (int n = 0; n < 60; ++n) move_closely(x, v, n / 60.0, tick, 1, forces);
     CHECK(is_back(1e-4f));
