@@ -3,6 +3,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "tumbling.h"
 
@@ -22,6 +23,39 @@ TEST_CASE(
 
 TEST_CASE("Bullet's gyroscopic step takes 88 per cent of a thrown body's energy in ten seconds") {
   CHECK_THAT(energy_after_ten_seconds(measure::by_bullet), WithinAbs(0.12, 0.01));
+}
+
+TEST_CASE(
+    "Under Jolt's gyroscopic step a body ends up tumbling about its middle axis, however it was "
+    "thrown") {
+  for (int axis = 0; axis < 3; ++axis) {
+    scenes::EulerTop top;
+    top.w = {2, 2, 2};
+    top.w(axis) = 20;
+    measure::Tumbling body(top), truth(top);
+    const double L = dot(body.L, body.L), least_moment = body.inertia.x;
+    const double about_the_middle = L / (2 * body.inertia.y);
+    // At first it has the energy of the axis that it was thrown about.
+    if (axis != 1) CHECK(std::abs(body.energy() / about_the_middle - 1) > 0.3);
+    CHECK(body.energy() < L / (2 * least_moment));
+    for (int n = 0; n < 1800; ++n)
+      measure::by_jolt(body, frame), measure::by_rotations(truth, frame);
+    CAPTURE(axis);
+    CHECK_THAT(body.energy(), WithinRel(about_the_middle, 1e-3));
+    CHECK_THAT(truth.energy(), WithinRel(measure::Tumbling(top).energy(), 1e-2));
+  }
+}
+
+TEST_CASE(
+    "In ten seconds Jolt's gyroscopic step keeps the length of L and turns its direction by more "
+    "than ten degrees") {
+  measure::Tumbling body;
+  const auto thrown = body.L;
+  for (int n = 0; n < 600; ++n) measure::by_jolt(body, frame);
+  const double length = std::sqrt(dot(body.L, body.L) * dot(thrown, thrown));
+  CHECK_THAT(dot(body.L, body.L), WithinRel(dot(thrown, thrown), 1e-11));
+  CHECK(dot(body.L, thrown) / length < std::cos(10 * std::numbers::pi / 180));
+  CHECK_THAT(energy_after_ten_seconds(measure::by_jolt), WithinRel(1, 1e-3));
 }
 
 TEST_CASE(

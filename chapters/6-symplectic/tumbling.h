@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// The thrown body of chapter 6: what four ways of turning it make of its energy, and where it is.
+/// The thrown body of chapter 6: what five ways of turning it make of its energy, and where it is.
 #pragma once
 #include "../cast.h"
 #include "measure/record.h"
@@ -24,6 +24,7 @@ inline void tumbling(measure::Record& record) {
   };
   add("its spin at the start of the step", measure::by_its_spin);
   add("Bullet's gyroscopic step", measure::by_bullet);
+  add("Jolt's gyroscopic step", measure::by_jolt);
   add("midpoint rule", measure::by_midpoint);
   add("rotations", measure::by_rotations);
 }

@@ -7,11 +7,11 @@
 #include "scenes/linear_drag.h"
 
 // [drop]
-/// How far a thing falls from rest in ten steps, in units of g h^2.
+/// How far a thing falls from rest in ten steps, each cut into substeps, in units of g h^2.
 template <class Step>
-double fallen(Step step) {
+double fallen(Step step, int substeps = 1) {
   constexpr scenes::LinearDrag<> fall{.c = 0};
-  const auto end = measure::after(step, fall, fall.start(), frame, 10);
+  const auto end = measure::after(step, fall, fall.start(), frame / substeps, 10 * substeps);
   return -end.x / (fall.g * frame * frame);
 }
 // [drop]

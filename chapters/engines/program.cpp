@@ -6,8 +6,10 @@
 
 int main(int argc, char** argv) {
   return measure::record(argc, argv, [](measure::Record& record) {
-    auto& table = record.table("drop", {{"a step of"}, {"falls, in g h²", "", 3}});
+    auto& table = record.table("drop", {{"a step of"}, {"falls, in g h²", "", 4}});
     table.add({"symplectic Euler, velocity first", fallen(measure::symplectic_euler)});
+    table.add({"the same in two substeps", fallen(measure::symplectic_euler, 2)});
+    table.add({"the same in four", fallen(measure::symplectic_euler, 4)});
     table.add({"backward Euler", fallen(measure::backward_euler_newton)});
     table.add({"velocity Verlet", fallen(measure::velocity_verlet)});
     table.add({"RK4", fallen(measure::rk4)});

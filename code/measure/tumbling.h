@@ -4,6 +4,7 @@
 #pragma once
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 
 #include "scenes/euler_top.h"
 #include "shelf/orientation.h"
@@ -48,6 +49,18 @@ inline constexpr auto by_its_spin = [](auto& body, auto h) {
 /// Turns it by Bullet's gyroscopic step, which gives it a new L.
 inline constexpr auto by_bullet = [](auto& body, auto h) {
   shelf::spin_by_bullet(body.q, body.L, body.inertia, h);
+};
+/// Turns it by the gyroscopic step of Jolt and Avian: Euler's step of the spin, in the body's own
+/// axes, and then L is made as long as it was. Its direction in the room changes.
+/// @see MotionProperties::ApplyGyroscopicForceInternal, github.com/jrouwe/JoltPhysics 3b47ec3
+inline constexpr auto by_jolt = [](auto& body, auto h) {
+  const auto& [x, y, z] = body.inertia;
+  const auto own = shelf::rotate_back(body.q, body.L);
+  const decltype(own) spin{own.x / x, own.y / y, own.z / z};
+  const auto longer = own + (-h) * cross(spin, own);
+  const auto end = std::sqrt(dot(own, own) / dot(longer, longer)) * longer;
+  shelf::turn_exact(body.q, shelf::rotate(body.q, {end.x / x, end.y / y, end.z / z}), h);
+  body.L = shelf::rotate(body.q, end);
 };
 /// Turns it by five rotations; L stays.
 inline constexpr auto by_rotations = [](auto& body, auto h) {
