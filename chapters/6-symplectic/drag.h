@@ -88,7 +88,12 @@ inline void damped_limits(measure::Record& record) {
                stable(method::linear_damping_implicit_last),
                stable(method::linear_damping_implicit_first)});
   }
+  record.number("limit-tenth", limit(method::symplectic_euler, 0.1), 2);
+  record.number("limit-half", limit(method::symplectic_euler, 0.5), 2);
   record.number("camera", limit(method::symplectic_euler, 1), 2);
+  record.number("euler-limit-tenth", limit(method::euler, 0.1), 1);
+  record.number("euler-limit-half", limit(method::euler, 0.5), 1);
+  record.number("euler-limit", limit(method::euler, 1), 1);
   record.number("camera-divided", limit(method::linear_damping_implicit_last, 1), 2);
   record.number("door-euler", 1000 * measure::stability_limit(method::euler, door, 1e-6, 1), 3,
                 "ms");
