@@ -48,11 +48,6 @@ inline std::string prices(const Entry& entry) {
          (timed ? ", " + microseconds(entry.microseconds) + " us a frame for 1000" : std::string());
 }
 
-/// Whether an entry is right in even frames alone.
-inline bool is_for_even_frames(const Entry& entry, const Bounds& bounds) {
-  return entry.good && !(entry.uneven <= bounds.error);
-}
-
 /// An error in full.
 inline std::string error_of(const Entry& entry, const Bounds& bounds) {
   const std::string unit = bounds.reach > 0 ? " m" : "";
@@ -106,6 +101,7 @@ inline void print_text(const Contest& found, const Bounds& bounds) {
     std::printf("This scene has an exact step. Take it:\n");
     for (const Entry& entry : found.exact) print_choice(entry, bounds);
   }
+  if (!found.remark.empty()) std::printf("%s\n\n", found.remark.c_str());
   const char* said = best.good ? exact ? "If other forces act as well, the cheapest within the "
                                          "bounds is"
                                        : "The cheapest within the bounds:"
@@ -133,9 +129,11 @@ inline void print_text(const Contest& found, const Bounds& bounds) {
                 times.processor.c_str(), times.compiler.c_str(), times.date.c_str());
   }
   std::printf(
-      "\nuneven: the error in frames as uneven as those of a busy machine, with the same mean; "
-      "with a "
-      "! where it is more than was asked for.\n");
+      "\nuneven: the error in frames as uneven as 600 that a browser took on one busy machine, one "
+      "in "
+      "50 of\nthem late, with the same mean; with a ! where it is more than was asked for. Yours "
+      "may "
+      "be others.\n");
 }
 
 /// All entries: the exact step, the methods, the best first, and adaptive steps.

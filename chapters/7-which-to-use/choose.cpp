@@ -21,14 +21,18 @@ constexpr const char* about =
     "out.\nEvery method is run with more and more steps in each frame and compared with the exact "
     "solution.\nThe steps are doubled until the bounds are met, then every smaller number is "
     "tried.\nWhere doubling never gets there, every number that would cost less than the best is. "
-    "The search ends\nat 1024 steps in a frame, and at a million in the whole run.";
+    "The search ends\nat 1024 steps in a frame, and at a million in the whole run.\nOf two that "
+    "cost the same, the one that is within the bounds in uneven frames as well comes first.";
 
 constexpr const char* scenes_about =
     "Scenes: spring (--omega, --zeta), orbit (--omega, --eccentricity), pendulum (--omega, "
     "--angle),\n  drag (--drag), ball (a constant force). Or your own: a header, named with its "
     ".h, "
     "that defines Vec\n  (double or an Eigen vector), Vec acceleration(const Vec& x, const Vec& v, "
-    "double t), start_x and start_v.\n  It is compiled and run, so it must be one that you trust.\n"
+    "double t), start_x and start_v.\n  It is compiled and run, so it must be one that you trust. "
+    "If its force switches, as at a kerb, the\n  answer hangs on where in a step that is: move the "
+    "switch by "
+    "parts of a frame, and take the worst answer.\n"
     "Prices: evaluations of the acceleration in a second of play. The derivatives that an implicit "
     "method\n  asks for cost as much again; solving its equations is not counted. And time, as it "
     "was recorded,\n  solver and all: microseconds in a frame for a thousand bodies in a loop.\n"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // What `choose` answers, on fifty scenes drawn at random, against a search that has a loop, a truth
 // and an error of its own.
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
@@ -126,6 +127,49 @@ void check(const Scene& scene, const Bounds& bounds) {
 }
 
 }  // namespace
+
+TEST_CASE("Of two that cost the same choose names the one that holds in uneven frames") {
+  const scenes::Spring<> spring{.omega = 50, .zeta = 0.1};
+  const Bounds bounds{.hz = 60, .seconds = 2, .error = 0.005};
+  const Contest found = full_contest(spring, bounds);
+  const auto entry_of = [&](const Method& method) {
+    return *std::find_if(found.methods.begin(), found.methods.end(),
+                         [&](const Entry& entry) { return entry.method == &method; });
+  };
+  const Entry dopri5 = entry_of(method::dopri5), verlet = entry_of(method::velocity_verlet);
+  CHECK(dopri5.evaluations == verlet.evaluations);
+  CHECK(dopri5.last.error < verlet.last.error / 5);
+  CHECK(dopri5.uneven > 10 * bounds.error);
+  CHECK(verlet.uneven < bounds.error);
+  CHECK(found.methods.front().method == &method::velocity_verlet);
+}
+
+TEST_CASE(
+    "Where in its step a force switches changes the error of RK4 and velocity Verlet tenfold or "
+    "more") {
+  // A wheel on a spring, at a kerb
+  const scenes::Spring<> spring{.omega = 10, .zeta = 0.1, .x0 = -1, .v0 = 0};
+  constexpr double h = 1.0 / 60;
+  for (const Method* method : {&method::rk4, &method::velocity_verlet}) {
+    double least = INFINITY, most = 0;
+    for (double part = 0.05; part < 1; part += 0.05) {
+      const double kerb = 1 + part * h;
+      const auto force = [&](double x, double v, double t) {
+        return spring(x - (t > kerb ? 1.0 : 0.0), v, t);
+      };
+      auto kept = method->start(scenes::State<double>{0, 0}, h, force);
+      double worst = 0;
+      for (int n = 0; n < 180; ++n) {
+        method->step(kept, n * h, h, force);
+        const double t = (n + 1) * h, truth = t > kerb ? 1 + spring.exact(t - kerb).x : 0;
+        worst = std::max(worst, std::abs(method->state_of(kept, t, h, force).x - truth));
+      }
+      least = std::min(least, worst), most = std::max(most, worst);
+    }
+    CAPTURE(method->name, least, most);
+    CHECK(most > 10 * least);
+  }
+}
 
 TEST_CASE("On fifty scenes drawn at random nothing is cheaper than what choose answers") {
   std::mt19937 draw(7);

@@ -18,6 +18,7 @@
 #include "level.h"
 #include "measure/error.h"
 #include "prices.h"
+#include "scenes/linear_drag.h"
 
 /// What is wanted of a method.
 struct Bounds {
@@ -340,14 +341,21 @@ inline double without_rounding(double error) {
   return error < 1e-11 ? 0 : std::stod(brief(error, 6));
 }
 
-/// Good before not good, then cheap before dear, then right before nearly right; the nearest miss
-/// first among those that are not good. Of equals velocity Verlet, which has place and velocity at
-/// the same time, and else by the alphabet.
+/// Whether an entry is right in even frames alone.
+inline bool is_for_even_frames(const Entry& entry, const Bounds& bounds) {
+  return entry.good && !(entry.uneven <= bounds.error);
+}
+
+/// Good before not good, then cheap before dear, then what is right in uneven frames as well, then
+/// right before nearly right; the nearest miss first among those that are not good. Of equals
+/// velocity Verlet, which has place and velocity at the same time, and else by the alphabet.
 inline bool better(const Entry& a, const Entry& b, const Bounds& bounds) {
   if (a.good != b.good) return a.good;
   const double missed = miss(a.last, bounds), other_missed = miss(b.last, bounds);
   if (!a.good && missed != other_missed) return missed < other_missed;
   if (a.evaluations != b.evaluations) return a.evaluations < b.evaluations;
+  const bool shaky = is_for_even_frames(a, bounds), other_shaky = is_for_even_frames(b, bounds);
+  if (shaky != other_shaky) return other_shaky;
   const double one = without_rounding(a.last.error), other = without_rounding(b.last.error);
   if (one != other) return one < other;
   const bool verlet = a.method == &method::velocity_verlet,
@@ -361,6 +369,12 @@ struct Contest {
   std::vector<Entry> methods;      ///< what works with other forces added, too
   std::vector<Entry> undisturbed;  ///< adaptive steps, for what moves with nobody interfering
   bool keeps_energy = false;       ///< whether the scene's energy ought to stay what it is
+  std::string remark{};            ///< what else is to be said of the scene; empty if nothing is
+
+  void sort(const Bounds& bounds) {
+    std::sort(methods.begin(), methods.end(),
+              [&](const Entry& a, const Entry& b) { return better(a, b, bounds); });
+  }
 };
 
 /// The least that an entry within the bounds costs; infinite if there is none.
@@ -390,8 +404,7 @@ Contest contest(const Scene& scene, const Bounds& bounds, const Truth<Vec>& trut
   for (Entry& entry : found.methods) {
     if (!entry.good) fill_in(entry, scene, bounds, truth, cheapest);
   }
-  std::sort(found.methods.begin(), found.methods.end(),
-            [&](const Entry& a, const Entry& b) { return better(a, b, bounds); });
+  found.sort(bounds);
   return found;
 }
 
@@ -399,6 +412,16 @@ Contest contest(const Scene& scene, const Bounds& bounds, const Truth<Vec>& trut
 template <class Scene>
 Contest contest(const Scene& scene, const Bounds& bounds) {
   return contest(scene, bounds, truth_of(scene, even_frames(bounds)));
+}
+
+/// What `choose` has to say of a scene whose exact step is in no header.
+template <class Scene>
+const char* remark_on(const Scene&) {
+  if constexpr (!std::is_same_v<Scene, scenes::LinearDrag<>>) return "";
+  return "Where gravity and this drag are all that acts, there is an exact step: its lines are on "
+         "the page\nPick a method (wall.html), under the air. linear_damping_exact is another, "
+         "exact "
+         "in the velocity alone.";
 }
 
 /// The contest with all that `choose` tells besides: prices in time, errors in uneven frames, and
@@ -411,6 +434,8 @@ Contest full_contest(const Scene& scene, const Bounds& bounds) {
   Contest found = contest(scene, bounds, truth);
   for (Entry& entry : found.exact) complete(entry, scene, uneven);
   for (Entry& entry : found.methods) complete(entry, scene, uneven);
+  found.sort(bounds);
+  found.remark = remark_on(scene);
   found.undisturbed.push_back(enter_adaptive(scene, bounds, truth, uneven));
   return found;
 }

@@ -223,8 +223,10 @@ void linear_damping_exponential_first(Place& x, Vec& v, Time t, Real h, Real c,
 /// Symplectic Euler with damping: the exact velocity of damping and a constant force together.
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
-/// while h*omega < 2. The velocity under gravity and drag is exact, the terminal speed with it. On
-/// poses, order 1.
+/// while h*omega < 2. The velocity under gravity and drag is exact, the terminal speed with it; the
+/// position is not. Where a constant acceleration a and the damping are all, what moves it exactly,
+/// in place of `x + h * v`, is `x + push * v + ((h - push) / c) * a` with the v from before the
+/// step and push = (1 - exp(-c*h)) / c. On poses, order 1.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
