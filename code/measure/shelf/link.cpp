@@ -196,7 +196,7 @@ double fallen(double start, double h) {
 
 Promise in_float() {
   double off = 0, lost = 0;
-  for (const int substeps : {4, 8, 16}) {
+  for (const int substeps : {4, 8, 16, 32}) {
     const double h = frame / substeps, added = h * h * g;
     for (double share = 0.5; share <= 1; share += 1 / 64.0) {
       const double start = std::ldexp(share * added, 17);
