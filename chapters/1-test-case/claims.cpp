@@ -148,7 +148,14 @@ TEST_CASE("One long exact step and twelve short ones land a cannonball in the sa
   const auto once = measure::after(constant_acceleration, cannonball, start, landing, 1);
   const auto often = measure::after(constant_acceleration, cannonball, start, landing / 12, 12);
   CHECK((once.x - often.x).norm() < 1e-12 * once.x.norm());
-  CHECK_THAT(once.x.y(), WithinAbs(0, 1e-12));
+}
+
+TEST_CASE(
+    "The cannonball of one long step comes down at height zero, to a billionth of a millimetre") {
+  const double landing = 2 * 30 / 9.81;
+  const auto end =
+      measure::after(constant_acceleration, cannonball, cannonball.start(), landing, 1);
+  CHECK_THAT(end.x.y(), WithinAbs(0, 1e-12));
 }
 
 TEST_CASE("With the exact step every frame of a jump lies on the true path, at any frame rate") {

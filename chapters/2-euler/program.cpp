@@ -153,7 +153,7 @@ void drag(Record& record) {
 void constant_force(Record& record) {
   for (const int rate : {15, 30, 60}) {
     const double top = measure::after(euler, jump, jump.start(), 1.0 / rate, rate).x.y();
-    record.number("jump-error-" + std::to_string(rate), 100 * (top - jump.exact(1).x.y()), 3, "cm");
+    record.number("jump-error-" + std::to_string(rate), 100 * (top - jump.exact(1).x.y()), 4, "cm");
   }
 }
 
