@@ -15,6 +15,7 @@
 #include "measure/energy.h"
 #include "measure/error.h"
 #include "measure/evaluations.h"
+#include "measure/many_starts.h"
 #include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/stability.h"
@@ -563,26 +564,32 @@ TEST_CASE("With its fourth stage along the second slope RK4 has order three and 
 TEST_CASE(
     "In a float RK4 is nearest to the drone at 16 to 32 steps a second, by the median of many "
     "starts") {
-  const auto median = [](int rate) { return errors_in_float(rk4, rate)[starts / 2]; };
+  const auto median = [](int rate) { return measure::median(errors_in_float(rk4, rate)); };
   CHECK(median(8) < median(4) / 10);
   CHECK(median(16) < median(8) / 8);
-  CHECK_THAT(median(32) / median(16), WithinAbs(1, 0.1));
-  CHECK(median(64) > 1.3 * median(32));
-  CHECK(median(128) > 1.5 * median(64));
-  CHECK(median(256) > 1.4 * median(128));
+  CHECK_THAT(median(32) / median(16), WithinAbs(1.3, 0.2));
+  CHECK(median(64) > 1.2 * median(32));
+  CHECK(median(128) > 1.1 * median(64));
+  CHECK(median(256) > 1.3 * median(128));
   // In double the same runs go on falling.
   CHECK(error_in_one_turn(rk4, 128) < 1e-3 * error_in_one_turn(rk4, 16));
 }
 
 TEST_CASE(
-    "In a float the order that the right RK4 shows is luck, and lower than that of the wrong "
-    "index") {
+    "In a float one start in ten leaves RK4 more than twice as far off as another one in ten") {
+  for (const int rate : {16, 32, 128}) {
+    const auto errors = errors_in_float(rk4, rate);
+    CHECK(measure::quantile(errors, 0.9) > 2 * measure::quantile(errors, 0.1));
+  }
+}
+
+TEST_CASE(
+    "In a float the right RK4 shows an order below one from nine starts in ten, the wrong index "
+    "above two from all") {
   const auto right = orders_in_float(rk4);
-  const auto bug = orders_in_float(wrong::method_of(wrong::fourth_looks_too_soon.stages));
-  CHECK(right.front() < -2);
-  CHECK(right.back() > 1);
-  CHECK(right.back() < 2);
-  CHECK(bug.front() > right.back());
+  CHECK(measure::quantile(right, 0.9) < 1);
+  CHECK(measure::quantile(right, 0.1) < -1);
+  CHECK(orders_in_float(wrong::method_of(wrong::fourth_looks_too_soon.stages)).front() > 2);
 }
 
 TEST_CASE("With its third stage a repeat of the second RK4 has order two") {

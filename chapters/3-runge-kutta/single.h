@@ -4,10 +4,10 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "measure/many_starts.h"
 #include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
@@ -35,28 +35,19 @@ double error_in_float(Step step, int rate, double angle = 0) {
   return largest;
 }
 
-inline constexpr int starts = 200;  ///< places around the circle
+inline constexpr int starts = 1000;  ///< places around the circle
 
-/// What `measure(angle)` is from each of them, in order of size.
-template <class Measure>
-std::vector<double> from_all_places(Measure measure) {
-  std::vector<double> found;
-  for (int place = 0; place < starts; ++place) {
-    found.push_back(measure(2 * std::numbers::pi * place / starts));
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
+/// The errors from each of them, in order of size [m].
 template <class Step>
 std::vector<double> errors_in_float(Step step, int rate) {
-  return from_all_places([&](double angle) { return error_in_float(step, rate, angle); });
+  return measure::all_around(starts,
+                             [&](double angle) { return error_in_float(step, rate, angle); });
 }
 
 /// The orders that a float shows when 16 steps a second become 32.
 template <class Step>
 std::vector<double> orders_in_float(Step step) {
-  return from_all_places([&](double angle) {
+  return measure::all_around(starts, [&](double angle) {
     return std::log2(error_in_float(step, 16, angle) / error_in_float(step, 32, angle));
   });
 }
@@ -65,15 +56,10 @@ std::vector<double> orders_in_float(Step step) {
 inline void single_precision(measure::Record& record) {
   record.number("single-starts", starts, measure::whole);
   for (const int rate : {16, 32, 128}) {
-    const auto errors = errors_in_float(measure::rk4, rate);
-    const std::string name = "single-" + std::to_string(rate);
-    record.number(name + "-least", 1e6 * errors.front(), 2, "µm");
-    record.number(name + "-most", 1e6 * errors.back(), 2, "µm");
+    record.number("single-" + std::to_string(rate),
+                  1e6 * measure::median(errors_in_float(measure::rk4, rate)), 1, "µm");
   }
-  const auto right = orders_in_float(measure::rk4);
-  record.number("single-order-least", right.front(), 2);
-  record.number("single-order-most", right.back(), 2);
-  const auto bug = orders_in_float(wrong::method_of(wrong::fourth_looks_too_soon.stages));
-  record.number("single-bug-least", bug.front(), 2);
-  record.number("single-bug-most", bug.back(), 2);
+  record.number("single-order", measure::median(orders_in_float(measure::rk4)), 1);
+  const auto bug = wrong::method_of(wrong::fourth_looks_too_soon.stages);
+  record.number("single-bug", measure::median(orders_in_float(bug)), 1);
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "measure/many_starts.h"
 #include "measure/run.h"
 #include "scenes/spring.h"
 
@@ -33,10 +34,13 @@ struct DistanceKept {
 };
 
 /// How far two runs of a swing, in single and in double precision, part in ten seconds [m].
+/// @param angle  of its swing at which it starts [rad]
 template <class Step>
-double lost_digits(Step step) {
-  const scenes::Spring<float> coarse{.omega = 6.28f, .x0 = 1};
-  const scenes::Spring<> fine{.omega = coarse.omega, .x0 = 1};
+double lost_digits(Step step, double angle) {
+  const float omega = 6.28f;
+  const scenes::Spring<float> coarse{
+      .omega = omega, .x0 = float(std::cos(angle)), .v0 = float(-double(omega) * std::sin(angle))};
+  const scenes::Spring<> fine{.omega = omega, .x0 = coarse.x0, .v0 = coarse.v0};
   constexpr float h = 1 / 240.0f;
   std::vector<double> places;
   auto s = fine.start();
@@ -49,4 +53,13 @@ double lost_digits(Step step) {
     most = std::max(most, std::abs(double(now.x) - places[n++]));
   });
   return most;
+}
+
+inline constexpr int swings_tried = 1000;  ///< each from another angle
+
+/// How far they part, by the median of many starts [m].
+template <class Step>
+double lost_digits(Step step) {
+  return measure::median(
+      measure::all_around(swings_tried, [&](double angle) { return lost_digits(step, angle); }));
 }

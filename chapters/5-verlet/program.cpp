@@ -92,9 +92,10 @@ void orders(Record& record) {
   row("carrying a", measure::stormer_verlet_carried);
   row("leapfrog", leapfrog);
   row("velocity Verlet", velocity_verlet);
-  record.number("float-position", 1e6 * lost_digits(stormer_verlet), 2, "µm");
-  record.number("float-distance", 1e6 * lost_digits(DistanceKept{}), 2, "µm");
-  record.number("float-velocity", 1e6 * lost_digits(velocity_verlet), 2, "µm");
+  record.number("float-swings", swings_tried, whole);
+  record.number("float-position", 1e6 * lost_digits(stormer_verlet), 1, "µm");
+  record.number("float-distance", 1e6 * lost_digits(DistanceKept{}), 1, "µm");
+  record.number("float-velocity", 1e6 * lost_digits(velocity_verlet), 1, "µm");
 }
 
 void price(Record& record) {
