@@ -42,16 +42,18 @@ export function tableHtml(table, times) {
   const align = columns.map((c, i) => (right(c, i) ? ' class="right"' : ''));
   const heads = columns.map((c, i) => `<th scope="col"${align[i]}>${head(c)}</th>`);
   const body = rows.map(
-    row => `<tr>${row.map((field, i) => `<td${align[i]}>${cell(field, columns[i], times)}</td>`).join('')}</tr>`,
+    row => `<tr>${row.map((field, i) => `<td${align[i]}>${cellHtml(field, columns[i], times)}</td>`).join('')}</tr>`,
   );
   return `<table><thead><tr>${heads.join('')}</tr></thead><tbody>\n${body.join('\n')}\n</tbody></table>${aboutTimes(times, rows.flat())}`;
 }
 
 const head = c => escapeHtml(c.column) + (c.unit ? ` <span class="unit">[${unitHtml(c.unit)}]</span>` : '');
 
-function cell(field, column, times) {
+// A field as the page prints it; one of words may stand in a column of numbers.
+export function cellHtml(field, column, times) {
   if (isTime(field)) return timeHtml(times, field);
   if (column.digits === 'text') return escapeHtml(field);
   if (field === '' || /^[-+]?nan$/i.test(field)) return '–';
-  return numberHtml(Number(field.replace(/inf(inity)?/i, 'Infinity')), Number(column.digits));
+  const value = Number(field.replace(/^([-+]?)inf(inity)?$/i, '$1Infinity'));
+  return Number.isNaN(value) ? escapeHtml(field) : numberHtml(value, Number(column.digits));
 }

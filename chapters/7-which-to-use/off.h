@@ -7,10 +7,17 @@
 #include "level.h"
 #include "measure/error.h"
 #include "measure/method.h"
+#include "measure/record.h"
 
 /// The largest distance from where a thing should be [m]; infinite from a kilometre on.
 template <class Scene>
 double off(const measure::Method& method, const Scene& scene, double h, double seconds) {
   const double error = measure::largest_error(method, scene, h, std::lround(seconds / h)).position;
   return error < 1000 ? error : INFINITY;
+}
+
+/// An error as a table shows it: below a ten-billionth of a per cent only rounding is left.
+/// @param percent  of the size of the motion, or of the energy
+inline measure::Cell or_rounding(double percent) {
+  return percent < 1e-10 ? measure::Cell("rounding") : measure::Cell(percent);
 }

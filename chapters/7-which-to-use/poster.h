@@ -36,10 +36,8 @@ inline void wall(measure::Record& record) {
                                       {"header"}});
   const auto add = [&](const char* moves, const char* take, const measure::Method& method,
                        std::string_view header) {
-    const double off = energy_off(method);
     table.add({moves, take, double(price(method, suspension, frame)), swings(method),
-               swings(method, 1), off < 1e-9 ? measure::Cell("rounding") : measure::Cell(off),
-               std::string(header)});
+               swings(method, 1), or_rounding(energy_off(method)), std::string(header)});
   };
   const auto add_its_own = [&](const char* moves, const char* take, const measure::Method& method) {
     add(moves, take, method, method.header);

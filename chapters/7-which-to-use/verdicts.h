@@ -71,10 +71,12 @@ inline void verdicts(measure::Record& record) {
     const Verdict found = verdict(method);
     const double spring = longest_step(method, scenes::Spring<>{});
     const double drag = longest_step(method, scenes::LinearDrag<>{.c = 1, .g = 0});
-    table.add({name, "position", position, found.position, word(found.position),
+    table.add({name, "position", position, or_rounding(found.position), word(found.position),
                100 * energy_of_drone(method).largest, spring});
-    table.add({name, "velocity", velocity, found.velocity, word(found.velocity), NAN, drag});
-    table.add({name, "constant", constant, found.constant, word(found.constant), NAN, INFINITY});
+    table.add(
+        {name, "velocity", velocity, or_rounding(found.velocity), word(found.velocity), NAN, drag});
+    table.add({name, "constant", constant, or_rounding(found.constant), word(found.constant), NAN,
+               INFINITY});
   };
   add(method::euler, "lousy", "okay", "bad");
   add(method::rk4, "okay", "okay", "great");

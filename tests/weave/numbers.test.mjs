@@ -10,6 +10,7 @@ import {
   quantityTex,
   quantityText,
 } from '../../book/weave/numbers.mjs';
+import { cellHtml } from '../../book/weave/tables.mjs';
 
 const each = (title, write, rows) =>
   test(title, () => {
@@ -25,6 +26,14 @@ each('significant digits', numberText, [
   ['100', 99.96, 3],
   ['0', 0, 3],
   ['0', -0, 3],
+]);
+
+each('a cell of a column of numbers, which may hold words', field => cellHtml(field, { digits: '2' }, []), [
+  ['0.33', '0.333'],
+  ['∞', 'inf'],
+  ['–', 'nan'],
+  ['rounding', 'rounding'],
+  ['information', 'information'],
 ]);
 
 each('groups of three from five digits on', numberText, [
