@@ -4,8 +4,11 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "level.h"
+#include "measure/many_starts.h"
 #include "measure/methods.h"
 #include "measure/record.h"
 #include "measure/run.h"
@@ -17,6 +20,10 @@ scenes::Orbit<Real> shuttle_in() {
           .semi_major = Real(shuttle.semi_major),
           .mu = Real(shuttle.mu)};
 }
+
+/// A place or a velocity of it [m or m/s].
+template <class Real>
+using Place = typename scenes::Orbit<Real>::Vec;
 
 /// The shuttle in float, its planet far away from the origin.
 struct FarShuttle : scenes::Orbit<float> {
@@ -46,18 +53,55 @@ double error_far_away(const Step& step, long rate) {
 }
 
 /// The largest error of one turn, stepped in `Real` and compared with the truth in double [m].
+/// @param s  where it starts
+/// @param since  how long after its nearest point [s]
 template <class Real, class Step>
-double error_of_a_turn(const Step& step, long rate) {
-  const auto scene = shuttle_in<Real>();
-  auto s = scene.start();
+double error_of_a_turn(const Step& step, long rate, scenes::State<Place<Real>> s, double since) {
   double largest = 0;
   long n = 0;
-  measure::run(step, scene, s, Real(1) / Real(rate), 8 * rate, [&](Real, const auto& now) {
-    const auto truth = shuttle.exact(double(n++) / double(rate)).x;
-    const double error = (now.x.template cast<double>() - truth).norm();
-    if (!(error <= largest)) largest = error;
-  });
+  measure::run(step, shuttle_in<Real>(), s, Real(1) / Real(rate), 8 * rate,
+               [&](Real, const auto& now) {
+                 const auto truth = shuttle.exact(since + double(n++) / double(rate)).x;
+                 const double error = (now.x.template cast<double>() - truth).norm();
+                 if (!(error <= largest)) largest = error;
+               });
   return largest;
+}
+
+/// The same from its nearest point [m].
+template <class Real, class Step>
+double error_of_a_turn(const Step& step, long rate) {
+  return error_of_a_turn<Real>(step, rate, shuttle_in<Real>().start(), 0);
+}
+
+inline constexpr int places = 100;  ///< on its way, from which a turn is tried
+
+/// What `measured(s, since)` is of starts in float all along its way, in order of size.
+/// @param measured  gets the start, and how long it is after the nearest point [s]
+template <class Measured>
+std::vector<double> along_its_way(Measured measured) {
+  return measure::all_around(places, [&](double angle) {
+    const double since = shuttle_turn * angle / (2 * std::numbers::pi);
+    const auto exact = shuttle.exact(since);
+    return measured(scenes::State<Place<float>>{exact.x.cast<float>(), exact.v.cast<float>()},
+                    since);
+  });
+}
+
+/// The errors of a turn in float from all along its way, in order of size [m].
+template <class Step>
+std::vector<double> errors_along_its_way(const Step& step, long rate) {
+  return along_its_way(
+      [&](const auto& s, double since) { return error_of_a_turn<float>(step, rate, s, since); });
+}
+
+/// By what shares float changes the error of a turn, from all along its way, in order of size.
+template <class Step>
+std::vector<double> changes_by_float(const Step& step, long rate) {
+  return along_its_way([&](const auto& s, double since) {
+    const double right = error_of_a_turn<double>(step, rate, shuttle.exact(since), since);
+    return std::abs(error_of_a_turn<float>(step, rate, s, since) / right - 1);
+  });
 }
 
 // [add]
@@ -71,9 +115,15 @@ void add(Vec& sum, const Vec& little, Vec& lost) {
 }
 // [add]
 
-/// What a step of RK4 adds to the position and to the velocity.
+/// What a step adds to the position [m] and to the velocity [m/s].
+template <class Vec>
+struct Added {
+  Vec x, v;
+};
+
+/// What a step of RK4 adds.
 template <class Vec, class Real, class Acceleration>
-scenes::State<Vec> rk4_adds(const Vec& x, const Vec& v, Real t, Real h, Acceleration&& a) {
+Added<Vec> rk4_adds(const Vec& x, const Vec& v, Real t, Real h, Acceleration&& a) {
   const Real half = h / 2, sixth = h / 6;
   const Vec a1 = a(x, v, t);
   const Vec v2 = v + half * a1, a2 = a(Vec(x + half * v), v2, t + half);
@@ -83,19 +133,42 @@ scenes::State<Vec> rk4_adds(const Vec& x, const Vec& v, Real t, Real h, Accelera
           sixth * (a1 + Real(2) * a2 + Real(2) * a3 + a4)};
 }
 
-/// The largest error of one turn in float, by RK4 with compensated sums [m].
-inline double compensated_error(long rate) {
+/// One turn in float, by RK4 with compensated sums; `observe(n, x)` before each step and at the
+/// end.
+template <class Observe>
+void compensated_turn(scenes::State<Place<float>> s, long rate, Observe observe) {
   const auto scene = shuttle_in<float>();
-  auto s = scene.start();
-  scenes::Orbit<float>::Vec lost_x{0, 0}, lost_v{0, 0};
-  double largest = 0;
+  Place<float> lost_x{0, 0}, lost_v{0, 0};
   for (long n = 0; n <= 8 * rate; ++n) {
-    const auto truth = shuttle.exact(double(n) / double(rate)).x;
-    largest = std::max(largest, (s.x.cast<double>() - truth).norm());
+    observe(n, s.x);
     const auto more = rk4_adds(s.x, s.v, float(n) / float(rate), 1 / float(rate), scene);
     add(s.x, more.x, lost_x);
     add(s.v, more.v, lost_v);
   }
+}
+
+/// The largest error of such a turn [m].
+inline double compensated_error(long rate) {
+  double largest = 0;
+  compensated_turn(shuttle_in<float>().start(), rate, [&](long n, const Place<float>& x) {
+    const auto truth = shuttle.exact(double(n) / double(rate)).x;
+    largest = std::max(largest, (x.cast<double>() - truth).norm());
+  });
+  return largest;
+}
+
+/// How far such a turn parts from one in double that starts from the same floats [m].
+inline double rounding_of_sums(const scenes::State<Place<float>>& s, long rate) {
+  const auto coarse = shuttle_in<float>();
+  const scenes::Orbit<> fine{
+      .eccentricity = coarse.eccentricity, .semi_major = coarse.semi_major, .mu = coarse.mu};
+  const double h = 1 / float(rate);
+  Place<double> x = s.x.cast<double>(), v = s.v.cast<double>();
+  double largest = 0;
+  compensated_turn(s, rate, [&](long n, const Place<float>& rounded) {
+    largest = std::max(largest, (rounded.cast<double>() - x).norm());
+    measure::rk4(x, v, double(n) * h, h, fine);
+  });
   return largest;
 }
 
@@ -116,15 +189,7 @@ inline void floor_of_float(measure::Record& record) {
                error_of_a_turn<double>(measure::rk4, rate),
                error_of_a_turn<float>(measure::rk4, rate), compensated_error(rate)});
   }
-  const double rounded = error_of_a_turn<float>(measure::velocity_verlet, 240);
-  record.number(
-      "float-verlet-240",
-      100 * std::abs(rounded / error_of_a_turn<double>(measure::velocity_verlet, 240) - 1), 1, "%");
+  record.number("float-places", places, measure::whole);
   record.number("float-far", 100 * error_far_away(measure::rk4, 60), 1, "cm");
   record.number("float-fastest", table.rows.back()[0].value, measure::whole, "Hz");
-  const auto best =
-      std::min_element(table.rows.begin(), table.rows.end(),
-                       [](const auto& a, const auto& b) { return a[6].value < b[6].value; });
-  record.number("float-best", 1e6 * (*best)[6].value, 2, "µm");
-  record.number("float-best-rate", (*best)[0].value, measure::whole);
 }
