@@ -20,10 +20,37 @@ scenes::Chain<Real> chain_of(int count) {
   return {.count = count, .mass = bead_mass, .k = steel_k, .stretch = 0};
 }
 
-/// A rope of beads a metre apart and steel springs, without weight.
+/// A rope that hangs from its nail, at rest under its own weight.
+/// @tparam Real  `double`, or a number that counts
 template <class Real = double>
-scenes::Rope<Real> rope_of(int count) {
-  return {.count = count, .length = count - 1.0, .mass = bead_mass, .k = steel_k, .g = 0};
+struct HangingRope : scenes::Rope<Real> {
+  using Vec = typename scenes::Rope<Real>::Vec;  ///< three numbers a mass: right, up, to you
+
+  /// Straight down, each spring stretched by what hangs on it.
+  scenes::State<Vec> start() const {
+    const Vec masses = this->masses();
+    Vec x = Vec::Zero(masses.size());
+    for (int i = 1; i < this->count; ++i) {
+      const Real below = masses.tail(3 * (this->count - i)).sum() / 3;
+      x[3 * i + 1] =
+          x[3 * i - 2] - this->length / Real(this->count - 1) - below * this->g / this->k;
+    }
+    return {x, Vec::Zero(masses.size())};
+  }
+
+  /// Energy beyond that of the rope at rest; conserved without damping [J].
+  /// @param x  positions [m]
+  /// @param v  velocities [m/s]
+  Real energy(const Vec& x, const Vec& v) const {
+    const auto rest = start();
+    return scenes::Rope<Real>::energy(x, v) - scenes::Rope<Real>::energy(rest.x, rest.v);
+  }
+};
+
+/// A rope of beads a metre apart and steel springs, hanging.
+template <class Real = double>
+HangingRope<Real> rope_of(int count) {
+  return {{.count = count, .length = count - 1.0, .mass = bead_mass, .k = steel_k}};
 }
 
 /// A square of cloth, its beads a metre apart, its springs of steel, without weight.

@@ -2,8 +2,11 @@
 /// @file
 /// What is left of a blow in chapter 4, and how often each step is solved for it.
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
+#include <string>
 
 #include "../cast.h"
 #include "integrate/bdf2.h"
@@ -39,40 +42,49 @@ double left_by_bdf2(const scenes::Spring<>& spring, First first) {
   return spring.energy(x, v) / given;
 }
 
-/// A norm that lets Newton's method end with its second iteration, if its tolerance is below one.
-inline auto content_after_two() {
-  return [done = 0](const Eigen::VectorXd&) mutable { return ++done < 2 ? 1.0 : 0.0; };
+/// When a step is solved well enough.
+struct Solving {
+  int most = 1;          ///< solves in a step
+  double tolerance = 0;  ///< a change of the velocities that may be left [m/s]
+};
+
+inline constexpr Solving one_solve{1}, two_solves{2};
+inline constexpr Solving until_close{8, 0.1};  ///< what the chapter advises
+
+// [until]
+/// The size of a change for Newton's method: of the last solve that a step may have, none.
+inline auto change_within(int most) {
+  return [most, solves = 0](const Eigen::VectorXd& change) mutable {
+    return ++solves < most ? largest(change) : 0.0;
+  };
 }
 
-/// Two solves of backward Euler.
-inline constexpr auto solved_twice = [](Struck& s, const auto& scene, auto& system) {
-  return integrate::backward_euler_newton(s.x, s.v, 0.0, frame, scene, system, content_after_two(),
-                                          0.5) > 0;
-};
+/// Backward Euler, each step solved until that is enough.
+inline auto backward_euler_solved(Solving enough) {
+  return [enough](Struck& s, const auto& scene, auto& system) {
+    return integrate::backward_euler_newton(s.x, s.v, 0.0, frame, scene, system,
+                                            change_within(enough.most), enough.tolerance);
+  };
+}
+// [until]
 
 /// One solve of the trapezoid rule.
 inline constexpr auto trapezoid_once = [](Struck& s, const auto& scene, auto& system) {
   return integrate::trapezoid(s.x, s.v, 0.0, frame, scene, system);
 };
 
-/// The trapezoid rule to the end of Newton's method.
-inline constexpr auto trapezoid_to_the_end = [](Struck& s, const auto& scene, auto& system) {
-  return integrate::trapezoid_newton(s.x, s.v, 0.0, frame, scene, system, largest, tolerance) > 0;
-};
-
-/// Iterations of Newton's method in a step of the trapezoid rule, on average; 0 if one failed.
+/// How many steps of the trapezoid rule Newton's method solves to the end, before it finds none.
+/// @param draw  of the blow; see struck()
 template <class Scene>
-double solves_of_trapezoid(const Scene& scene, double speed, int steps) {
-  Struck s = struck(scene, speed);
+int trapezoid_steps(const Scene& scene, double speed, unsigned draw, int most) {
+  Struck s = struck(scene, speed, draw);
   auto system = system_of(scene);
-  long sum = 0;
-  for (int n = 0; n < steps; ++n) {
-    const int solves =
-        integrate::trapezoid_newton(s.x, s.v, 0.0, frame, scene, system, largest, tolerance);
-    if (solves == 0) return 0;
-    sum += solves;
+  int steps = 0;
+  while (steps < most &&
+         integrate::trapezoid_newton(s.x, s.v, 0.0, frame, scene, system, largest, tolerance) > 0) {
+    ++steps;
   }
-  return double(sum) / steps;
+  return steps;
 }
 
 /// Begins BDF2 in the first frame, and takes a step of it in each; for one blow.
@@ -94,19 +106,61 @@ inline auto bdf2_once() {
   });
 }
 
-/// Two solves of BDF2; for one blow.
-inline auto bdf2_twice() {
-  return begun_by_itself([](Struck& s, auto& previous, const auto& scene, auto& system) {
+/// BDF2, each step solved until that is enough; for one blow.
+inline auto bdf2_solved(Solving enough) {
+  return begun_by_itself([enough](Struck& s, auto& previous, const auto& scene, auto& system) {
     return integrate::bdf2_newton(s.x, s.v, previous, 0.0, frame, frame, scene, system,
-                                  content_after_two(), 0.5) > 0;
+                                  change_within(enough.most), enough.tolerance);
   });
+}
+
+/// What a second makes of the energy of a blow.
+struct Aftermath {
+  double most = 0;    ///< after any step, over that of the blow; infinite if one was not solved
+  int frame = 0;      ///< after which it is that much
+  double left = 0;    ///< at the end, over that of the blow
+  double solves = 0;  ///< in a step, on average
+};
+
+/// @param step  called as `step(state, scene, system)`; gives how often it solved, 0 if in vain
+template <class Scene, class Step>
+Aftermath after_blow(const Scene& scene, double speed, unsigned draw, Step step) {
+  constexpr int frames = 60;
+  Aftermath found;
+  const auto counted = [&](Struck& s, const auto& net, auto& system) {
+    const int solves = step(s, net, system);
+    found.solves += double(solves) / frames;
+    return solves > 0;
+  };
+  const auto all = shares(scene, speed, frames, counted, draw);
+  const auto most = std::max_element(all.begin() + 1, all.end());
+  found.most = all.size() > frames ? *most : INFINITY;
+  found.frame = int(most - all.begin());
+  found.left = all.back();
+  return found;
+}
+
+/// The methods that are solved in steps after a blow.
+enum class Solved { backward_euler, bdf2 };
+
+/// The same on one of the nets, by one of the methods.
+/// @param net  "rope" or "cloth"
+Aftermath after_blow(const std::string& net, Solved method, double speed, unsigned draw,
+                     Solving enough);
+
+/// How often a second the beads of a rope that hangs swing sideways near its nail, neighbours
+/// against each other, pulled by the weight of the whole rope.
+inline double sideways_swings(const HangingRope<>& rope) {
+  const double weight = (rope.count - 1) * rope.mass * rope.g;
+  const double spacing = rope.length / (rope.count - 1);
+  return std::sqrt(4 * weight / (rope.mass * spacing)) / (2 * std::numbers::pi);
 }
 
 /// A gentle blow, and what a second leaves of it.
 void a_second(measure::Record& record);
 
-/// A hard blow, solved once a step and to the end.
-void hard_blow(measure::Record& record);
+/// Harder and harder blows, solved once a step, twice and until it is enough.
+void hard_blows(measure::Record& record);
 
 /// How much each of Newton's iterations changes in one step.
 void newton(measure::Record& record);

@@ -48,7 +48,7 @@ double chain_after(int substeps) {
   return s.x.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
-const std::string nets[] = {"chain", "rope", "cloth"};
+const std::string nets[] = {"rope", "cloth"};
 
 /// All ways on one net after a gentle blow, worked out once.
 const std::vector<Way>& all_ways(const std::string& net) {
@@ -148,9 +148,9 @@ TEST_CASE(
   CHECK_THAT(most_energy(steel_chain, 50), WithinAbs(59, 0.5));
   CHECK(most_energy(steel_chain, 80) > 1.2);
   CHECK(most_energy(steel_chain, 81) < 1.2);
-  CHECK_THAT(most_energy(steel_rope, 50), WithinAbs(2.2, 0.05));
-  CHECK(most_energy(steel_rope, 56) > 1.2);
-  CHECK(most_energy(steel_rope, 57) < 1.2);
+  CHECK_THAT(most_energy(steel_rope, 50), WithinAbs(12, 0.5));
+  CHECK(most_energy(steel_rope, 67) > 1.2);
+  CHECK(most_energy(steel_rope, 68) < 1.2);
   CHECK_THAT(most_energy(steel_cloth, 68), WithinAbs(1.9, 0.05));
   CHECK(most_energy(steel_cloth, 90) > 1.2);
   CHECK(most_energy(steel_cloth, 91) < 1.2);
@@ -185,114 +185,108 @@ TEST_CASE("At 10 cm/s the chain's fastest motion goes 17 micrometres out of plac
   const double rate = 2 * std::sqrt(steel_k / bead_mass);
   CHECK_THAT(0.1 / rate, WithinRel(17e-6, 0.03));
   CHECK_THAT(rate / (2 * std::numbers::pi), WithinRel(1000, 0.05));
-  // And the slowest: where its shape is pulled back to by all masses alike.
-  Eigen::VectorXd shape(steel_chain.count);
-  for (int i = 0; i < steel_chain.count; ++i) {
-    shape[i] = std::sin((i + 1) * std::numbers::pi / (2 * steel_chain.count + 1));
-  }
-  const double slow = 2 * std::numbers::pi * 6.9;
-  const Eigen::VectorXd a = steel_chain(shape, steel_chain.start().v, 0.0);
-  CHECK((a + slow * slow * shape).norm() < 0.01 * a.norm());
 }
 
 TEST_CASE("What there is to see stays what it is in half the steps", "[long]") {
   for (const std::string& net : nets) CHECK(off_of_truth(net, gentle) < 1e-4);
 }
 
-TEST_CASE(
-    "In just enough substeps what is seen is off by one per cent of the chain, a tenth of that of "
-    "the rope and a hundredth of the cloth") {
-  const auto fewest = [](const std::string& net) {
-    return off(net, "symplectic Euler", fewest_substeps(net));
-  };
-  CHECK_THAT(fewest("chain"), WithinAbs(0.01, 0.001));
-  CHECK_THAT(fewest("rope"), WithinAbs(0.0008, 0.0001));
-  CHECK_THAT(fewest("cloth"), WithinAbs(0.0001, 0.00001));
+TEST_CASE("After a gentle blow no mass of the chain goes farther than a quarter of a millimetre") {
+  CHECK_THAT(farthest(steel_chain), WithinAbs(0.23e-3, 0.02e-3));
 }
 
 TEST_CASE(
-    "One solve of backward Euler is off by 95 per cent of the chain, 1.7 of the rope and 33 of the "
-    "cloth") {
-  CHECK_THAT(off("chain", "backward Euler"), WithinAbs(0.95, 0.005));
-  CHECK_THAT(off("rope", "backward Euler"), WithinAbs(0.0165, 0.0005));
-  CHECK_THAT(off("cloth", "backward Euler"), WithinAbs(0.326, 0.005));
+    "Drawn sixty times a second the true motion is off by 0.31 per cent of the rope and 0.14 of "
+    "the cloth",
+    "[long]") {
+  CHECK_THAT(off_if_true("rope", gentle), WithinAbs(0.0031, 0.00005));
+  CHECK_THAT(off_if_true("cloth", gentle), WithinAbs(0.0014, 0.00005));
 }
 
 TEST_CASE(
-    "One solve of BDF2 halves what backward Euler is off by on cloth, for one per cent more work") {
+    "The fewest substeps show a net as well as sixty pictures a second can, to three per cent") {
+  for (const std::string& net : nets) {
+    CHECK_THAT(off(net, "symplectic Euler", fewest_substeps(net)),
+               WithinRel(off_if_true(net, gentle), 0.03));
+  }
+}
+
+TEST_CASE("No solve shows a net as much as twice as well as the fewest substeps", "[long]") {
+  for (const std::string& net : nets) {
+    const double nearest = off(net, "symplectic Euler", fewest_substeps(net));
+    for (const Way& way : all_ways(net)) CHECK(way.off > nearest / 2);
+    // Nor is there anything beside what the figure shows.
+    std::vector<Ask> asked;
+    for (const char* method : {"backward Euler", "BDF2", "trapezoid"}) {
+      for (const int steps : {3, 5, 7, 11, 14}) {
+        for (const int solves : {1, 3}) asked.push_back({method, steps, solves});
+      }
+    }
+    for (const Way& way : moved(net, gentle, asked)) {
+      CAPTURE(net, way.method, way.steps);
+      CHECK(way.off > nearest / 2);
+    }
+  }
+}
+
+TEST_CASE(
+    "Anything cheaper than a tenth more than the fewest substeps is off by two and a half times "
+    "as much on the rope, and fifty times on the cloth, after each of three blows",
+    "[long]") {
+  const std::map<std::string, double> farther{{"rope", 2.5}, {"cloth", 50}};
+  for (const std::string& net : nets) {
+    std::vector<Ask> asked{{"symplectic Euler", fewest_substeps(net) * 11 / 10}};
+    for (const char* method : {"backward Euler", "BDF2", "trapezoid"}) {
+      for (const int solves : {1, 2}) {
+        for (const int steps : {1, 2, 3, 4}) asked.push_back({method, steps, solves});
+      }
+    }
+    for (const unsigned blow : {1u, 2u, 3u}) {
+      const std::vector<Way> all = moved(net, gentle, asked, blow);
+      int cheaper = 0;
+      for (const Way& way : all) {
+        CAPTURE(net, blow, way.method, way.steps, way.work, all[0].work);
+        if (way.work >= all[0].work) continue;
+        CHECK(way.off > farther.at(net) * all[0].off);
+        ++cheaper;
+      }
+      CHECK(cheaper > 7);
+    }
+  }
+}
+
+TEST_CASE(
+    "One solve of BDF2 is off by half as much as one of backward Euler, for four per cent more "
+    "work at most") {
+  CHECK_THAT(off("rope", "BDF2") / off("rope", "backward Euler"), WithinAbs(0.57, 0.01));
   CHECK_THAT(off("cloth", "BDF2") / off("cloth", "backward Euler"), WithinAbs(0.49, 0.01));
-  CHECK_THAT(work("cloth", "BDF2") / work("cloth", "backward Euler"), WithinAbs(1.01, 0.005));
+  for (const std::string& net : nets) CHECK(work(net, "BDF2") < 1.04 * work(net, "backward Euler"));
 }
 
 TEST_CASE(
-    "A second solve brings BDF2 four times nearer on the rope, and backward Euler no nearer "
-    "anywhere") {
-  CHECK_THAT(off("rope", "BDF2") / off("rope", "BDF2 twice"), WithinAbs(4.1, 0.1));
+    "Two steps of BDF2 come nearer than one that is solved twice, for two per cent more work at "
+    "most") {
+  const auto nearer = [](const std::string& net) {
+    CHECK(work(net, "BDF2", 2) < 1.02 * work(net, "BDF2 twice"));
+    return off(net, "BDF2 twice") / off(net, "BDF2", 2);
+  };
+  CHECK_THAT(nearer("rope"), WithinAbs(3, 0.1));
+  CHECK_THAT(nearer("cloth"), WithinAbs(1.77, 0.05));
+}
+
+TEST_CASE("A second solve brings backward Euler no nearer after a gentle blow") {
   for (const std::string& net : nets) {
     CHECK(off(net, "backward Euler twice") > 0.99 * off(net, "backward Euler"));
     CHECK(off(net, "backward Euler to the end") > 0.99 * off(net, "backward Euler"));
   }
 }
 
-TEST_CASE("Where the fewest substeps can be paid, as many as a solved step costs show a net better",
-          "[long]") {
-  for (const std::string& net : nets) {
-    const int fewest = fewest_substeps(net);
-    const double least = work(net, "symplectic Euler", fewest);
-    for (const Way& way : all_ways(net)) {
-      if (way.answers && way.work > least) CHECK(way.method == "symplectic Euler");
-    }
-    // Nor is there anything beside what the figure shows.
-    std::vector<Ask> asked;
-    for (const char* method : {"backward Euler", "BDF2", "trapezoid"}) {
-      for (const int solves : {1, 2, 3}) {
-        for (const int steps : {1, 2, 3, 5, 7, 11}) asked.push_back({method, steps, solves});
-      }
-    }
-    std::vector<Way> solved = moved(net, gentle, asked);
-    std::erase_if(solved,
-                  [least](const Way& way) { return way.work < least || way.work > 3 * least; });
-    CHECK(solved.size() > 5);
-    std::vector<Ask> paid;
-    for (const Way& way : solved) {
-      paid.push_back({"symplectic Euler", int(way.work / least * fewest)});
-    }
-    const std::vector<Way> substeps = moved(net, gentle, paid);
-    for (std::size_t n = 0; n < solved.size(); ++n) {
-      CAPTURE(net, solved[n].method, solved[n].steps, solved[n].work, substeps[n].steps);
-      CHECK(substeps[n].work <= solved[n].work);
-      CHECK(substeps[n].off < solved[n].off / 2);
-    }
-  }
-}
-
-TEST_CASE(
-    "In a tenth more than the fewest substeps a net is shown at least four times as well as by "
-    "anything cheaper, after each of three blows",
-    "[long]") {
-  for (const std::string& net : nets) {
-    std::vector<Ask> asked{{"symplectic Euler", fewest_substeps(net) * 11 / 10}};
-    for (const char* method : {"backward Euler", "BDF2", "trapezoid"}) {
-      for (const int solves : {1, 2}) {
-        for (const int steps : {1, 2, 3, 6}) asked.push_back({method, steps, solves});
-      }
-    }
-    for (const unsigned blow : {1u, 2u, 3u}) {
-      const std::vector<Way> all = moved(net, gentle, asked, blow);
-      for (const Way& way : all) {
-        CAPTURE(net, blow, way.method, way.steps, way.work, all[0].work);
-        if (way.work < all[0].work) CHECK(way.off > 4 * all[0].off);
-      }
-    }
-  }
-}
-
-TEST_CASE("Conjugate gradients cost twice to fifty times an elimination, and show no net better") {
+TEST_CASE("Conjugate gradients cost two to six times an elimination, and show no net better") {
   for (const std::string& net : nets) {
     for (const char* gradients : {"gradients to a hundredth", "gradients to a thousandth"}) {
       CAPTURE(net, gradients);
       CHECK(work(net, gradients) > 2 * work(net, "backward Euler"));
-      CHECK(work(net, gradients) < 50 * work(net, "backward Euler"));
+      CHECK(work(net, gradients) < 6 * work(net, "backward Euler"));
       CHECK(off(net, gradients) > 0.99 * off(net, "backward Euler"));
     }
   }
@@ -343,23 +337,57 @@ TEST_CASE("Cloth of 10 x 10 is cheaper solved, of 18 x 18 as cheap, of 32 x 32 d
 }
 
 TEST_CASE(
-    "A second of BDF2 leaves a struck cloth twice what backward Euler does, and a chain nothing") {
-  const auto of_cloth = shares(steel_cloth, gentle, 60, bdf2_once());
-  const auto by_backward_euler = shares(steel_cloth, gentle, 60, solved_once);
-  REQUIRE(of_cloth.size() == 61);
-  CHECK_THAT(of_cloth.back() / by_backward_euler.back(), WithinAbs(2, 0.3));
-  CHECK_THAT(shares(steel_rope, gentle, 60, bdf2_once()).back(), WithinAbs(0.71, 0.01));
+    "A second of BDF2 leaves a struck cloth twice what backward Euler does, a rope more than four "
+    "times, and a chain nothing") {
+  const auto more = [](const auto& scene) {
+    const auto left = shares(scene, gentle, 60, bdf2_once());
+    REQUIRE(left.size() == 61);
+    return left.back() / shares(scene, gentle, 60, solved_once).back();
+  };
+  CHECK_THAT(more(steel_cloth), WithinAbs(2, 0.3));
+  CHECK_THAT(more(steel_rope), WithinAbs(4.5, 0.3));
   CHECK(shares(steel_chain, gentle, 60, bdf2_once()).back() < 1e-3);
 }
 
-TEST_CASE("A second after a gentle blow the rope has two thirds of its energy, the chain none") {
-  const auto left = [](const auto& scene) { return shares(scene, gentle, 60, solved_once).back(); };
-  CHECK(left(steel_chain) < 1e-12);
-  CHECK_THAT(left(steel_rope), WithinAbs(0.68, 0.01));
-  CHECK_THAT(left(steel_cloth), WithinAbs(0.085, 0.005));
+TEST_CASE(
+    "A tenth of a second after a gentle blow rope and cloth have lost more than half of their "
+    "energy, the chain all") {
+  const auto left = [](const auto& scene) { return shares(scene, gentle, 6, solved_once).back(); };
+  CHECK(left(steel_chain) < 0.01);
+  CHECK_THAT(left(steel_rope), WithinAbs(0.42, 0.01));
+  CHECK_THAT(left(steel_cloth), WithinAbs(0.24, 0.01));
+  CHECK(shares(steel_chain, gentle, 1, solved_once).back() < 0.01);
 }
 
-TEST_CASE("In a hundred substeps a frame the rope keeps its energy to four per cent for a second") {
+TEST_CASE(
+    "After a gentle blow the rope has 12 per cent of its energy left in a second, and 8 in two") {
+  const auto left = shares(steel_rope, gentle, 120, solved_once);
+  REQUIRE(left.size() == 121);
+  CHECK_THAT(left[60], WithinAbs(0.12, 0.005));
+  CHECK_THAT(left[120], WithinAbs(0.08, 0.005));
+}
+
+TEST_CASE("Near its nail the rope swings sideways nearly six times a second") {
+  CHECK_THAT(sideways_swings(steel_rope), WithinAbs(5.85, 0.1));
+  // Neighbours against neighbours, by a distance that stretches no spring.
+  Struck s = steel_rope.start();
+  const double aside = 1e-6;
+  for (int i = 1; i < steel_rope.count; ++i) s.x[3 * i] += i % 2 == 0 ? aside : -aside;
+  const double rate = std::sqrt(-steel_rope(s.x, s.v, 0.0)[3 * 2] / aside);
+  CHECK_THAT(rate / (2 * std::numbers::pi), WithinAbs(5.85, 0.1));
+}
+
+TEST_CASE("The rope hangs at rest, and its energy is counted from there") {
+  const Struck s = steel_rope.start();
+  CHECK(steel_rope(s.x, s.v, 0.0).cwiseAbs().maxCoeff() < 1e-6);
+  CHECK(steel_rope.energy(s.x, s.v) == 0);
+  CHECK(s.x[s.x.size() - 2] < -steel_rope.length);
+  const Struck blow = struck(steel_rope, gentle);
+  CHECK_THAT(steel_rope.energy(blow.x, blow.v),
+             WithinRel(bead_mass * blow.v.squaredNorm() / 2, 1e-9));
+}
+
+TEST_CASE("In a hundred substeps a frame the rope keeps its energy to six per cent for a second") {
   REQUIRE(steel_rope.count == 36);
   Struck s = struck(steel_rope, gentle);
   const double first = steel_rope.energy(s.x, s.v), step = frame / 100;
@@ -371,23 +399,23 @@ TEST_CASE("In a hundred substeps a frame the rope keeps its energy to four per c
     least = std::min(least, steel_rope.energy(s.x, now));
     most = std::max(most, steel_rope.energy(s.x, now));
   }
-  CHECK(least > 0.96 * first);
-  CHECK(most < 1.04 * first);
+  CHECK(least > 0.94 * first);
+  CHECK(most < 1.06 * first);
 }
 
-TEST_CASE("A rope takes five or six of Newton's iterations, cloth after a hard blow eighteen") {
-  CHECK(changes(steel_rope, gentle).size() == 5);
+TEST_CASE("A rope takes four to six of Newton's iterations, cloth after a hard blow eighteen") {
+  CHECK(changes(steel_rope, gentle).size() == 4);
   CHECK(changes(steel_rope, hard).size() == 6);
   CHECK(changes(steel_cloth, hard).size() == 18);
 }
 
 TEST_CASE(
     "Rope and cloth leave out of their matrix how a compressed spring pushes its ends aside") {
-  // A push across a spring, and what the matrix says that it does.
-  const auto check = [](const auto& scene, double longer, bool same) {
+  // A push across a spring, along the given axis, and what the matrix says that it does.
+  const auto check = [](const auto& scene, int axis, double longer, bool same) {
     auto s = scene.start();
     s.x *= longer;
-    const int middle = 3 * (scene.nodes() / 2) + 1;  // upwards, where nothing lies
+    const int middle = 3 * (scene.nodes() / 2) + axis;
     double in_matrix = 0;
     scene.jacobian(s.x, s.v, 0.0, [&](int i, int j, double dadx, double) {
       if (i == middle && j == middle) in_matrix += dadx;
@@ -403,28 +431,32 @@ TEST_CASE(
       CHECK_THAT(in_matrix, WithinAbs(0, 1e-9 * true_slope));
     }
   };
-  check(rope_of(9), 1.1, true);
-  check(rope_of(9), 0.9, false);
-  check(cloth_of(5), 1.1, true);
-  check(cloth_of(5), 0.9, false);
+  // Where nothing lies: the rope hangs, and the cloth lies flat.
+  constexpr int up = 1, to_you = 2;
+  check(rope_of(9), to_you, 1.1, true);
+  check(rope_of(9), to_you, 0.9, false);
+  check(cloth_of(5), up, 1.1, true);
+  check(cloth_of(5), up, 0.9, false);
 }
 
 TEST_CASE(
-    "After a gentle blow most springs of the rope end their step compressed, after a hard one "
-    "none") {
-  const auto compressed = [](double speed) {
-    Struck s = struck(steel_rope, speed);
-    auto system = system_of(steel_rope);
-    REQUIRE(to_the_end(s, steel_rope, system));
-    int count = 0;
-    for (int i = 1; i < steel_rope.count; ++i) {
-      count += (s.x.segment<3>(3 * i) - s.x.segment<3>(3 * i - 3)).norm() <
-               steel_rope.length / (steel_rope.count - 1);
-    }
-    return count;
+    "After a blow nearly half of the cloth's springs end their step compressed, and none of the "
+    "rope's") {
+  const auto compressed = [](const auto& scene, double speed) {
+    Struck s = struck(scene, speed);
+    auto system = system_of(scene);
+    REQUIRE(to_the_end(s, scene, system));
+    int count = 0, all = 0;
+    scene.for_each_link([&](int i, int j, const auto& link) {
+      count += (scenes::node(s.x, j) - scenes::node(s.x, i)).norm() < link.length;
+      ++all;
+    });
+    return double(count) / all;
   };
-  CHECK(compressed(gentle) > steel_rope.count / 2);
-  CHECK(compressed(hard) == 0);
+  for (const double speed : {gentle, hard}) {
+    CHECK_THAT(compressed(steel_cloth, speed), WithinAbs(0.47, 0.03));
+    CHECK(compressed(steel_rope, speed) == 0);
+  }
 }
 
 TEST_CASE("On cloth the matrix is not quite the derivative, and each iteration gains a factor") {
@@ -434,60 +466,135 @@ TEST_CASE("On cloth the matrix is not quite the derivative, and each iteration g
   }
 }
 
-TEST_CASE("After a hard blow one solve a step lifts the rope's energy by half, Newton by nothing") {
-  const auto once = shares(steel_rope, hard, 60, solved_once);
-  REQUIRE(once.size() == 61);
-  CHECK_THAT(*std::max_element(once.begin(), once.end()), WithinAbs(1.57, 0.02));
-  const auto end = shares(steel_rope, hard, 60, to_the_end);
-  REQUIRE(end.size() == 61);
-  for (std::size_t n = 1; n < end.size(); ++n) CHECK(end[n] < end[n - 1]);
-  CHECK_THAT(end.back(), WithinAbs(0.47, 0.01));
+namespace {
+
+const Solved solvers[] = {Solved::backward_euler, Solved::bdf2};
+const unsigned three[] = {1, 2, 3};  ///< draws of the figure
+
+/// The most energy after any of three blows, over that of the blow.
+double most_of_three(const std::string& net, Solved method, double speed, Solving enough) {
+  double most = 0;
+  for (const unsigned draw : three) {
+    most = std::max(most, after_blow(net, method, speed, draw, enough).most);
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Solved once after a blow of 1 m/s cloth has a third more energy in its second frame, and a "
+    "sixth of it after a second") {
+  const Aftermath blow = after_blow("cloth", Solved::backward_euler, hard, 1, one_solve);
+  CHECK_THAT(blow.most, WithinAbs(1.34, 0.02));
+  CHECK(blow.frame == 2);
+  CHECK_THAT(blow.left, WithinAbs(0.16, 0.01));
+  CHECK_THAT(most_of_three("cloth", Solved::backward_euler, hard, one_solve),
+             WithinAbs(1.34, 0.02));
 }
 
 TEST_CASE(
-    "After a hard blow two solves of backward Euler never gain, and end within three per cent of "
-    "Newton's end") {
-  const auto check = [](const auto& scene) {
-    const auto twice = shares(scene, hard, 60, solved_twice);
-    REQUIRE(twice.size() == 61);
-    for (std::size_t n = 1; n < twice.size(); ++n) CHECK(twice[n] < twice[n - 1]);
-    CHECK_THAT(twice.back(), WithinRel(shares(scene, hard, 60, to_the_end).back(), 0.03));
+    "Solved once after blows of 5 m/s the rope keeps most of what it gains, and cloth loses it") {
+  for (const unsigned draw : three) {
+    const Aftermath rope = after_blow("rope", Solved::backward_euler, 5, draw, one_solve);
+    CHECK(rope.most > 5);
+    CHECK(rope.left > 0.8 * rope.most);
+    const Aftermath cloth = after_blow("cloth", Solved::backward_euler, 5, draw, one_solve);
+    CHECK(cloth.most > 5);
+    CHECK(cloth.frame <= 2);
+    CHECK(cloth.left < 0.6);
+  }
+}
+
+TEST_CASE(
+    "At 10 m/s one solve of BDF2 makes millions of times the rope's energy, and two make "
+    "thousands") {
+  CHECK(most_of_three("rope", Solved::bdf2, 10, one_solve) > 1e6);
+  CHECK(most_of_three("rope", Solved::bdf2, 10, two_solves) > 1e3);
+}
+
+TEST_CASE("Two solves a step make no energy after blows of up to 3 m/s, and do after harder ones") {
+  for (const std::string& net : nets) {
+    for (const Solved method : solvers) {
+      for (const double speed : {1.0, 2.0, 3.0})
+        CHECK(most_of_three(net, method, speed, two_solves) < 1);
+      CHECK(most_of_three(net, method, 10, two_solves) > 2);
+    }
+  }
+  for (const Solved method : solvers) CHECK(most_of_three("cloth", method, 5, two_solves) > 1.3);
+}
+
+TEST_CASE(
+    "Solved until no velocity changes by 10 cm/s, at most eight times, no net has more energy than "
+    "a blow of up to 20 m/s gave it") {
+  for (const std::string& net : nets) {
+    for (const Solved method : solvers) {
+      CHECK(most_of_three(net, method, 20, until_close) < 1);
+      // Nor after other blows than those of the figure.
+      for (const double speed : {0.1, 0.5, 1.5, 4.0, 7.0, 14.0, 20.0}) {
+        for (const unsigned draw : {4u, 5u}) {
+          CAPTURE(net, speed, draw);
+          CHECK(after_blow(net, method, speed, draw, until_close).most < 1);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "Until no velocity changes by 10 cm/s a step takes two solves after 1 m/s and five after 20, "
+    "at most, on average") {
+  for (const std::string& net : nets) {
+    for (const Solved method : solvers) {
+      for (const unsigned draw : three) {
+        CHECK(after_blow(net, method, 1, draw, until_close).solves < 2.01);
+        CHECK(after_blow(net, method, 20, draw, until_close).solves < 4.5);
+        CHECK(after_blow(net, method, 20, draw, until_close).solves > 2.5);
+      }
+    }
+  }
+}
+
+TEST_CASE("At 100 m/s eight solves a step are too few for cloth") {
+  for (const Solved method : solvers) {
+    const Aftermath blow = after_blow("cloth", method, 100, 1, until_close);
+    CHECK(blow.most > 10);
+    CHECK(blow.frame == 1);
+  }
+}
+
+TEST_CASE(
+    "Solved to the end backward Euler loses energy in every step, but after 5 m/s Newton's method "
+    "finds no end on cloth") {
+  const auto falls = [](const auto& scene, double speed) {
+    const auto left = shares(scene, speed, 60, to_the_end);
+    for (std::size_t n = 1; n < left.size(); ++n) CHECK(left[n] < left[n - 1]);
+    return left.size() == 61;
   };
-  check(steel_rope);
-  check(steel_cloth);
+  for (const double speed : {1.0, 5.0, 20.0}) CHECK(falls(steel_rope, speed));
+  CHECK(falls(steel_cloth, 1));
+  CHECK_FALSE(falls(steel_cloth, 5));
 }
 
 TEST_CASE(
-    "After a hard blow one solve of BDF2 lifts the rope's energy by a third, and cloth's to twice, "
-    "and two lift neither") {
-  const auto most = [](const auto& scene, auto step) {
-    const auto left = shares(scene, hard, 60, step);
-    REQUIRE(left.size() == 61);
-    return *std::max_element(left.begin() + 1, left.end());
-  };
-  CHECK_THAT(most(steel_rope, bdf2_once()), WithinAbs(1.34, 0.02));
-  CHECK_THAT(most(steel_cloth, bdf2_once()), WithinAbs(2.3, 0.2));
-  CHECK(most(steel_rope, bdf2_twice()) < 1);
-  CHECK(most(steel_cloth, bdf2_twice()) < 1);
-}
-
-TEST_CASE(
-    "With one solve a step the trapezoid rule lifts the rope's energy 19 times, cloth's a "
+    "With one solve a step the trapezoid rule lifts the rope's energy 14 times, cloth's a "
     "million times") {
   const auto of_rope = shares(steel_rope, hard, 60, trapezoid_once);
   REQUIRE(of_rope.size() == 61);
-  CHECK_THAT(of_rope.back(), WithinAbs(19, 1));
+  CHECK_THAT(of_rope.back(), WithinAbs(14, 1));
   CHECK(shares(steel_cloth, hard, 60, trapezoid_once).back() > 1e6);
 }
 
-TEST_CASE("Solved to the end the trapezoid rule keeps the rope's energy within a fifth") {
-  const auto left = shares(steel_rope, hard, 60, trapezoid_to_the_end);
-  REQUIRE(left.size() == 61);
-  for (const double share : left) CHECK_THAT(share, WithinAbs(0.9, 0.11));
-}
-
-TEST_CASE("After a hard blow the trapezoid rule takes 23 solves a step to its end") {
-  CHECK_THAT(solves_of_trapezoid(steel_rope, hard, 60), WithinAbs(23, 1));
+TEST_CASE(
+    "After a blow of 1 m/s Newton's method finds no end for the trapezoid rule on cloth, and after "
+    "one of three blows alone on the rope") {
+  int through = 0;
+  for (const unsigned draw : three) {
+    CHECK(trapezoid_steps(steel_cloth, hard, draw, 60) < 60);
+    through += trapezoid_steps(steel_rope, hard, draw, 60) == 60;
+  }
+  CHECK(through == 1);
+  CHECK(trapezoid_steps(steel_cloth, gentle, 1, 60) == 60);
 }
 
 TEST_CASE("Closed to a ring a chain of 108 has twice the entries in its factor") {
@@ -525,24 +632,28 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "By the clock nothing solved in less time than the fewest substeps comes within four times "
-    "their distance") {
+    "In the time of the fewest substeps five solved steps of BDF2 come within twice their distance "
+    "on the rope, and nothing comes within forty times on the cloth") {
   const std::map<std::string, std::string> functions{
       {"backward Euler", "backward_euler"}, {"BDF2", "bdf2"}, {"trapezoid", "trapezoid"}};
-  for (const std::string& net : nets) {
-    const auto& all = all_ways(net);
-    const double nearest = way_of(all, "symplectic Euler", fewest_substeps(net)).off;
-    int compared = 0;
-    for (const Way& way : all) {
-      const auto function = functions.find(way.method);
-      if (function == functions.end()) continue;
-      if (way.steps * time_of_frame(net, function->second) >=
-          time_of_frame(net, "symplectic_euler"))
-        continue;
-      INFO(net << ": " << way.method << ", " << way.steps);
-      CHECK(way.off > 4 * nearest);
-      ++compared;
+  const auto nearest_in_time = [&](const std::string& net) {
+    std::vector<Ask> asked;
+    for (const auto& [method, function] : functions) {
+      const double frames = time_of_frame(net, "symplectic_euler") / time_of_frame(net, function);
+      for (int steps = 1; steps < frames; ++steps) asked.push_back({method, steps});
     }
-    CHECK(compared >= 6);
-  }
+    CHECK(asked.size() >= 8);
+    const auto all = moved(net, gentle, asked);
+    return *std::min_element(all.begin(), all.end(),
+                             [](const Way& a, const Way& b) { return a.off < b.off; });
+  };
+  const auto of_substeps = [](const std::string& net) {
+    return off(net, "symplectic Euler", fewest_substeps(net));
+  };
+  const Way on_rope = nearest_in_time("rope");
+  CHECK(on_rope.method == "BDF2");
+  CHECK(on_rope.steps == 5);
+  CHECK(on_rope.off < 2 * of_substeps("rope"));
+  CHECK(on_rope.off > of_substeps("rope"));
+  CHECK(nearest_in_time("cloth").off > 40 * of_substeps("cloth"));
 }

@@ -40,6 +40,20 @@ double most_energy(const Scene& scene, int substeps, double ahead = 0.5) {
   return most;
 }
 
+/// How far any mass of the chain goes from its place within a second of a gentle blow, in substeps
+/// so many that it is the true motion [m].
+inline double farthest(const scenes::Chain<>& chain) {
+  constexpr int substeps = 400;
+  Struck s = struck(chain, gentle);
+  const Eigen::VectorXd at_rest = s.x;
+  double most = 0;
+  for (int n = 0; n < 60 * substeps; ++n) {
+    integrate::symplectic_euler(s.x, s.v, 0.0, frame / substeps, chain);
+    most = std::max(most, (s.x - at_rest).cwiseAbs().maxCoeff());
+  }
+  return most;
+}
+
 /// Fewest substeps in which the energy stays within a fifth above that of the blow.
 template <class Scene>
 int substeps_within_a_fifth(const Scene& scene) {

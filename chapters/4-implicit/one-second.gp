@@ -4,8 +4,8 @@ set yrange [0:1.04]
 set xtics 0.2
 set ytics 0.25
 set label 1 "spring, one swing a second" at 0.3,0.9 left tc ls BACKWARD_EULER
-set label 2 "rope" at 0.75,0.74 left tc ls SECOND
-set label 3 "cloth" at 0.45,0.165 left tc ls THIRD
+set label 2 "rope" at 0.2,0.36 left tc ls SECOND
+set label 3 "cloth" at 0.75,0.06 left tc ls THIRD
 set label 4 "chain" at 0.3,0.045 left tc ls FIRST
 plot file("second") using col("t"):col("1 Hz") with lines ls BACKWARD_EULER, \
      file("second") using col("t"):col("chain") with linespoints ls FIRST ps 0.35, \

@@ -146,7 +146,7 @@ int main(int argc, char** argv) {
     costs_on_a_nail(record);
     predictors(record);
     a_second(record);
-    hard_blow(record);
+    hard_blows(record);
     newton(record);
     ringing(record);
     soft_damping(record);

@@ -19,7 +19,7 @@ struct Way {
 };
 
 /// All that the figure shows of one net.
-/// @param net  "chain", "rope" or "cloth"
+/// @param net  "rope" or "cloth"
 /// @param speed  of the blow [m/s]
 std::vector<Way> ways(const std::string& net, double speed);
 
@@ -42,8 +42,11 @@ const Way& way_of(const std::vector<Way>& all, const std::string& method, int st
 /// their places, both as a player sees them, over the way that they have gone.
 double off_of_truth(const std::string& net, double speed);
 
+/// How far the true motion is from what there is to see, if it is drawn sixty times a second.
+double off_if_true(const std::string& net, double speed);
+
 /// The fewest substeps of symplectic Euler that hold a net.
 int fewest_substeps(const std::string& net);
 
-/// Work and error of all ways on all three nets.
+/// Work and error of all ways on both nets.
 void seen(measure::Record& record);

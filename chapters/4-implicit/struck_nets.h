@@ -70,9 +70,11 @@ inline constexpr double tolerance = 1e-9;
 
 /// Shares of the energy that are left after each step of a blow; the first is 1.
 /// @param step  called as `step(state, scene, system)`, true if it could be taken
+/// @param draw  of the blow; see struck()
 template <class Scene, class Step>
-std::vector<double> shares(const Scene& scene, double speed, int steps, Step step) {
-  Struck s = struck(scene, speed);
+std::vector<double> shares(const Scene& scene, double speed, int steps, Step step,
+                           unsigned draw = 1) {
+  Struck s = struck(scene, speed, draw);
   auto system = system_of(scene);
   const double first = scene.energy(s.x, s.v);
   std::vector<double> left{1};

@@ -186,7 +186,8 @@ void nets(Record& record) {
   const auto add = [&](const char* name, const auto& net) {
     const auto x = net.start().x;
     for (int i = 0; i < net.nodes(); ++i) {
-      beads.add({name, x[3 * i], -x[3 * i + 2], double(net.held(i))});
+      // The rope from the side, where all z are 0, and the cloth from above, where all y are.
+      beads.add({name, x[3 * i], x[3 * i + 1] - x[3 * i + 2], double(net.held(i))});
     }
   };
   add("rope", steel_rope);

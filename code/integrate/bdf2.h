@@ -86,7 +86,7 @@ constexpr Bdf2Previous<Vec> bdf2_start(const Vec& x, const Vec& v, Time t, Real 
 /// other. A parabola through the new state and the last two has there the slope that the force asks
 /// for. On a linear force one solve finds that state. On any other it puts a tangent in the force's
 /// place, and after a hard blow rope and cloth may gain energy: take bdf2_newton there, if with a
-/// norm that is content after two.
+/// tolerance of 10 cm/s and a norm that is content after eight.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
