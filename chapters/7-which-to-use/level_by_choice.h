@@ -11,6 +11,7 @@
 #include "contests.h"
 #include "entrants.h"
 #include "measure/record.h"
+#include "off.h"
 
 inline constexpr double centimetre = 0.01;  ///< the largest error that the level may show [m]
 
@@ -82,7 +83,7 @@ inline void level_again(measure::Record& record) {
     const Entry& best = taken(found);
     total += best.evaluations;
     table.add({name, best.name, best.method->header, double(best.last.substeps), best.evaluations,
-               100 * best.last.error * size_of(scene, Bounds{.seconds = seconds})});
+               or_rounding(100 * best.last.error * size_of(scene, Bounds{.seconds = seconds}))});
     for (const Entry& entry : found.methods) {
       alone[entry.name] += entry.good ? entry.evaluations : INFINITY;
     }
@@ -140,7 +141,7 @@ inline void example_choice(measure::Record& record) {
   record.number("by-hand-verlet", bill_of(swing, method::velocity_verlet), measure::whole);
   const auto add = [&](const Entry& entry) {
     table.add({entry.method->function, double(entry.last.substeps), entry.evaluations,
-               entry.last.error, reason(entry, example_bounds)});
+               or_rounding(entry.last.error), reason(entry, example_bounds)});
   };
   for (const Entry& entry : found.exact) add(entry);
   for (const Entry& entry : found.methods) add(entry);

@@ -16,8 +16,8 @@ double off(const measure::Method& method, const Scene& scene, double h, double s
   return error < 1000 ? error : INFINITY;
 }
 
-/// An error as a table shows it: below a ten-billionth of a per cent only rounding is left.
-/// @param percent  of the size of the motion, or of the energy
-inline measure::Cell or_rounding(double percent) {
-  return percent < 1e-10 ? measure::Cell("rounding") : measure::Cell(percent);
+/// An error as a table shows it: below a ten-billionth of the table's unit only rounding is left.
+/// @param error  in the unit of the table
+inline measure::Cell or_rounding(double error) {
+  return error < 1e-10 ? measure::Cell("rounding") : measure::Cell(error);
 }

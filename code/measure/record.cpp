@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -38,8 +39,10 @@ std::string text(const Cell& cell) {
   return cell.words.empty() ? shortest(cell.value) : quoted(cell.words);
 }
 
+// A word among numbers, such as "rounding", does not make a column one of text.
 bool is_text(const Table& table, std::size_t column) {
-  return !table.rows.empty() && !table.rows[0][column].words.empty();
+  const auto is_word = [&](const auto& row) { return !row[column].words.empty(); };
+  return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), is_word);
 }
 
 std::string csv(const Table& table) {

@@ -53,6 +53,18 @@ TEST_CASE("Numbers and tables are written as the book reads them") {
         "path,t,s,3\npath,x,m,5\nplanets,name,,text\nplanets,mass,kg,2\n");
 }
 
+TEST_CASE("A word above a column's numbers leaves it a column of numbers") {
+  const Folder folder;
+  Record record;
+  auto& errors = record.table("errors", {{"method"}, {"error", "m", 2}});
+  errors.add({"exact", "rounding"});
+  errors.add({"Euler", 0.25});
+  record.write(folder.path);
+  CHECK(folder.read("errors.csv") == "method,error\nexact,rounding\nEuler,0.25\n");
+  CHECK(folder.read("tables.csv") ==
+        "table,column,unit,digits\nerrors,method,,text\nerrors,error,m,2\n");
+}
+
 TEST_CASE("A number that is read back is the same number, to the last bit") {
   const Folder folder;
   Record record;
