@@ -43,7 +43,7 @@ eval method("constant acceleration", "CONSTANT_ACCELERATION", "lc rgb '#000001' 
 eval method("symplectic Euler, drag divided", "LINEAR_DAMPING_IMPLICIT_LAST", "lc rgb '#000002' lw 2.2 dt (6,4) pt 4 ps 0.55")
 eval method("backward Euler on a spring", "BACKWARD_EULER_SPRING", "lc rgb '#000005' lw 2.2 dt (6,4) pt 14 ps 0.6")
 eval method("exact step of a spring", "SPRING_EXACT", "lc rgb '#000007' lw 1.4 pt 6 ps 0.6")
-eval method("exact step of a spring, folded", "SPRING_FOLDED", "lc rgb '#000007' lw 1.4 pt 7 ps 0.6")
+eval method("exact step of a spring, folded", "SPRING_FOLDED", "lc rgb '#000007' lw 1.4 dt (6,4) pt 7 ps 0.6")
 # What is no method.
 eval line_style("EXACT", "lc rgb '#000007' lw 1.4 dt (7,5) pt 6 ps 0.6")  # what the motion really is
 eval line_style("LIMIT", "lc rgb '#000008' lw 1.6 dt (3,4) pt 7 ps 0.6")  # where something ends

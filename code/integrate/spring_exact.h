@@ -23,9 +23,9 @@
 /// Where all steps have one length, work its numbers out once. Then a step costs four
 /// multiplications, for as many springs as have these numbers in common:
 /// @code
-/// double x = 1, v = 0;
+/// double door = 1, swing = 0;
 /// const auto step = integrate::spring_folded_start(1 / 60.0, 3.0, 1 / 6.0);
-/// for (int n = 0; n < 60; ++n) integrate::spring_folded(x, v, step);
+/// for (int n = 0; n < 60; ++n) integrate::spring_folded(door, swing, step);
 /// @endcode
 #pragma once
 #include <cmath>

@@ -28,7 +28,7 @@ const EMPHASIS = [
     'new',
     'large',
   ],
-  ...['shrinks', 'relative', 'gone', 'nets', 'uneven steps.', 'a collision.', 'a force that switches.'],
+  ...['shrinks', 'relative', 'gone', 'uneven steps.', 'a collision.', 'a force that switches.'],
   ...['hitman: codename 47', 'time it here', 'omega', 'zeta'],
 ];
 

@@ -44,6 +44,7 @@ ostream: ostream flush endl ios streamsize
 random: mt19937 mt19937_64 normal_distribution random_device seed_seq uniform_int_distribution uniform_real_distribution
 regex: regex regex_match regex_replace regex_search smatch sregex_iterator
 set: set multiset erase_if size begin end
+source_location: source_location
 span: as_bytes as_writable_bytes span size begin end
 sstream: istringstream ostringstream stringstream getline ios streamsize
 stdexcept: exception invalid_argument logic_error out_of_range runtime_error domain_error length_error
