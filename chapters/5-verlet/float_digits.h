@@ -3,7 +3,6 @@
 /// What single precision costs a method.
 #pragma once
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -11,27 +10,6 @@
 #include "measure/many_starts.h"
 #include "measure/run.h"
 #include "scenes/spring.h"
-
-/// Position Verlet that keeps its last distance in place of its last place.
-struct DistanceKept {
-  template <class Vec, class Real, class Scene>
-  std::array<Vec, 2> start(const scenes::State<Vec>& s, Real h, const Scene& scene) const {
-    return {s.x, h * s.v - (h * h / 2) * scene(s.x, s.v, Real(0))};
-  }
-
-  template <class Kept, class Real, class Scene>
-  void step(Kept& kept, Real t, Real h, const Scene& scene) const {
-    auto& [x, d] = kept;
-    d = d + h * h * scene(x, d / h, t);
-    x = x + d;
-  }
-
-  template <class Kept, class Real, class Scene>
-  scenes::State<typename Kept::value_type> state_of(const Kept& kept, Real, Real h,
-                                                    const Scene&) const {
-    return {kept[0], kept[1] / h};
-  }
-};
 
 /// How far two runs of a swing, in single and in double precision, part in ten seconds [m].
 /// @param angle  of its swing at which it starts [rad]

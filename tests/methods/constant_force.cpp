@@ -55,7 +55,8 @@ constexpr auto moves_alike = [](auto method) {
 
 // How far ahead the velocity is, in a h.
 constexpr double lead_of_velocity(
-    theory::OneOf<measure::StormerVerlet, measure::StormerVerletUneven> auto) {
+    theory::OneOf<measure::StormerVerlet, measure::StormerVerletDistance,
+                  measure::StormerVerletUneven> auto) {
   return -0.5;
 }
 constexpr double lead_of_velocity(auto) {

@@ -67,7 +67,7 @@ using Stretching = list::Joined<list::Where<stretches>, list::OnSprings>;
 // These tilt what they turn, and so keep an ellipse of their own: an energy of x, v and h that is
 // close to the true one. Here omega is 1.
 double kept(theory::OneOf<measure::SymplecticEuler, measure::StormerVerlet,
-                          measure::StormerVerletUneven> auto,
+                          measure::StormerVerletDistance, measure::StormerVerletUneven> auto,
             double x, double v, double w) {
   return v * v + x * x - w * x * v;
 }

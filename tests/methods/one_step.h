@@ -29,6 +29,14 @@ constexpr scenes::State<Vec> one_step(measure::StormerVerletUneven, scenes::Stat
 }
 
 template <class Vec, class Time, class Real, class Scene>
+constexpr scenes::State<Vec> one_step(measure::StormerVerletDistance, scenes::State<Vec> s, Time t,
+                                      Real h, const Scene& scene) {
+  Vec distance = integrate::stormer_verlet_distance_start(s.x, s.v, t, h, scene);
+  integrate::stormer_verlet_distance(s.x, distance, t, h, scene);
+  return {s.x, (Real(1) / h) * distance};
+}
+
+template <class Vec, class Time, class Real, class Scene>
 constexpr scenes::State<Vec> one_step(measure::StormerVerletCarried, scenes::State<Vec> s, Time t,
                                       Real h, const Scene& scene) {
   Vec a = scene(s.x, s.v, t);

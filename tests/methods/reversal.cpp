@@ -36,6 +36,11 @@ double turn(theory::OneOf<measure::StormerVerlet, measure::StormerVerletUneven,
   std::swap(kept[0], kept[1]);
   return t - h;
 }
+double turn(measure::StormerVerletDistance, auto& kept, double t, double h) {
+  kept[0] -= kept[1];
+  kept[1] = -kept[1];
+  return t - h;
+}
 double turn(measure::Leapfrog, auto& kept, double t, double h) {
   const double v = integrate::leapfrog_velocity(kept[0], kept[1], t, h, swing);
   kept[1] = integrate::leapfrog_start(kept[0], v, t, -h, swing);

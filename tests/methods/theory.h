@@ -132,7 +132,8 @@ inline Polynomial characteristic(measure::ConstantAcceleration, Force f) {
 // x_next - 2 x + x_previous = -s x - d (x - x_previous), in one guise or another.
 inline Polynomial characteristic(
     OneOf<measure::SymplecticEuler, measure::SymplecticEulerPositionFirst, measure::StormerVerlet,
-          measure::StormerVerletUneven, measure::Leapfrog, measure::LeapfrogDrift> auto,
+          measure::StormerVerletDistance, measure::StormerVerletUneven, measure::Leapfrog,
+          measure::LeapfrogDrift> auto,
     Force f) {
   return {f.s + f.d - 2, 1 - f.d, 0};
 }

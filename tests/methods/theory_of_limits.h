@@ -68,7 +68,8 @@ inline double spring_limit(measure::ConstantAcceleration, double zeta) {
 // These two have a root of -1 where s + 2 d = 4, and where s + 4 d = 4.
 inline double spring_limit(
     OneOf<measure::SymplecticEuler, measure::SymplecticEulerPositionFirst, measure::StormerVerlet,
-          measure::StormerVerletUneven, measure::Leapfrog, measure::LeapfrogDrift> auto,
+          measure::StormerVerletDistance, measure::StormerVerletUneven, measure::Leapfrog,
+          measure::LeapfrogDrift> auto,
     double zeta) {
   return 2 * (std::sqrt(1 + zeta * zeta) - zeta);
 }

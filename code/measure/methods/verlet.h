@@ -120,6 +120,34 @@ struct StormerVerletCarried : Orders<2> {
   }
 };
 
+/// integrate::stormer_verlet_distance: keeps a position and the last distance.
+struct StormerVerletDistance : Orders<2, 1> {
+  static constexpr std::string_view name = "Störmer–Verlet, by distance",
+                                    function = "stormer_verlet_distance",
+                                    header = "stormer_verlet.h";
+  static constexpr long evaluations = 1;
+  static constexpr double drag_limit = 2, spring_limit = 2;
+  static constexpr int free_fall = 50;
+  static constexpr bool symplectic = true, reversible = true, central = true;
+  static constexpr bool goes_back = true, contender = false;
+
+  /// What it keeps at the start.
+  template <class Vec, class Real, class Scene>
+  static std::array<Vec, 2> start(const scenes::State<Vec>& s, Real h, const Scene& scene) {
+    return {s.x, integrate::stormer_verlet_distance_start(s.x, s.v, Real(0), h, scene)};
+  }
+  /// One step.
+  template <class Kept, class Real, class Scene>
+  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
+    integrate::stormer_verlet_distance(kept[0], kept[1], t, h, scene);
+  }
+  /// The state that it stands for, its velocity half a step late.
+  template <class Kept, class Real, class Scene>
+  static StateOf<Kept> state_of(const Kept& kept, Real, Real h, const Scene&) {
+    return {kept[0], (Real(1) / h) * kept[1]};
+  }
+};
+
 /// integrate::stormer_verlet_uneven with equal steps: keeps two positions.
 struct StormerVerletUneven : Orders<2, 1>, KeepsTwoPositions {
   static constexpr std::string_view name = "Störmer–Verlet, uneven",
@@ -171,21 +199,23 @@ struct Yoshida4 : Orders<4, 4, 2>, KeepsAcceleration {
   }
 };
 
-inline constexpr Leapfrog leapfrog;                            ///< to hand on
-inline constexpr LeapfrogDrift leapfrog_drift;                 ///< to hand on
-inline constexpr StormerVerlet stormer_verlet;                 ///< to hand on
-inline constexpr StormerVerletCarried stormer_verlet_carried;  ///< to hand on
-inline constexpr StormerVerletUneven stormer_verlet_uneven;    ///< to hand on
-inline constexpr VelocityVerlet velocity_verlet;               ///< to hand on
-inline constexpr Yoshida4 yoshida4;                            ///< to hand on
+inline constexpr Leapfrog leapfrog;                              ///< to hand on
+inline constexpr LeapfrogDrift leapfrog_drift;                   ///< to hand on
+inline constexpr StormerVerlet stormer_verlet;                   ///< to hand on
+inline constexpr StormerVerletCarried stormer_verlet_carried;    ///< to hand on
+inline constexpr StormerVerletDistance stormer_verlet_distance;  ///< to hand on
+inline constexpr StormerVerletUneven stormer_verlet_uneven;      ///< to hand on
+inline constexpr VelocityVerlet velocity_verlet;                 ///< to hand on
+inline constexpr Yoshida4 yoshida4;                              ///< to hand on
 
 }  // namespace measure
 
 namespace list {
 
 /// Verlet’s methods and those made of them.
-using VerletKin = std::tuple<measure::Leapfrog, measure::LeapfrogDrift, measure::StormerVerlet,
-                             measure::StormerVerletCarried, measure::StormerVerletUneven,
-                             measure::VelocityVerlet, measure::Yoshida4>;
+using VerletKin =
+    std::tuple<measure::Leapfrog, measure::LeapfrogDrift, measure::StormerVerlet,
+               measure::StormerVerletCarried, measure::StormerVerletDistance,
+               measure::StormerVerletUneven, measure::VelocityVerlet, measure::Yoshida4>;
 
 }  // namespace list

@@ -29,6 +29,11 @@ inline std::vector<State> steps(measure::StormerVerletUneven, const Force& force
   return steps(measure::StormerVerlet(), force, start, h, count);
 }
 
+inline std::vector<State> steps(measure::StormerVerletDistance, const Force& force,
+                                const State& start, Real h, int count) {
+  return steps(measure::StormerVerlet(), force, start, h, count);
+}
+
 // Kicks from one half step to the next; the force sees the velocity of now, by the last kick.
 inline std::vector<State> steps(measure::StormerVerletCarried, const Force& force,
                                 const State& start, Real h, int count) {

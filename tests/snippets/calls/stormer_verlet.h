@@ -14,6 +14,11 @@ void call_stormer_verlet(Try& attempt) {
     integrate::stormer_verlet_carried(x, x_previous, a, t, h, acceleration);
     v = integrate::stormer_verlet_carried_velocity(x, x_previous, a, h);
   });
+  attempt("stormer_verlet_distance", [](auto& x, auto& v, auto t, auto h, auto& acceleration) {
+    auto distance = integrate::stormer_verlet_distance_start(x, v, t, h, acceleration);
+    integrate::stormer_verlet_distance(x, distance, t, h, acceleration);
+    v = (1 / h) * distance;
+  });
   attempt("stormer_verlet_uneven", [](auto& x, auto& v, auto t, auto h, auto& acceleration) {
     auto x_previous = integrate::stormer_verlet_start(x, v, t, h, acceleration);
     const auto next = h / 2;
