@@ -330,6 +330,25 @@ TEST_CASE("Across the end of a burn RK4 has order one") {
   }
 }
 
+TEST_CASE("Where a rope goes taut RK4 has order two") {
+  constexpr double omega = 20;
+  const auto rope = [](double x, double, double) { return -omega * omega * std::max(0.0, x); };
+  // Thrown at 1 m/s from 20 cm before it is taut, and somewhat less far; the worst after 0.25 s.
+  const auto worst = [&](long steps) {
+    double most = 0;
+    for (int n = 0; n < 100; ++n) {
+      const double start = -0.2 + 0.05 * n / 100;
+      const double truth = std::sin(omega * (0.25 + start)) / omega;
+      const auto end = measure::after(measure::rk4, rope, scenes::State<double>{start, 1},
+                                      0.25 / double(steps), steps);
+      most = std::max(most, std::abs(end.x - truth));
+    }
+    return most;
+  };
+  for (const long steps : {16, 32, 64, 128})
+    CHECK_THAT(std::log2(worst(steps) / worst(2 * steps)), WithinAbs(2, 0.15));
+}
+
 TEST_CASE("Across a burnout at 60 Hz RK4 is further off than Euler, as at a third of all rates") {
   CHECK_THAT(off_across(true, 60), WithinAbs(0.268, 0.001));
   CHECK_THAT(off_across(false, 60), WithinAbs(-0.237, 0.001));
