@@ -265,7 +265,8 @@ TEST_CASE("With its last distance kept position Verlet loses no more than veloci
   // In double both swing alike.
   const Spring<> slow{.omega = 6.28, .x0 = 1};
   auto s = slow.start(), other = s;
-  measure::run(measure::stormer_verlet_distance, slow, s, 1 / 240.0, 2400, [](double, const auto&) {});
+  measure::run(measure::stormer_verlet_distance, slow, s, 1 / 240.0, 2400,
+               [](double, const auto&) {});
   measure::run(stormer_verlet, slow, other, 1 / 240.0, 2400, [](double, const auto&) {});
   CHECK_THAT(s.x, WithinAbs(other.x, 1e-11));
 }
