@@ -4,7 +4,9 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "integrate/stormer_verlet.h"
@@ -51,11 +53,15 @@ inline double stretch(const Rope& rope) {
   return length / (rope.link * double(rope.x.size() - 1)) - 1;
 }
 
-/// How far a rope that hangs is stretched in the end [share].
+/// How far a rope that hangs is stretched when it has come to rest [share].
 inline double hanging(int links, double h, int iterations) {
   Rope rope = two_metres(links, {0, -1});
-  for (int n = 0; n * h < 60; ++n) rope.step(h, iterations);
-  return stretch(rope);
+  double before = INFINITY, now = 0;
+  for (int minute = 0; minute < 60 && std::abs(now - before) > 1e-6; ++minute) {
+    for (int n = 0; n * h < 60; ++n) rope.step(h, iterations);
+    before = std::exchange(now, stretch(rope));
+  }
+  return now;
 }
 
 /// How far a rope that falls from a level start is stretched at its worst in five seconds [share].

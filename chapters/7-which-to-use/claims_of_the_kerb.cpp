@@ -3,11 +3,14 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
+#include <cmath>
 #include <cstddef>
 
 #include "asks.h"
 #include "entrants.h"
 #include "kerb.h"
+#include "measure/methods.h"
+#include "measure/stability.h"
 
 using measure::Method;
 using method::euler;
@@ -74,6 +77,29 @@ TEST_CASE(
     }
     CHECK(2 * verlet < worst_over_kerb(DamperDivided(), in_a_frame));
     CHECK(2 * verlet < worst_over_kerb(StrutSoft(), in_a_frame));
+  }
+}
+
+TEST_CASE(
+    "Over the kerb the damper decides from how many steps a frame on velocity Verlet holds the "
+    "wheel") {
+  const double half = Corner().damper / 2, much = strong * Corner().damper;
+  CHECK(worst_over_kerb(velocity_verlet, 1, half) < 0.06);
+  for (const int in_a_frame : {2, 3}) {
+    CAPTURE(in_a_frame);
+    CHECK(worst_over_kerb(velocity_verlet, in_a_frame, much) > 0.5);
+    CHECK(worst_over_kerb(DamperDivided(), in_a_frame, much) < 0.02);
+  }
+}
+
+TEST_CASE(
+    "Over the kerb drift, kick, drift holds the wheel in one step a frame, as its limits say") {
+  CHECK(worst_over_kerb(measure::leapfrog_drift, 1) < 0.05);
+  for (const double zeta : {0.0, 0.1, 0.5, 1.0}) {
+    const scenes::Spring<> spring{.omega = 1, .zeta = zeta};
+    const double own = measure::stability_limit(measure::leapfrog_drift, spring, 1e-3, 4);
+    CHECK(std::abs(own - measure::stability_limit(measure::symplectic_euler, spring, 1e-3, 4)) <
+          1e-9);
   }
 }
 

@@ -429,7 +429,7 @@ TEST_CASE("The hanging rope of the page is stretched as far as one worked out al
       std::vector<double> down, before;
       for (int i = 0; i <= links; ++i) down.push_back(i * link);
       before = down;
-      for (int n = 0; n < 3600 * steps; ++n) {
+      for (int n = 0; n < ticks_to_rest * steps; ++n) {
         for (std::size_t i = 1; i < down.size(); ++i) {
           const double next = 2 * down[i] - before[i] + 9.81 * h * h;
           before[i] = std::exchange(down[i], next);

@@ -6,7 +6,9 @@
 
 #include "calls.h"
 
-/// How far two metres of rope are stretched that hang for a minute, in a game of sixty ticks a
+inline constexpr int ticks_to_rest = 60 * 60 * 20;  ///< twenty minutes at sixty ticks a second
+
+/// How far two metres of rope are stretched when they have come to rest, in a game of sixty ticks a
 /// second, when each link is put right once in a step.
 /// @returns  share of its length
 inline double stretched(int links, int steps) {
@@ -29,7 +31,7 @@ inline double stretched(int links, int steps) {
   Places x = Places::Zero(2, links + 1), v = x;
   for (int i = 0; i <= links; ++i) x(1, i) = -i * link;
   Places last = start_linked(x, v, 0.0, tick, steps, gravity);
-  for (int n = 0; n < 3600; ++n) {
+  for (int n = 0; n < ticks_to_rest; ++n) {
     move_linked(x, v, last, n * tick, tick / steps, steps, gravity, pull_links);
   }
   double now = 0;
