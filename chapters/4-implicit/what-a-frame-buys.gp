@@ -23,7 +23,7 @@ array errors = [1, 0.1, 0.01, 0.001]
 n = 100
 do for [j=1:2] {
   n = n + 1
-  set label n nets[j] at graph 0.995,first low(j)+1.0 right font "Book Sans Bold"
+  set label n nets[j] at graph 0.995,first low(j)+0.93 right font "Book Sans Bold"
   do for [i=1:4] {
     n = n + 1
     set arrow n from cheapest,py(j, errors[i]) to dearest,py(j, errors[i]) nohead ls GRID
