@@ -61,8 +61,9 @@ const changed = folder => {
   return Object.keys(page).filter(what => found[what] !== page[what]);
 };
 
+// Of the tables that the program writes; a chapter's folder may hold others, such as this machine's times.
 const differing = folder =>
-  readdirSync(data)
+  readdirSync(folder)
     .filter(file => file.endsWith('.csv'))
     .filter(file => readFileSync(join(data, file), 'utf8') !== readFileSync(join(folder, file), 'utf8'));
 
