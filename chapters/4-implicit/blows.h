@@ -148,6 +148,11 @@ enum class Solved { backward_euler, bdf2 };
 Aftermath after_blow(const std::string& net, Solved method, double speed, unsigned draw,
                      Solving enough);
 
+inline constexpr unsigned three_draws[] = {1, 2, 3};  ///< of the blows that the figure shows
+
+/// The largest of each after three blows; not which frame it was.
+Aftermath worst_of_three(const std::string& net, Solved method, double speed, Solving enough);
+
 /// How often a second the beads of a rope that hangs swing sideways near its nail, neighbours
 /// against each other, pulled by the weight of the whole rope.
 inline double sideways_swings(const HangingRope<>& rope) {

@@ -130,10 +130,9 @@ inline void print_text(const Contest& found, const Bounds& bounds) {
   }
   std::printf(
       "\nuneven: the error in frames as uneven as 600 that a browser took on one busy machine, one "
-      "in "
-      "50 of\nthem late, with the same mean; with a ! where it is more than was asked for. Yours "
-      "may "
-      "be others.\n");
+      "in 50 of\n"
+      "them late, with the same mean; with a ! where it is more than was asked for. Yours may be "
+      "others.\n");
 }
 
 /// All entries: the exact step, the methods, the best first, and adaptive steps.

@@ -66,12 +66,6 @@ std::map<std::string, double> bills() {
   return found;
 }
 
-/// The entry of one method.
-const Entry& entry_of(const Contest& contest, const Method& method) {
-  return *std::find_if(contest.methods.begin(), contest.methods.end(),
-                       [&](const Entry& entry) { return entry.method == &method; });
-}
-
 /// How far a spring has been after many steps; infinite from a million times the start on.
 double farthest(const Method& step, double homega, double zeta) {
   double most = 0;

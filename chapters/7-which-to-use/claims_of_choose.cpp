@@ -132,11 +132,8 @@ TEST_CASE("Of two that cost the same choose names the one that holds in uneven f
   const scenes::Spring<> spring{.omega = 50, .zeta = 0.1};
   const Bounds bounds{.hz = 60, .seconds = 2, .error = 0.005};
   const Contest found = full_contest(spring, bounds);
-  const auto entry_of = [&](const Method& method) {
-    return *std::find_if(found.methods.begin(), found.methods.end(),
-                         [&](const Entry& entry) { return entry.method == &method; });
-  };
-  const Entry dopri5 = entry_of(method::dopri5), verlet = entry_of(method::velocity_verlet);
+  const Entry &dopri5 = entry_of(found, method::dopri5),
+              &verlet = entry_of(found, method::velocity_verlet);
   CHECK(dopri5.evaluations == verlet.evaluations);
   CHECK(dopri5.last.error < verlet.last.error / 5);
   CHECK(dopri5.uneven > 10 * bounds.error);

@@ -377,6 +377,12 @@ struct Contest {
   }
 };
 
+/// The entry of one of the methods that entered a contest.
+inline const Entry& entry_of(const Contest& found, const measure::Method& method) {
+  return *std::find_if(found.methods.begin(), found.methods.end(),
+                       [&](const Entry& entry) { return entry.method == &method; });
+}
+
 /// The least that an entry within the bounds costs; infinite if there is none.
 inline double cheapest_of(const std::vector<Entry>& entries) {
   double least = INFINITY;
@@ -419,9 +425,9 @@ template <class Scene>
 const char* remark_on(const Scene&) {
   if constexpr (!std::is_same_v<Scene, scenes::LinearDrag<>>) return "";
   return "Where gravity and this drag are all that acts, there is an exact step: its lines are on "
-         "the page\nPick a method (wall.html), under the air. linear_damping_exact is another, "
-         "exact "
-         "in the velocity alone.";
+         "the page\n"
+         "Pick a method (wall.html), under the air. linear_damping_exact is another, exact in the "
+         "velocity alone.";
 }
 
 /// The contest with all that `choose` tells besides: prices in time, errors in uneven frames, and

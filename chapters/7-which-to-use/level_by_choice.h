@@ -120,13 +120,6 @@ inline constexpr Bounds example_bounds{.hz = 60, .error = 0.01};
 /// The swing of the exercise, twice a second.
 inline constexpr scenes::Spring<> twice_a_second = swinging(2);
 
-/// What a function costs in a contest.
-inline double bill_of(const Contest& found, const measure::Method& method) {
-  const auto entry = std::find_if(found.methods.begin(), found.methods.end(),
-                                  [&](const Entry& one) { return one.method == &method; });
-  return entry->evaluations;
-}
-
 inline void example_choice(measure::Record& record) {
   auto& table = record.table("choice", {{"function"},
                                         {"steps a frame", "", measure::whole},
@@ -135,10 +128,13 @@ inline void example_choice(measure::Record& record) {
                                         {"with fewer steps"}});
   const Contest found = contest(example, example_bounds);
   record.number("example-times",
-                bill_of(found, method::symplectic_euler) / bill_of(found, method::rk4), 2);
+                entry_of(found, method::symplectic_euler).evaluations /
+                    entry_of(found, method::rk4).evaluations,
+                2);
   const Contest swing = contest(twice_a_second, example_bounds);
-  record.number("by-hand-rk4", bill_of(swing, method::rk4), measure::whole);
-  record.number("by-hand-verlet", bill_of(swing, method::velocity_verlet), measure::whole);
+  record.number("by-hand-rk4", entry_of(swing, method::rk4).evaluations, measure::whole);
+  record.number("by-hand-verlet", entry_of(swing, method::velocity_verlet).evaluations,
+                measure::whole);
   const auto add = [&](const Entry& entry) {
     table.add({entry.method->function, double(entry.last.substeps), entry.evaluations,
                or_rounding(entry.last.error), reason(entry, example_bounds)});

@@ -230,15 +230,17 @@ inline void step_times(measure::Record& record) {
 
 /// The recorded times of a step in a loop, for the figure in which readers take their own.
 inline void recorded_steps(measure::Record& record) {
-  auto& table =
-      record.table("recorded-steps", {{"thing"}, {"method"}, {"header"}, {"nanoseconds", "ns"}});
+  auto& table = record.table(
+      "recorded-steps",
+      {{"thing"}, {"method"}, {"header"}, {"exact", "", measure::whole}, {"nanoseconds", "ns"}});
   record.number("most-tried", double(tried_in_a_frame.back()), measure::whole);
   for_each_thing([&](const std::string& thing, const auto& scene, double) {
-    for (const auto& methods : {entrants_on(scene), exact_steps_of(scene)}) {
-      for (const measure::Method* method : methods) {
-        table.add({thing, method->function, method->header, step_time(thing, in_a_loop, *method)});
-      }
-    }
+    const auto add = [&](const measure::Method* method, double exact) {
+      table.add(
+          {thing, method->function, method->header, exact, step_time(thing, in_a_loop, *method)});
+    };
+    for (const measure::Method* method : entrants_on(scene)) add(method, 0);
+    for (const measure::Method* method : exact_steps_of(scene)) add(method, 1);
   });
 }
 

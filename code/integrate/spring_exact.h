@@ -55,7 +55,6 @@ struct SpringFolded {
 template <class Real>
 SpringFolded<Real> spring_folded_start(Real h, Real omega, Real zeta) {
   static_assert(!std::is_integral_v<Real>, "h, omega and zeta must be no integers");
-  // [fold]
   const bool swings = zeta < Real(1);
   const Real root = std::sqrt(std::abs((zeta - Real(1)) * (zeta + Real(1))));
   const Real apart = omega * root;
@@ -70,7 +69,6 @@ SpringFolded<Real> spring_folded_start(Real h, Real omega, Real zeta) {
   const Real left = std::exp(-decay * h);
   return {left * (swing + decay * push), left * push,  //
           -left * omega * omega * push, left * (last - decay * push)};
-  // [fold]
 }
 
 /// One exact step of a damped spring, by its matrix.

@@ -6,7 +6,6 @@
   const FRAMES = 60; // a second
   const LIKE = { spring: 'suspension', orbit: 'shuttle', air: 'leaf' }; // whose recorded times stand for the reader's own thing
   const KIN = ['dopri5', 'trapezoid', 'linear_damping_implicit_last', 'backward_euler_spring']; // share a colour, and are dashed
-  const EXACT = ['spring_folded', 'constant_acceleration']; // right for this thing alone, with nothing else acting
   const FRAME = 1e6 / FRAMES; // [µs]
   const NOTHING = 1e-9; // of an error: what is less is rounding, or as good as that [m]
   const description = () => Live.descriptions[NAME];
@@ -21,11 +20,13 @@
     return Object.fromEntries(nanoseconds.flatMap((ns, i) => (things[i] === wanted ? [[method[i], ns]] : [])));
   }
 
-  // The header that has a method.
-  function headerOf(name) {
-    const { method, header } = description().tables['recorded-steps'];
-    return header[method.indexOf(name)];
-  }
+  // The header that has a method, and whether its step is exact: right for a thing alone, with nothing else acting.
+  const told = column => name => {
+    const table = description().tables['recorded-steps'];
+    return table[column][table.method.indexOf(name)];
+  };
+  const headerOf = told('header'),
+    isExact = told('exact');
 
   // What each method that is for this thing offers: { steps in a frame, error, time for a thousand [µs] } for each number of steps
   // that was tried.
@@ -203,13 +204,13 @@
       const all = offers(run, values),
         ranked = rank(all, values),
         cheap = cheapest(
-          all.filter(({ name }) => !EXACT.includes(name)),
+          all.filter(({ name }) => !isExact(name)),
           values,
         );
-      const exact = all.find(({ name }) => EXACT.includes(name));
+      const exact = all.find(({ name }) => isExact(name));
       // The exact step would move as the truth does, which is drawn anyway.
       const three = ranked
-        .filter(({ name, bought }) => bought && bought.error < Infinity && !EXACT.includes(name))
+        .filter(({ name, bought }) => bought && bought.error < Infinity && !isExact(name))
         .slice(0, 3);
       this.found = { all, three, cheap, exact };
       const rows = ranked.map(({ name, label, bought, rungs }, i) => {
@@ -221,7 +222,7 @@
         return `<tr${three.some(one => one.name === name) ? ' class="shown"' : ''}><td>${bought ? i + 1 : ''}</td><th scope="row">${key}${label}</th>${cells.map(cell => `<td>${cell}</td>`).join('')}</tr>`;
       });
       const whose = { undefined: 'as recorded', null: 'being taken …' }[run.times] ?? 'taken in your browser';
-      const { name } = cheap ?? ranked.find(one => !EXACT.includes(one.name));
+      const { name } = cheap ?? ranked.find(one => !isExact(one.name));
       const link = method => `<a href="headers/${headerOf(method)}" download>${headerOf(method)}</a>`;
       const why = cheap ? 'the cheapest that is near enough' : 'the nearest, though not near enough';
       const take = exact
