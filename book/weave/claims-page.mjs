@@ -23,16 +23,20 @@ function section(book, chapter) {
   const claims = chapter.tests.map(test => book.claims.get(test.name));
   return (
     `<h2 id="${chapter.name}">${chapter.number ? `<span class="secno">${chapter.number}</span> ` : ''}${escapeHtml(smarten(chapter.title))}</h2>\n` +
-    `<ul class="claims">\n${claims.map(item).join('\n')}\n</ul>`
+    `<ul class="claims">\n${claims.map(claim => item(book, claim)).join('\n')}\n</ul>`
   );
 }
 
 const placeOf = ({ number, name }) => (number ? `chapter ${number}` : `the ${name === 'index' ? 'start page' : name}`);
 
-function item({ test, cited }) {
-  const places = cited.map(({ page, piece }, i) => {
+// Words for the screen stand in a book with live figures alone.
+const isShown = (book, { piece }) => book.config.live || piece.box?.name !== 'screen';
+
+function item(book, { test, cited }) {
+  const shown = cited.filter(place => isShown(book, place));
+  const places = shown.map(({ page, piece }, i) => {
     const words = i
-      ? page === cited[i - 1].page
+      ? page === shown[i - 1].page
         ? 'and again'
         : `and in ${placeOf(page)}`
       : `said in ${placeOf(page)}`;

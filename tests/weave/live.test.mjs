@@ -96,6 +96,20 @@ test('a figure that is a still one has the words for paper alone', () => {
   assert.doesNotMatch(page, /on-screen|Move the/);
 });
 
+test('a claim that the words for the screen make is not looked for in a book without live figures', () => {
+  const said = [
+    CHAPTER,
+    'Each dot is one step, with',
+    '\\screen\nIt gains \\claim{Nobody cites this claim}.\n\\endscreen\n\nWith',
+  ];
+  const places = (...more) =>
+    weaves(...live, method, methodEnd, said, ...more)
+      .read('built/book/claims.html')
+      .match(/Nobody cites this claim<\/span>[^]*?<\/li>/)[0];
+  assert.match(places(module), /<a href="2-euler\.html#cited-\d+">said in chapter 2<\/a>/);
+  assert.match(places(), /not said in the text/);
+});
+
 test('words for the screen, outside of a live figure', () =>
   refuses(
     [[CHAPTER, 'Each dot is one step, with', 'Each dot is one step, with\n\n\\screen\nMove it.\n\\endscreen\n\n']],
