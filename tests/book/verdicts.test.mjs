@@ -1,8 +1,8 @@
 // One verdict for each thing of the level, wherever the book gives it: in the live chart, in the table of the level, on the
-// answers of `choose`, and on the page for the wall.
+// answers of `choose`, on the page for the wall, and among the headers that the chapters' ends hand out.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { build } from './book.mjs';
@@ -37,8 +37,19 @@ function choose(question) {
   return JSON.parse(execFileSync(path, [...words, '--format', 'json'], { encoding: 'utf8' }));
 }
 
-test('chart, table, choose and the page for the wall give one verdict for each thing', async () => {
+// The headers that the boxes "To take home" name.
+function takenHome() {
+  const pages = readdirSync(join(build, 'book')).filter(file => /^\d-.*\.html$/.test(file));
+  const boxes = pages.flatMap(
+    page => readFileSync(join(build, 'book', page), 'utf8').match(/<div class="takehome"[^]*?<\/div>/g) ?? [],
+  );
+  assert.equal(boxes.length, pages.length);
+  return boxes.flatMap(box => box.match(/\w+\.h\b/g) ?? []);
+}
+
+test("chart, table, choose, the page for the wall and the chapters' ends give one verdict for each thing", async () => {
   const wall = rows('wall').map(({ header }) => header);
+  const handed = takenHome();
   const solved = rows('solved');
   assert.equal(solved.length, 6);
   for (const { thing, take, header } of solved) {
@@ -52,6 +63,7 @@ test('chart, table, choose and the page for the wall give one verdict for each t
     );
     const exact = take === 'exact step';
     assert.ok(wall.includes(header), `${thing}: the wall has nothing about ${header}`);
+    assert.ok(handed.includes(header), `${thing}: no chapter's end hands out ${header}`);
     assert.equal((exact ? all[0] : methods[0]).header, header, `${thing}: choose differs from the table`);
     assert.deepEqual(takes, exact ? [header, quickest.header] : [quickest.header], `${thing}: the chart`);
   }
