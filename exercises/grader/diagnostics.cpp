@@ -11,8 +11,8 @@ namespace grade {
 
 namespace {
 
-constexpr std::string_view kinds[] = {"error", "fatal error", "warning",
-                                      "note",  "Error",       "Warning"};
+constexpr std::string_view kinds_of_message[] = {"error", "fatal error", "warning",
+                                                 "note",  "Error",       "Warning"};
 
 std::vector<std::string_view> lines(std::string_view text) {
   std::vector<std::string_view> all;
@@ -39,7 +39,7 @@ void drop_blanks(std::string_view& text) {
 }
 
 bool split_kind(std::string_view text, Diagnostic& into) {
-  for (const std::string_view kind : kinds) {
+  for (const std::string_view kind : kinds_of_message) {
     if (!text.starts_with(kind) || !text.substr(kind.size()).starts_with(": ")) continue;
     into.kind = kind;
     into.kind[0] = static_cast<char>(std::tolower(into.kind[0]));

@@ -22,7 +22,7 @@ Submission refused(const std::string& why) {
   return {{}, why, false, {}, {}};
 }
 
-Submission unreadable(const std::string& why) {
+Submission cannot_be_read(const std::string& why) {
   return {{}, why, true, {}, {}};
 }
 
@@ -54,7 +54,7 @@ Submission read_header(const Entry& found, const std::string& name) {
   if (const std::string why = not_plain(found); !why.empty())
     return refused(shown(name) + " " + why);
   const auto content = read(found, longest + 1);
-  if (!content) return unreadable(shown(name) + " cannot be read: " + std::strerror(errno));
+  if (!content) return cannot_be_read(shown(name) + " cannot be read: " + std::strerror(errno));
   if (const std::string why = not_a_header(*content); !why.empty())
     return refused(shown(name) + " " + why);
   return {*content, {}, false, {}, shown(name)};
@@ -112,7 +112,8 @@ Submission take_in(const fs::path& path, const std::string& chapter, const std::
   if (whole) name = ".";
   const cage::File above(::open(parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   const auto found = above ? entry(above.get(), name) : std::nullopt;
-  if (!found) return unreadable(shown(path.string()) + " cannot be read: " + std::strerror(errno));
+  if (!found)
+    return cannot_be_read(shown(path.string()) + " cannot be read: " + std::strerror(errno));
   if (found->is_folder()) return take_from_folder(*found, chapter, header);
   return read_header(*found, name);
 }

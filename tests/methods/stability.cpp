@@ -19,7 +19,7 @@ using Catch::Matchers::WithinAbs;
 namespace {
 
 constexpr double sizes[] = {0.05, 0.3, 0.75, 1.0, 1.5, 1.9, 2.0, 2.5, 5.0};
-constexpr double h = 0.25;
+constexpr double quarter = 0.25;
 
 // Some forty operations a step, and determinants, whose terms are larger than their sum.
 void check_same(const theory::Polynomial& measured, const theory::Polynomial& paper) {
@@ -36,8 +36,8 @@ void check_springs() {
   for (const double zeta : {0.0, 0.1, 0.5, 1.0, 2.0}) {
     for (const double angle : sizes) {
       CAPTURE(zeta, angle);
-      const scenes::Spring<> spring{.omega = angle / h, .zeta = zeta};
-      check_same(theory::characteristic(measure::step_matrix(Method(), spring, h)),
+      const scenes::Spring<> spring{.omega = angle / quarter, .zeta = zeta};
+      check_same(theory::characteristic(measure::step_matrix(Method(), spring, quarter)),
                  theory::characteristic(Method(), theory::spring(angle, zeta)));
     }
   }
@@ -47,8 +47,8 @@ template <class Method>
 void check_drag() {
   for (const double ch : sizes) {
     CAPTURE(ch);
-    const scenes::LinearDrag<> drag{.c = ch / h, .g = 0};
-    check_same(theory::characteristic(measure::step_matrix(Method(), drag, h)),
+    const scenes::LinearDrag<> drag{.c = ch / quarter, .g = 0};
+    check_same(theory::characteristic(measure::step_matrix(Method(), drag, quarter)),
                theory::characteristic(Method(), theory::drag(ch)));
   }
 }

@@ -94,9 +94,9 @@ MatrixXd without_held(const Net& net, MatrixXd all) {
 
 template <class Net>
 void check_net(const Net& net, const VectorXd& x, const VectorXd& v) {
-  Net undamped = net;
-  undamped.c = 0;
-  Slopes dadx = by_position(undamped, x, v), dadv = by_velocity(net, x, v);
+  Net by_springs = net;
+  by_springs.c = 0;
+  Slopes dadx = by_position(by_springs, x, v), dadv = by_velocity(net, x, v);
   dadx.matrix = without_held(net, dadx.matrix);
   dadv.matrix = without_held(net, dadv.matrix);
   const Jacobian mine = own(net, x, v);

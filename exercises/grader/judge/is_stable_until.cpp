@@ -14,7 +14,7 @@ namespace {
 using grade::number;
 
 // So many steps let even a damping of a tenth show on which side of its limit a method is.
-constexpr int steps = 20000, every = 100;
+constexpr int steps_until = 20000, every = 100;
 constexpr double margin = 0.02, bounded = 100, exploded = 1000;
 
 double growth(const Path& path) {
@@ -61,7 +61,7 @@ void check_side(Student& student, double zeta, double limit, bool inside, const 
   const double h = limit * (inside ? 1 - margin : 1 + margin) / omega;
   const Start start = random.start();
   const harness::Force force{harness::Force::spring, {omega, zeta}};
-  const Path path = student.run(start, h, steps, every, force, function);
+  const Path path = student.run(start, h, steps_until, every, force, function);
   const double grown = growth(path);
 
   grade::Finding finding;
@@ -69,7 +69,7 @@ void check_side(Student& student, double zeta, double limit, bool inside, const 
   const bool breaks = inside && broken < path.states.size();
   const bool stands = inside && !breaks && !moves(path);
   finding.held = inside ? grown <= bounded && !stands : !(grown <= exploded);
-  finding.asked = std::to_string(steps) + " steps of " + number(h * omega, 5) + "/omega on " +
+  finding.asked = std::to_string(steps_until) + " steps of " + number(h * omega, 5) + "/omega on " +
                   describe(force) + ": 2 % " + (inside ? "below" : "above") + " the limit of " +
                   number(limit);
   finding.input = describe(start) + ", h = " + number(h, 17);

@@ -12,12 +12,12 @@ namespace {
 
 using grade::number;
 
-constexpr int steps = 20;
+constexpr int steps_there = 20;
 
 // Nearer to the truth than a straight line: what does nothing comes back, too.
 bool moves(const Path& there, const Start& start, const harness::Force& force) {
-  const Path exact = truth(start, there.h, steps, steps, force);
-  const Vec straight = start.x + (steps * there.h) * start.v;
+  const Path exact = truth(start, there.h, steps_there, steps_there, force);
+  const Vec straight = start.x + (steps_there * there.h) * start.v;
   return length(there.states.back().x - exact.states.back().x) <
          0.5 * length(straight - exact.states.back().x);
 }
@@ -31,18 +31,18 @@ void runs_backwards(Student& student, const std::string& hint, int function,
   harness::Force force = random.wild();
   force.a[6] = 0;  // no drag: what drag took, no method gives back
   const double h = random.between(0.03, 0.06);
-  const Path there = student.run(start, h, steps, steps, force, function);
+  const Path there = student.run(start, h, steps_there, steps_there, force, function);
   const State end = there.states.back();
-  const Start turned{end.x, end.v, start.t + steps * h};
-  const Path back = student.run(turned, -h, steps, steps, force, function);
+  const Start turned{end.x, end.v, start.t + steps_there * h};
+  const Path back = student.run(turned, -h, steps_there, steps_there, force, function);
   const State home{start.x, start.v};
-  const Tolerance tolerance = rounding(2 * steps, 1 + distance(end, State{}));
+  const Tolerance tolerance = rounding(2 * steps_there, 1 + distance(end, State{}));
 
   const bool moved = moves(there, start, force);
   grade::Finding finding = off_by(distance(back.states.back(), home), tolerance);
   finding.held = finding.held && moved;
   finding.asked =
-      std::to_string(steps) + " steps forward and as many back with -h, " + describe(force);
+      std::to_string(steps_there) + " steps forward and as many back with -h, " + describe(force);
   finding.input = describe(start) + ", h = " + number(h, 17);
   finding.expected = describe(home);
   finding.got = describe(back.states.back());

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "replace_all.h"
 #include "report/escape.h"
 
 namespace grade {
@@ -15,12 +16,6 @@ std::string escaped(char c) {
   if (c == '@') return "&#64;";
   if (c == '<') return "&lt;";
   return c == '&' ? "&amp;" : std::string(1, c);
-}
-
-void replace_all(std::string& text, std::string_view what, std::string_view by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
-    text.replace(at, what.size(), by);
-  }
 }
 
 /// What a line starts with may make it a list, a heading or a rule.
@@ -48,8 +43,7 @@ std::string markdown(std::string_view text) {
   std::string line;
   for (const char c : std::string_view(shown)) line += escaped(c);
   line.erase(0, line.find_first_not_of(' '));
-  replace_all(line, "://", ":&#47;/");
-  replace_all(line, "www.", "www&#46;");
+  line = replace_all(replace_all(line, "://", ":&#47;/"), "www.", "www&#46;");
   disarm_start(line);
   return line;
 }

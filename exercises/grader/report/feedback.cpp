@@ -13,7 +13,7 @@ bool has_lines(const std::string& text) {
 }
 
 /// One line stands in the text; what has more, such as a compiler's message, in a block of its own.
-std::string paragraph(const std::string& text) {
+std::string in_markdown(const std::string& text) {
   if (text.empty()) return "";
   return (has_lines(text) ? markdown_code(text) : markdown(text) + "\n") + "\n";
 }
@@ -49,7 +49,7 @@ std::string section(const TestResult& test) {
   return text;
 }
 
-std::string ignored(const Report& report) {
+std::string list_of_ignored(const Report& report) {
   std::string text;
   for (const std::string& file : report.ignored) {
     text += (text.empty() ? "Not looked at: " : ", ") + markdown(printable_name(file));
@@ -67,16 +67,16 @@ std::string next(const Report& report, const Place& place) {
 
 std::string feedback(const Report& report, const Place& place) {
   std::string text = "# " + markdown(report.exercise) + ": " + headline(report) + "\n\n" +
-                     std::string(sentence(report.verdict)) + "\n\n" + paragraph(report.why) +
+                     std::string(sentence(report.verdict)) + "\n\n" + in_markdown(report.why) +
                      table(report);
   for (const TestResult& test : report.tests) {
     if (test.ran && !test.held) text += section(test);
   }
-  if (!report.memory.empty()) text += "## Memory\n\n" + paragraph(report.memory);
+  if (!report.memory.empty()) text += "## Memory\n\n" + in_markdown(report.memory);
   if (!report.warnings.empty()) {
     text += "## The compiler warns\n\n" + markdown_code(report.warnings) + "\n";
   }
-  return text + ignored(report) + next(report, place);
+  return text + list_of_ignored(report) + next(report, place);
 }
 
 }  // namespace grade

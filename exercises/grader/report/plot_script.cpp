@@ -51,20 +51,20 @@ std::string in_quotes(std::string_view text) {
   return result + "\"";
 }
 
-std::string number(double value) {
+std::string for_gnuplot(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 /// Of curves that are drawn in powers of ten, too, gnuplot is told the numbers themselves.
-std::string number(double value, const Plot& plot) {
-  return number(plot.logarithmic ? std::pow(10, value) : value);
+std::string for_gnuplot(double value, const Plot& plot) {
+  return for_gnuplot(plot.logarithmic ? std::pow(10, value) : value);
 }
 
 std::string range(const char* axis, double low, double high, const Plot& plot) {
   if (!(low < high)) return "";
-  return std::string("set ") + axis + "range [" + number(low, plot) + ":" + number(high, plot) +
-         "]\n";
+  return std::string("set ") + axis + "range [" + for_gnuplot(low, plot) + ":" +
+         for_gnuplot(high, plot) + "]\n";
 }
 
 /// What lies far outside is as good as at a thousand times the view's width, where gnuplot's own
@@ -78,8 +78,8 @@ double clamped(double value, double low, double high) {
 std::string block(std::size_t index, const Curve& curve, const Box& box, const Plot& plot) {
   std::string text = "$curve" + std::to_string(index) + " << end\n";
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    text += number(clamped(curve.x[i], box.left, box.right), plot) + " " +
-            number(clamped(curve.y[i], box.bottom, box.top), plot) + "\n";
+    text += for_gnuplot(clamped(curve.x[i], box.left, box.right), plot) + " " +
+            for_gnuplot(clamped(curve.y[i], box.bottom, box.top), plot) + "\n";
   }
   return text + "end\n";
 }
@@ -103,8 +103,8 @@ std::string plot_script(const Plot& plot, const std::vector<Curve>& curves, cons
   // The key has a line for each curve, since gnuplot cuts what does not fit beside another, and the
   // title stands above it.
   const double lines = static_cast<double>(curves.size());
-  text += "set tmargin " + number(3 + lines) + "\n";
-  text += "set title " + in_quotes(plot.title) + " offset 0," + number(0.8 * lines) + "\n";
+  text += "set tmargin " + for_gnuplot(3 + lines) + "\n";
+  text += "set title " + in_quotes(plot.title) + " offset 0," + for_gnuplot(0.8 * lines) + "\n";
   text +=
       "set xlabel " + in_quotes(plot.x_label) + "\nset ylabel " + in_quotes(plot.y_label) + "\n";
   if (plot.same_scale) text += "set size ratio -1\n";

@@ -16,10 +16,6 @@ Plot plot() {
   return failed_finding().plot;
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 double width(const Box& box) {
   return box.right - box.left;
 }

@@ -76,3 +76,7 @@ inline grade::Report hostile_sample() {
   report.tests[1].findings[0].diagnoses = {hostile};
   return report;
 }
+
+inline bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}

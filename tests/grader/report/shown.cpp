@@ -12,10 +12,6 @@ using namespace grade;
 
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 void check_harmless(const std::string& text) {
   CHECK_FALSE(has(text, "##["));
   CHECK_FALSE(has(text, "\n::"));
