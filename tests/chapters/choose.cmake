@@ -100,7 +100,7 @@ refuses("a scene of your own takes no --omega" --scene ${own} --omega 3)
 
 # For other programs: all entries, each with what is known of it.
 answers(0 "^function,header,good,[^\n]*\nspring_folded,spring_exact.h,true,1,,60,[^\n]*\nspring_exact,spring_exact.h,true,1,,60,[^\n]*\n.*\ndopri5_adaptive,dopri5.h,true,,[0-9.e-]+,"
-  --scene spring --format csv)
+  --scene spring --seconds 1 --format csv)
 answers(0 "^\\[\n  {\n    \"function\": \"constant_acceleration\",.*\"steps_per_frame\": null,\n    \"tolerance\": [0-9.e-]+,"
   --scene ball --format json)
 
