@@ -108,6 +108,12 @@ void hard_blows(measure::Record& record) {
   record.number("blow-rope-5", of_backward_euler("rope", 5, 3), 2);
   record.number("blow-cloth-5", of_backward_euler("cloth", 5, 3), 2);
   record.number("blow-cloth-5-twice", of_backward_euler("cloth", 5, 4), 2);
+  const Aftermath harsh = after_blow("cloth", Solved::backward_euler, 5, harsh_draw, one_solve);
+  record.number("harsh-draw", harsh_draw, measure::whole);
+  record.number("blow-cloth-harsh", harsh.most, 2);
+  record.number("blow-cloth-harsh-left", harsh.left, 2);
+  record.number("blow-cloth-harsh-twice",
+                after_blow("cloth", Solved::backward_euler, 3, harsh_draw, two_solves).most, 2);
   record.number("blow-100", worst_of_three("cloth", Solved::backward_euler, 100, until_close).most,
                 2);
   const auto most_solves = [&](double speed) {

@@ -150,6 +150,8 @@ Aftermath after_blow(const std::string& net, Solved method, double speed, unsign
 
 inline constexpr unsigned three_draws[] = {1, 2, 3};  ///< of the blows that the figure shows
 
+inline constexpr unsigned harsh_draw = 31;  ///< the harshest for cloth of the first 300
+
 /// The largest of each after three blows; not which frame it was.
 Aftermath worst_of_three(const std::string& net, Solved method, double speed, Solving enough);
 

@@ -36,7 +36,10 @@ double top_after(Step step, double h, int bounces) {
     bounces -= down && s.v > 0;
   }
   double top = s.x;
-  for (; s.v > 0; step(s.x, s.v, 0.0, h, falling)) top = std::max(top, s.x);
+  while (s.v > 0) {
+    step(s.x, s.v, 0.0, h, falling);
+    top = std::max(top, s.x);
+  }
   return top;
 }
 

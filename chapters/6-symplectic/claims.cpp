@@ -196,15 +196,19 @@ TEST_CASE("Every step keeps areas, also where steps are uneven") {
 }
 
 TEST_CASE(
-    "On eight runs of uneven steps velocity Verlet's spring swings less than ten times too far") {
+    "In three of four runs of uneven steps velocity Verlet's spring swings less than ten times too "
+    "far") {
+  constexpr int runs = 60;
+  int near = 0;
   double most = 0;
-  for (unsigned seed = 1; seed <= 8; ++seed) {
-    INFO(seed);
+  for (unsigned seed = 1; seed <= runs; ++seed) {
     const double far = uneven_swings(0.5, seed, 3600 * 60).velocity_verlet;
-    CHECK(far < 10 * undamped_suspension.x0);
+    near += far < 10 * undamped_suspension.x0;
     most = std::max(most, far);
   }
-  CHECK(most > 2 * undamped_suspension.x0);  // it drifts, too
+  CAPTURE(near);
+  CHECK(4 * near >= 3 * runs);
+  CHECK(most > 10 * undamped_suspension.x0);  // not in all
 }
 
 TEST_CASE("Symplectic Euler holds an undamped spring while h omega is less than two") {
@@ -568,14 +572,14 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "Of 400 lengths of step within a tenth, one in five lifts a ball on a trampoline above two "
-    "metres, one in three not at all") {
+    "Of 400 lengths of step within a tenth, a fifth to a quarter lift a ball on a trampoline above "
+    "two metres, a third by less than five centimetres") {
   const auto found = all_highest_on_a_trampoline(0.9, 1.1);
   const auto up_to = [&](double height) {
     return double(std::upper_bound(found.begin(), found.end(), height) - found.begin()) /
            double(found.size());
   };
-  CHECK_THAT(1 - up_to(2), WithinAbs(0.21, 0.04));
+  CHECK_THAT(1 - up_to(2), WithinAbs(0.225, 0.025));
   CHECK(up_to(1.05) > 0.33);
 }
 

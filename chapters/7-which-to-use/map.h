@@ -115,7 +115,7 @@ inline void stability_map(measure::Record& record) {
     std::vector<measure::Cell> row{one.name};
     for (const double zeta : {0.0, 0.1, 0.5, 1.0, 2.0}) {
       const double limit = stable_until(one.method, zeta);
-      limit < widest ? row.push_back(limit) : row.push_back("> 4");
+      limit < widest ? row.push_back(measure::in_three_digits(limit)) : row.push_back("> 4");
     }
     table.add(row);
   }

@@ -69,8 +69,9 @@ inline void verdicts(measure::Record& record) {
                        const char* constant) {
     const std::string name(method.name);
     const Verdict found = verdict(method);
-    const double spring = longest_step(method, scenes::Spring<>{});
-    const double drag = longest_step(method, scenes::LinearDrag<>{.c = 1, .g = 0});
+    const double spring = measure::in_three_digits(longest_step(method, scenes::Spring<>{}));
+    const double drag =
+        measure::in_three_digits(longest_step(method, scenes::LinearDrag<>{.c = 1, .g = 0}));
     table.add({name, "position", position, or_rounding(found.position), word(found.position),
                100 * energy_of_drone(method).largest, spring});
     table.add(

@@ -79,12 +79,13 @@ TEST_CASE("For twenty turns Verlet and symplectic Euler stay between 4.9 and 15.
   }
 }
 
-TEST_CASE("In twenty turns Verlet and symplectic Euler turn the orbit by twelve degrees") {
+TEST_CASE(
+    "In twenty turns Verlet and symplectic Euler turn the orbit by eleven to twelve degrees") {
   const auto turned = [](auto step) {
     return ellipse_of(step, last).direction() - ellipse_of(step, 0).direction();
   };
-  CHECK_THAT(turned(measure::velocity_verlet), WithinAbs(-12, 0.5));
-  CHECK_THAT(turned(measure::symplectic_euler), WithinAbs(-12, 0.5));
+  CHECK_THAT(turned(measure::velocity_verlet), WithinAbs(-11.5, 0.5));
+  CHECK_THAT(turned(measure::symplectic_euler), WithinAbs(-11.5, 0.5));
 }
 
 TEST_CASE("The three forms of Verlet's method go through the same places") {
@@ -95,7 +96,7 @@ TEST_CASE("The three forms of Verlet's method go through the same places") {
   CHECK(largest_difference(verlet, seen(measure::symplectic_euler).places) > 1);
 }
 
-TEST_CASE("For 60 evaluations a second RK4 is nearer to the true shuttle than all the others") {
+TEST_CASE("For 60 evaluations a second RK4 is nearer to the true shuttle than the other seven") {
   const double rk4 = seen(measure::rk4, 60).largest_miss;
   CHECK(rk4 < 0.5);
   for (const Seen& other :

@@ -32,9 +32,5 @@ int main(int argc, char** argv) {
     record.number("price", price, measure::whole);
     record.number("turn", shuttle_turn, 1, "s");
     record.number("length", 2 * race_shuttle.semi_major, 2, "m");
-    const auto turned = [](auto step) {
-      return ellipse_of(step, 0).direction() - ellipse_of(step, turns - 1).direction();
-    };
-    record.number("turned", turned(measure::symplectic_euler), 2, "°");
   });
 }

@@ -130,7 +130,7 @@ void move_linked(Vec& x, Vec& v, Vec& last, double t, Real h, int steps,
     integrate::stormer_verlet(x, last, t + n * h, h, acceleration);
     pull_links(x);  // changes the velocity, too
   }
-  v = integrate::stormer_verlet_velocity(x, last, h);
+  v = integrate::stormer_verlet_velocity(x, last, h);  // of half a step ago
   // [links]
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "measure/eigenvalues.h"
@@ -61,6 +62,16 @@ double stability_limit(Step step, const Scene& scene, double stable, double unst
     (spectral_radius(step, scene, middle) > 1 + 1e-12 ? unstable : stable) = middle;
   }
   return stable;
+}
+
+/// A limit in three digits, rounded down, since a step as long as what is written must hold.
+///
+/// @param limit  what was found by halving, which may be a little short of 2; zero and infinity
+/// stay
+inline double in_three_digits(double limit) {
+  if (limit == 0 || std::isinf(limit)) return limit;
+  const double hundredths = std::pow(10.0, 2 - std::floor(std::log10(limit)));
+  return std::floor(limit * (1 + 1e-5) * hundredths) / hundredths;
 }
 
 }  // namespace measure

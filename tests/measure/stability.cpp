@@ -34,3 +34,15 @@ TEST_CASE("Bisection finds the limits of Euler on a damped spring") {
     CHECK_THAT(5 * measure::stability_limit(euler, spring, 1e-6, 1.0), WithinRel(limit, 1e-9));
   }
 }
+
+TEST_CASE("A limit in three digits is none that a step as long would pass") {
+  for (const auto& [limit, written] : {std::pair{1.1683, 1.16},
+                                       {2.8284271247461903, 2.82},
+                                       {1.9999999999999993, 2.0},
+                                       {0.99999999, 1.0},
+                                       {0.082999, 0.0829},
+                                       {33.17, 33.1}})
+    CHECK_THAT(measure::in_three_digits(limit), WithinRel(written, 1e-12));
+  CHECK(measure::in_three_digits(0) == 0);
+  CHECK(std::isinf(measure::in_three_digits(INFINITY)));
+}
