@@ -91,7 +91,9 @@ inline void compile(const std::string& program, const std::string& scene, const 
   }
   command.push_back("-DSCENE=\"" + std::filesystem::absolute(scene).string() + "\"");
   command.insert(command.end(), more.begin(), more.end());
-  command.insert(command.end(), {OWN_SOURCES "/" + program, OWN_LIBRARY, "-o", out});
+  // No more than the first error is told.
+  command.insert(command.end(),
+                 {"-Wfatal-errors", OWN_SOURCES "/" + program, OWN_LIBRARY, "-o", out});
   const std::string errors = folder.path / "errors";
   if (run(command, errors) != 0) {
     throw std::invalid_argument(scene +

@@ -15,11 +15,11 @@ using namespace systems;
 
 namespace {
 
-const scenes::Chain<> chain{.count = 20, .mass = 0.5, .tip = 3, .k = 4000, .c = 20};
-const scenes::Rope<> rope{.count = 12, .tip = 0.2, .k = 200, .c = 0.3};
+const scenes::Chain<> chain_of_twenty{.count = 20, .mass = 0.5, .tip = 3, .k = 4000, .c = 20};
+const scenes::Rope<> rope_of_twelve{.count = 12, .tip = 0.2, .k = 200, .c = 0.3};
 
 template <int Width, class Scene>
-auto band(const Scene& scene) {
+auto band_of(const Scene& scene) {
   return integrate::BandSystem<Width, decltype(jacobian_of(scene))>(jacobian_of(scene));
 }
 
@@ -27,15 +27,15 @@ auto band(const Scene& scene) {
 
 TEMPLATE_TEST_CASE("On a linear force Newton's method is done with the first iteration", "", Newton,
                    TrapezoidNewton, Bdf2Newton) {
-  auto solve = band<1>(chain);
-  auto [x, v] = chain.start();
+  auto solve = band_of<1>(chain_of_twenty);
+  auto [x, v] = chain_of_twenty.start();
   for (int n = 0; n < 20; ++n) {
     // The second one is there to see that there is nothing left but rounding: at most of speeds of
     // 10 m/s, times the condition of the matrix, which is below a thousand.
-    CHECK(TestType::step(x, v, 0.05, chain, solve, 1e-11) <= 2);
+    CHECK(TestType::step(x, v, 0.05, chain_of_twenty, solve, 1e-11) <= 2);
   }
-  auto [x_loose, v_loose] = chain.start();
-  CHECK(TestType::step(x_loose, v_loose, 0.05, chain, solve, 1e3) == 1);
+  auto [x_loose, v_loose] = chain_of_twenty.start();
+  CHECK(TestType::step(x_loose, v_loose, 0.05, chain_of_twenty, solve, 1e3) == 1);
 }
 
 TEMPLATE_TEST_CASE("On a force that is not linear Newton's method doubles its digits", "", Newton,
@@ -57,8 +57,9 @@ TEMPLATE_TEST_CASE("On a force that is not linear Newton's method doubles its di
 
 TEMPLATE_TEST_CASE("On a rope in the air each implicit step can be solved", "", Once, Newton,
                    TrapezoidOnce, TrapezoidNewton, Bdf2Once, Bdf2Newton) {
-  auto solve = band<5>(rope);
-  auto [x, v] = rope.start();
-  for (int n = 0; n < 60; ++n) REQUIRE(TestType::step(x, v, 1.0 / 60, rope, solve, 1e-6) > 0);
+  auto solve = band_of<5>(rope_of_twelve);
+  auto [x, v] = rope_of_twelve.start();
+  for (int n = 0; n < 60; ++n)
+    REQUIRE(TestType::step(x, v, 1.0 / 60, rope_of_twelve, solve, 1e-6) > 0);
   CHECK(x.allFinite());
 }
