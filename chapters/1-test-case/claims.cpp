@@ -356,7 +356,7 @@ TEST_CASE("Blended, every frame moves a steady runner by the same amount") {
   }
 }
 
-TEST_CASE("A blended picture is always one step behind the clock") {
+TEST_CASE("A blended picture of a steady runner is one step behind the clock") {
   const Drawn ball = drawn_ball(1440);
   for (std::size_t i = 4; i < ball.blended.size(); ++i) {
     CHECK_THAT((ball.true_place[i] - ball.blended[i]) / 3, WithinAbs(1.0 / 60, 1e-12));

@@ -667,7 +667,7 @@ TEST_CASE("Cut up by frames the adaptive step asks more than seven times as ofte
   CHECK(pass(1200).total() < 8 * pass(1).total());
 }
 
-TEST_CASE("With an adaptive step, players with other frames get another comet") {
+TEST_CASE("With an adaptive step, players at 60 and at 144 frames a second get two comets") {
   const Passage sixty = pass(1200), fast = pass(2880), again = pass(1200);
   CHECK(sixty.end.x == again.end.x);
   // By the tolerance, and not by a number of steps that each frame takes alike.

@@ -26,8 +26,8 @@ TEST_CASE("Bullet's gyroscopic step takes 88 per cent of a thrown body's energy 
 }
 
 TEST_CASE(
-    "Under Jolt's gyroscopic step a body ends up tumbling about its middle axis, however it was "
-    "thrown") {
+    "Under Jolt's gyroscopic step a body ends up tumbling about its middle axis, whichever axis it "
+    "was thrown about") {
   for (int axis = 0; axis < 3; ++axis) {
     scenes::EulerTop top;
     top.w = {2, 2, 2};

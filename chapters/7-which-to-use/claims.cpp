@@ -594,7 +594,9 @@ TEST_CASE("An implicit step is billed for its derivatives, and what knows its fo
   }
 }
 
-TEST_CASE("No method and no number of steps meets the bounds for less than the chosen one") {
+TEST_CASE(
+    "In the scenes that were tried no method and no number of steps meets the bounds for less than "
+    "the chosen one") {
   const auto check = [](const auto& scene, const Bounds& bounds, double evaluations) {
     const Contest found = contest(scene, bounds);
     const Entry& best = found.methods[0];

@@ -241,7 +241,9 @@ TEST_CASE("A step of four million packs takes over twice as long, most of it for
   CHECK(particle_time("memory", 4'194'304) > 0.7 * packs);
 }
 
-TEST_CASE("With 16 steps a visit a step of any number of packs takes the same time to a fifth") {
+TEST_CASE(
+    "With 16 steps a visit a step takes the same time to a fifth, of each number of packs that was "
+    "timed") {
   const double fewest = particle_time("blocks", 4'096);
   for (const long count : particle_counts)
     CHECK_THAT(particle_time("blocks", count) / fewest, WithinAbs(1, 0.2));
