@@ -1,5 +1,5 @@
 // The live figures, driven by keyboard and by their buttons:  node live-figures.test.mjs BUILD [FIGURE | others]
-// Without a name every one is, on a desktop, and the first on a phone, too; with "others", the others on a phone.
+// Without a name every one is, on a desktop, and the first on a phone and in motion, too; with "others", the others.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { alive, browser, frames, openTab, pageOf } from './browser.mjs';
@@ -8,9 +8,10 @@ import { figures, hold, open } from './live.mjs';
 const others = process.argv[3] === 'others';
 const only = others ? undefined : process.argv[3];
 const asked = figures.filter(({ name }) => !only || name === only);
+const inTurn = asked.filter((_, i) => only || i > 0 === others);
 const looks = [
   ['light', 'on a desktop', others ? [] : asked],
-  ['dark', 'on a phone', asked.filter((_, i) => only || i > 0 === others)],
+  ['dark', 'on a phone', inTurn],
 ];
 const come = (tab, figure) => (pageOf(tab) === figure.page ? hold(tab, figure) : open(tab, figure));
 const blank = tab => assert.deepEqual(tab.faults, []);
@@ -28,7 +29,7 @@ describe('live figures', { concurrency: 3 }, () => {
       });
       for (const figure of all) withoutMotion(figure, () => tab, `${figure.name}, ${reader}`, look === 'light');
     });
-  if (!others) describe('where the reader likes motion', { concurrency: 1 }, withMotion);
+  describe('where the reader likes motion', { concurrency: 1 }, withMotion);
 });
 
 function withoutMotion(figure, reader, name, onDesktop) {
@@ -162,7 +163,7 @@ function withMotion() {
     );
   });
 
-  for (const figure of asked) {
+  for (const figure of inTurn) {
     let live;
     const about = (sentence, body) =>
       test(`${figure.name}: ${sentence}`, async () => {

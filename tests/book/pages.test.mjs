@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { accessibility } from './accessibility.mjs';
-import { chapters, parse } from './book.mjs';
+import { parse } from './book.mjs';
 import { openTab, visit } from './browser.mjs';
 import { asked, chosen, isMade, others } from './chosen.mjs';
 import { inspect } from './inspect.mjs';
@@ -28,14 +28,11 @@ function holdsSomethingNew(page) {
 for (const page of chosen.filter(isMade)) holdsSomethingNew(page);
 const fresh = new Set(asked === others ? others.filter(holdsSomethingNew) : []);
 
-// A chapter is looked over by axe in one of the looks, and in the other one among the others: it takes some seconds.
-const turn = page => ['light', 'dark'][chapters.indexOf(page) % 2];
-const isChapter = page => chapters.includes(page);
+// A page is looked over by axe in one of the looks, and in the other one among the others.
+const turn = page => ['light', 'dark'][chosen.indexOf(page) % 2];
 const looksWhole =
-  asked === chosen
-    ? (page, look) => !isChapter(page) || turn(page) === look
-    : page => isChapter(page) || fresh.has(page);
-const visited = look => (asked === chosen ? chosen : [...chapters.filter(page => turn(page) !== look), ...others]);
+  asked === chosen ? (page, look) => turn(page) === look : page => chosen.includes(page) || fresh.has(page);
+const visited = look => (asked === chosen ? chosen : [...chosen.filter(page => turn(page) !== look), ...others]);
 
 // One browser, a tab for each look, and both at once.
 describe('in the browser', { concurrency: 2 }, () => {
