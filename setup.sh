@@ -38,7 +38,7 @@ libcli11-dev: command lines, of the chooser of methods and of the grader
 libseccomp-dev nlohmann-json3-dev: the grader"
 [ "$*" = grader ] || needs+="
 clang-19 libclang-rt-19-dev: the second compiler, and its sanitizers
-clang-format-19 clang-tidy-19: to lay the sources out, and to look them over
+clang-format-19: to lay the sources out
 libglm-dev: to try the snippets on another library's vectors
 doxygen: prose to HTML, reference of the code
 nodejs npm ca-certificates: to weave the book
@@ -47,6 +47,7 @@ lld-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32: live figures, C
 git: to test a clean checkout"
 [ "$*" != thorough ] || needs+="
 $firefox: to test the live figures in another browser
+clang-tidy-19: to look the sources over
 g++-aarch64-linux-gnu qemu-user: to see the same bits on 64-bit Arm"
 [ "$system" != "debian 12" ] || [ "$*" != thorough ] || needs+="
 clang-14: the distribution's own clang, which readers of the headers have"
