@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
 
     record.number("price", price, measure::whole);
     record.number("turn", shuttle_turn, 1, "s");
+    record.number("planet", 2 * planet, 1, "m");
     record.number("length", 2 * race_shuttle.semi_major, 2, "m");
   });
 }
