@@ -84,14 +84,6 @@ std::vector<double> braking_slopes(double ch) {
   return slopes;
 }
 
-/// The rocket's height, by what burns and then by a throw.
-double height_of_rocket(double t) {
-  const scenes::Rocket<> burning{.burn_time = INFINITY};
-  const double coasting = std::max(0.0, t - off_beat_rocket.burn_time);
-  const auto at = burning.exact(t - coasting);
-  return at.x + coasting * at.v - off_beat_rocket.g * coasting * coasting / 2;
-}
-
 /// How far off a method is at most in six seconds, at so many steps a second.
 double off_across(bool by_rk4, int rate) {
   double x = 0, v = 0, most = 0;
@@ -101,7 +93,7 @@ double off_across(bool by_rk4, int rate) {
     } else {
       integrate::euler(x, v, double(n) / rate, 1.0 / rate, off_beat_rocket);
     }
-    most = std::max(most, std::abs(x - height_of_rocket(double(n + 1) / rate)));
+    most = std::max(most, std::abs(x - off_beat_rocket.exact(double(n + 1) / rate).x));
   }
   return most;
 }
