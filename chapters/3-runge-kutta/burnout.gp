@@ -1,4 +1,4 @@
-eval axis_names("steps per second", "error of the height after six seconds  [m]")
+eval axis_names("steps per second", "error of the height  [m]")
 set logscale xy
 set xrange [3.4:1300]
 set yrange [3e-14:60]
