@@ -128,6 +128,7 @@ void add_one(Command& command, const Options& options) {
   command.all = options.all;
   command.exit_by_verdict = options.exit_status == "verdict";
   command.limits_given = !options.limits.empty();
+  command.unchecked = options.unchecked;
   if (command.limits_given && !read_limits(options.limits, command.request)) {
     throw Usage("--limits is for the grader's own use");
   }

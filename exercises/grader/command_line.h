@@ -22,6 +22,7 @@ struct Command {
   std::optional<std::filesystem::path> out;
   std::set<Emit> emits;
   bool limits_given = false;  ///< by the grader of a class, that calibrated them
+  bool unchecked = false;     ///< for a class: no word on how it uses memory
   bool exit_by_verdict = false;
   std::string listed;         ///< part of the names that are listed; empty for all
   bool all = false;           ///< of the tests that failed in full

@@ -1,3 +1,14 @@
+# What it has to show for a program that was compiled with these flags, where that is not static: its libraries, by the names
+# under which it asks for them.
+function(libraries_for compiler flags out)
+  set(folder ${CMAKE_BINARY_DIR}/CMakeFiles/libraries_for)
+  file(WRITE ${folder}/empty.cpp "int main() {}\n")
+  execute_process(COMMAND ${compiler} ${flags} ${folder}/empty.cpp -o ${folder}/empty COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND env LC_ALL=C ldd ${folder}/empty OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL "/[^ \n]+" libraries "${said}")
+  set(${out} ${libraries} PARENT_SCOPE)
+endfunction()
+
 # What a cage has to show for a compiler to work in it: the folders of its parts, of the headers and the libraries that it
 # looks through, by its own account; and those of the system's programs, with the libraries that they are linked to. No
 # variable of whoever configures has a say, since none has one in the cage. A folder within another is not named again.

@@ -24,9 +24,8 @@ std::string Exercise::header() const {
 
 std::vector<Exercise> exercises() {
   std::vector<Exercise> all;
-  for (const auto& [name, hash] : versions()) {
+  for (const auto& [name, hash] : versions())
     all.push_back({name, std::filesystem::path(installed().exercises) / name});
-  }
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "done.h"
 #include "exit_codes.h"
 #include "installed.h"
 #include "judge/session.h"
@@ -49,14 +50,18 @@ Report not_graded(const Report& report, const Obstacle& obstacle) {
 
 /// Before anybody loses a point, the exercise's own solution has to earn all of them in the same
 /// cage. Where that shows that this machine is slow, a submission that met a limit of time has
-/// another go. A class has done all this before it named limits.
-Report grade_fairly(const Command& command) {
-  Report report = grade_submission(command.request);
+/// another go, and keeps these limits. A class has done all this before it named limits.
+Report grade_fairly(Command& command) {
+  const auto so_far = [&](const Report& report) {
+    if (command.out) keep_provisional(report, *command.out, command.emits);
+  };
+  Report report = grade_submission(command.request, so_far);
   if (command.limits_given || needs_no_witness(report)) return report;
   Request calibrated = command.request;
   if (const auto obstacle = calibrate(calibrated)) return not_graded(report, *obstacle);
   const bool slow = write_limits(calibrated) != write_limits(command.request);
-  return slow && met_a_time_limit(report) ? grade_submission(calibrated) : report;
+  command.request = calibrated;
+  return slow && met_a_time_limit(report) ? grade_submission(calibrated, so_far) : report;
 }
 
 /// A program in this folder needs its folder's name, or a shell looks for it elsewhere.
@@ -84,15 +89,20 @@ void print(const Report& report, bool all, const Place& place) {
 
 }  // namespace
 
-int grade_and_report(const Command& command) {
+int grade_and_report(Command command) {
   // A class has folders of its own.
   if (command.out && !command.limits_given) keep_out_of_the_way(*command.out);
-  const std::string version = grade::version(command.request.exercise);
-  if (command.out) keep_provisional(command.request, version, *command.out, command.emits);
+  if (command.out) keep_provisional(begun(command.request), *command.out, command.emits);
   Report report = grade_fairly(command);
   const Place seen = place(command);
   if (command.out) keep(report, *command.out, command.emits, seen);
+  if (!command.unchecked) {
+    check_memory(command.request, report);
+    if (command.out && !report.memory.empty()) keep(report, *command.out, command.emits, seen);
+  }
   print(report, command.all, seen);
+  if (report.verdict == Verdict::accepted && !command.unchecked)
+    note_done(command.request.exercise);
   return exit_code(report, command.exit_by_verdict);
 }
 

@@ -18,6 +18,7 @@
 #include "memory_check.h"
 #include "replace_all.h"
 #include "submission.h"
+#include "time_limits.h"
 #include "version.h"
 
 namespace grade {
@@ -49,6 +50,7 @@ Judged judge_once(const Request& request, const cage::Kit& kit, const cage::File
   session.driver = &driver;
   session.sandbox = request.sandbox;
   session.limits = request.run_limits;
+  session.longest = longest_run(request);
   session.seed = request.seed;
   session.arguments = request.arguments;
   session.only = request.only;
@@ -58,26 +60,34 @@ Judged judge_once(const Request& request, const cage::Kit& kit, const cage::File
   return judged;
 }
 
+using SoFar = std::function<void(const Report&)>;
+
 // Code that throws dice might win once.
 void judge_driver(const Request& request, const cage::Kit& kit, const cage::File& driver,
-                  Report& report) {
+                  Report& report, const SoFar& so_far = {}) {
   const auto start = Clock::now();
-  std::vector<Judged> runs{judge_once(request, kit, driver)};
-  const bool again = is_judged(runs.front().verdict) || runs.front().score() > 0;
-  for (int n = 1; again && n < request.runs; ++n) runs.push_back(judge_once(request, kit, driver));
-  const Judged judged = worst(std::move(runs));
-  report.run_seconds = seconds_since(start);
-  report.verdict = judged.verdict;
-  report.why = judged.why;
-  report.tests = judged.tests;
-  report.score = judged.score();
+  std::vector<Judged> runs;
+  do {
+    runs.push_back(judge_once(request, kit, driver));
+    const Judged judged = worst(runs);
+    report.run_seconds = seconds_since(start);
+    report.verdict = judged.verdict;
+    report.why = judged.why;
+    report.tests = judged.tests;
+    report.score = judged.score();
+    if (so_far) so_far(report);
+  } while (static_cast<int>(runs.size()) < request.runs &&
+           (is_judged(report.verdict) || report.score > 0));
 }
 
 // Everything from the path to the verdict; leaves in the report how far it came.
-void grade_into(const Request& request, Report& report) {
+void grade_into(const Request& request, Report& report, const SoFar& so_far) {
   const Submission submission =
       take_in(request.submission, request.exercise.chapter(), request.exercise.header());
   report.ignored = submission.ignored;
+  std::erase_if(report.ignored, [](const std::string& name) {  // those are graded apart
+    return std::ranges::any_of(exercises(), [&](const Exercise& e) { return e.header() == name; });
+  });
   report.unreadable = submission.unreadable;
   if (!submission.refused.empty()) {
     report.verdict = Verdict::rejected;
@@ -85,10 +95,12 @@ void grade_into(const Request& request, Report& report) {
     return;
   }
   report.sha256 = sha256(submission.text);
+  if (so_far) so_far(report);
   const cage::Kit kit = kit_in(installed().kit);
   if (request.sandbox == cage::Sandbox::bubblewrap) {
     if (const auto why = cage::unsafe(kit)) {
       report.why = *why;
+      report.no_cage = true;
       return;
     }
   }
@@ -106,10 +118,7 @@ void grade_into(const Request& request, Report& report) {
     return;
   }
   report.warnings = replace_all(compiled.message, header, submission.name);
-  judge_driver(request, kit, compiled.driver, report);
-  const bool ran = is_judged(report.verdict) || report.verdict == Verdict::runtime_error;
-  if (!ran || !request.check_memory) return;
-  report.memory = misused_memory(request, kit, submission.text, harness);
+  judge_driver(request, kit, compiled.driver, report, so_far);
 }
 
 // What became of our own solution, in the words that a student would have read.
@@ -133,14 +142,7 @@ bool may_pass(int error) {
 template <class Grade>
 Report reported(const Request& request, const Grade& grade) {
   const auto start = Clock::now();
-  Report report;
-  report.exercise = request.exercise.name;
-  report.version = version(request.exercise);
-  report.submission = request.submission.string();
-  report.seed = request.seed;
-  report.sandbox = request.sandbox;
-  report.tests = judge::tests_of(request.exercise.name);
-  for (const TestResult& test : report.tests) report.points += test.points;
+  Report report = begun(request);
   try {
     grade(request, report);
   } catch (const std::system_error& error) {
@@ -157,8 +159,24 @@ Report reported(const Request& request, const Grade& grade) {
 
 }  // namespace
 
-Report grade_submission(const Request& request) {
-  return reported(request, grade_into);
+Report grade_submission(const Request& request, const SoFar& so_far) {
+  return reported(request,
+                  [&](const Request&, Report& report) { grade_into(request, report, so_far); });
+}
+
+void check_memory(const Request& request, Report& report) {
+  const bool ran = is_judged(report.verdict) || report.verdict == Verdict::runtime_error;
+  if (!ran) return;
+  const std::string header = request.exercise.header();
+  const Submission now = take_in(request.submission, request.exercise.chapter(), header);
+  if (sha256(now.text) != report.sha256) return;  // somebody is writing it
+  const auto start = Clock::now();
+  try {
+    report.memory = misused_memory(request, kit_in(installed().kit), now.text,
+                                   read(request.exercise.folder / "harness.h"));
+  } catch (const std::exception&) {  // there is less to say, and the verdict stands
+  }
+  report.seconds += seconds_since(start);
 }
 
 Report grade_driver(const Request& request, const cage::File& driver) {
@@ -171,7 +189,6 @@ std::optional<Obstacle> calibrate(Request& request) {
   constexpr double times = 20;
   Request own = request;
   own.submission = request.exercise.folder / "solution.h";
-  own.check_memory = false;
   own.runs = 1;
   const bool at_home = !std::filesystem::exists(own.submission);
   if (at_home) own.submission = request.exercise.folder / "starter.h";
@@ -202,7 +219,7 @@ std::string sha256(const std::string& text) {
 }
 
 std::string version(const Exercise& exercise) {
-  return versions().at(exercise.name);
+  return std::ranges::find(versions(), exercise.name, &Version::exercise)->hash;
 }
 
 }  // namespace grade

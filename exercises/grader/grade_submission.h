@@ -4,6 +4,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +23,6 @@ struct Request {
   cage::Sandbox sandbox = cage::Sandbox::bubblewrap;
   cage::Limits compile_limits, run_limits;
   int runs = 3;                        ///< with the same inputs, of which the worst counts
-  bool check_memory = true;            ///< in another run, for a message
   std::vector<std::string> arguments;  ///< of the driver; that of a submission takes none
   std::string only;                    ///< the one test to run, by its name; all, if empty
 };
@@ -44,12 +44,22 @@ struct Report {
   int score = 0, points = 0;  ///< points earned, points to be had
   bool unreadable = false;    ///< the path could not be read
   bool try_again = false;     ///< with grader_error: a shortage that may pass
+  bool no_cage = false;       ///< with grader_error: this machine lets nobody have one; not kept
   double seconds = 0, compile_seconds = 0, run_seconds = 0;  ///< on the clock
   double compile_processor = 0;                              ///< used by the compiler [s]; not kept
 };
 
+/// A report on the request in which nothing is known yet: its verdict is a grader_error.
+Report begun(const Request& request);
+
 /// Reads, compiles, runs and judges; never throws: what goes wrong with us is a grader_error.
-Report grade_submission(const Request& request);
+/// @param so_far  is shown the report when the submission is read, and after each run
+Report grade_submission(const Request& request,
+                        const std::function<void(const Report&)>& so_far = {});
+
+/// Adds to a report what a checker of memory says of the submission: that takes another run, which
+/// is not scored and cannot change the verdict. For somebody's own code on their own machine.
+void check_memory(const Request& request, Report& report);
 
 /// Runs and judges what is compiled already. Of the request, the submission is only named.
 Report grade_driver(const Request& request, const cage::File& driver);

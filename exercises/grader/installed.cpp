@@ -9,11 +9,12 @@
 namespace grade {
 namespace {
 
-// Where installed.txt lies. Tests are other programs and lie elsewhere.
+// Where installed.txt lies. Tests are other programs, and lie in other folders of the same build.
 std::filesystem::path home() {
   const auto beside = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  for (const std::filesystem::path& folder : {beside, std::filesystem::path(BUILT)}) {
-    if (std::filesystem::exists(folder / "installed.txt")) return folder;
+  if (std::filesystem::exists(beside / "installed.txt")) return beside;
+  for (auto above = beside; above.has_relative_path(); above = above.parent_path()) {
+    if (std::filesystem::exists(above / "exercises/installed.txt")) return above / "exercises";
   }
   throw std::runtime_error("there is no " + (beside / "installed.txt").string() +
                            ": run cmake --workflow --preset grader where the exercises lie");
@@ -26,7 +27,8 @@ Installed read() {
   const std::map<std::string, std::vector<std::string>*> many{
       {"student_flags+", &all.student_flags},
       {"checked_flags+", &all.checked_flags},
-      {"shown_to_compiler+", &all.shown_to_compiler}};
+      {"shown_to_compiler+", &all.shown_to_compiler},
+      {"shown_to_checked+", &all.shown_to_checked}};
   const std::filesystem::path folder = home();
   std::ifstream file(folder / "installed.txt");
   for (std::string word, value; std::getline(file, word, '=') && std::getline(file, value);) {

@@ -15,9 +15,10 @@ struct Installed {
   std::vector<std::string> student_flags;      ///< for the compiler
   std::vector<std::string> checked_flags;      ///< the same, with a checker of memory
   std::vector<std::string> shown_to_compiler;  ///< folders that it needs in its cage
+  std::vector<std::string> shown_to_checked;   ///< libraries that a checked program needs in its
 };
 
-/// Read once, from beside the program, or from where it was built.
+/// Read once, from beside the program, or from the build that it is part of.
 /// @throws std::runtime_error if it is in neither place
 const Installed& installed();
 

@@ -15,6 +15,8 @@ set_property(GLOBAL PROPERTY STUDENT_FLAGS ${STUDENT_FLAGS})
 # a line.
 set(CHECKED_FLAGS ${COMMON_FLAGS} -O1 -fsanitize=address -fno-sanitize-recover=all -g)
 
+libraries_for(${GXX} "${CHECKED_FLAGS}" SHOWN_TO_CHECKED)
+
 set(KIT ${PROJECT_BINARY_DIR}/exercises/grader/kit)
 set_property(GLOBAL PROPERTY KIT ${KIT})
 file(GLOB harness CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/harness/*.h)
@@ -47,7 +49,7 @@ set(beside_grade ${PROJECT_BINARY_DIR}/exercises)
 file(RELATIVE_PATH exercises ${beside_grade} ${PROJECT_SOURCE_DIR}/exercises)
 file(RELATIVE_PATH kit ${beside_grade} ${KIT})
 set(installed "exercises=${exercises}\nkit=${kit}\ncompiler=${GXX}\n")
-foreach(list IN ITEMS STUDENT_FLAGS CHECKED_FLAGS SHOWN_TO_COMPILER)
+foreach(list IN ITEMS STUDENT_FLAGS CHECKED_FLAGS SHOWN_TO_COMPILER SHOWN_TO_CHECKED)
   string(TOLOWER ${list} word)
   foreach(value IN LISTS ${list})
     string(APPEND installed "${word}+=${value}\n")

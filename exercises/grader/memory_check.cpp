@@ -3,6 +3,7 @@
 
 #include "compile.h"
 #include "judge/session.h"
+#include "time_limits.h"
 #include "told_by_checker.h"
 
 namespace grade {
@@ -32,6 +33,7 @@ std::string misused_memory(const Request& request, const cage::Kit& kit, const s
   session.sandbox = request.sandbox;
   session.build = cage::Build::checked;
   session.limits = longer(request.run_limits);
+  session.longest = slower * longest_run(request);
   session.seed = request.seed;
   judge::run_tests(request.exercise.name);
   return told_by_checker(session.printed, header);

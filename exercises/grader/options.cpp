@@ -29,7 +29,7 @@ void declare(CLI::App& app, Options& options) {
       app.add_option("--out", options.out, "Folder for report.json, feedback.md and plots");
   app.add_option("--emit", options.emits, "Write results.json or junit.xml beside the report")
       ->check(CLI::IsMember({"gradescope", "junit"}))
-      ->expected(1)
+      ->allow_extra_args(false)
       ->take_all()
       ->needs(out);
   CLI::Option* const seed = app.add_option("--seed", options.seed,
@@ -43,7 +43,7 @@ void declare(CLI::App& app, Options& options) {
       app.add_option("--class", options.submissions, "Grade this folder of submissions")
           ->needs(out);
   app.add_option("--exercise", options.exercises, "Only this one; may be repeated")
-      ->expected(1)
+      ->allow_extra_args(false)
       ->take_all()
       ->needs(whole_class);
   app.add_option("--assigned", options.assigned,
@@ -56,9 +56,10 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--run", options.run,
                  "Run this header's own main and show what it prints: not graded");
   app.add_flag("--list", options.list,
-               "Name exercises, all or by a part of a name; with kind and minutes");
+               "Name exercises, all or by a part of a name, and what is done");
   app.add_flag("--version", options.version, "Say which grader this is, exercise by exercise");
   app.add_option("--limits", options.limits)->group("");
+  app.add_flag("--unchecked", options.unchecked)->group("");
 }
 
 }  // namespace

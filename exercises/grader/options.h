@@ -12,7 +12,7 @@ struct Options {
   std::string sandbox = "bubblewrap", exit_status = "grader";
   std::vector<std::string> emits, exercises;
   std::string jobs;  ///< empty: as many as there are processors
-  bool list = false, version = false, all = false;
+  bool list = false, version = false, all = false, unchecked = false;
 };
 
 /// Nothing if only the help was asked for, which is printed then.

@@ -19,11 +19,11 @@ namespace {
 namespace fs = std::filesystem;
 
 Submission refused(const std::string& why) {
-  return {{}, why, false, {}, {}};
+  return {{}, why, false, {}, {}, false};
 }
 
 Submission cannot_be_read(const std::string& why) {
-  return {{}, why, true, {}, {}};
+  return {{}, why, true, {}, {}, false};
 }
 
 std::string shown(const std::string& name) {
@@ -44,7 +44,6 @@ std::string not_plain(const Entry& found) {
   if (found.is_link()) return "is a symbolic link; hand in the file itself";
   if (found.is_folder()) return "is a folder; it should be the header itself";
   if (!found.is_regular()) return "is no regular file; hand in the header itself";
-  if (found.about.st_nlink != 1) return "has more than one hard link; hand in a copy of its own";
   if ((mode & (S_ISUID | S_ISGID)) != 0)
     return "has a setuid or setgid bit; take it away (chmod ug-s)";
   return {};
@@ -57,7 +56,7 @@ Submission read_header(const Entry& found, const std::string& name) {
   if (!content) return cannot_be_read(shown(name) + " cannot be read: " + std::strerror(errno));
   if (const std::string why = not_a_header(*content); !why.empty())
     return refused(shown(name) + " " + why);
-  return {*content, {}, false, {}, shown(name)};
+  return {*content, {}, false, {}, shown(name), found.about.st_nlink > 1};
 }
 
 /// Reads the header in this folder, if it is there, and names what else is.

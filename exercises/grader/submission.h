@@ -15,10 +15,10 @@ struct Submission {
   bool unreadable = false;           ///< the path itself cannot be read: the caller's mistake
   std::vector<std::string> ignored;  ///< names beside it that were not looked at
   std::string name;                  ///< of the file, fit to be shown
+  bool linked = false;               ///< the file has other names, as in a backup of hard links
 };
 
-/// Reads a header without following links: a regular file of at most 64 KiB of UTF-8 text with one
-/// name.
+/// Reads a header without following links: a regular file of at most 64 KiB of UTF-8 text.
 /// @param path  the file, or a folder that holds `header` or `chapter/header`
 /// @param chapter  such as `2-euler`
 /// @param header  such as `orbit-drift.h`

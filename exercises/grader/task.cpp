@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "judge/session.h"
+#include "done.h"
 
 namespace grade {
 namespace {
@@ -12,12 +12,6 @@ namespace {
 // The rest of a line that starts like this; empty if it starts otherwise.
 std::string behind(const std::string& line, const std::string& start) {
   return line.starts_with(start) ? line.substr(start.size()) : "";
-}
-
-int points_of(const Exercise& exercise) {
-  int points = 0;
-  for (const TestResult& test : judge::tests_of(exercise.name)) points += test.points;
-  return points;
 }
 
 }  // namespace
@@ -28,6 +22,7 @@ Task task(const Exercise& exercise) {
   for (std::string line; std::getline(file, line) && !line.empty();) {
     task.title += behind(line, "# ");
     task.kind += behind(line, "Kind: ");
+    task.difficulty += behind(line, "Difficulty: ");
     task.minutes += behind(line, "Minutes: ");
   }
   return task;
@@ -43,9 +38,9 @@ std::string list_of_exercises(const std::string& part) {
       continue;
     }
     char line[256];
-    std::snprintf(line, sizeof line, "%-36s %-9s %3s min  %2d points  %s\n", exercise.name.c_str(),
-                  about.kind.c_str(), about.minutes.c_str(), points_of(exercise),
-                  about.title.c_str());
+    std::snprintf(line, sizeof line, "%-4s %-36s %-9s level %s %3s min  %s\n",
+                  is_done(exercise) ? "done" : "", exercise.name.c_str(), about.kind.c_str(),
+                  about.difficulty.c_str(), about.minutes.c_str(), about.title.c_str());
     text += line;
   }
   return text;

@@ -9,12 +9,13 @@
 namespace grade {
 
 struct Task {
-  std::string title, kind, minutes;  ///< empty if there is no task.md
+  std::string title, kind, difficulty, minutes;  ///< empty if there is no task.md
 };
 
 Task task(const Exercise& exercise);
 
-/// A line for each exercise: its name, kind, minutes, points and title.
+/// A line for each exercise, in the book's order: its name, kind, difficulty from 1 to 3, minutes
+/// and title, with a mark before what is done.
 /// @param part  of the names; empty for all
 std::string list_of_exercises(const std::string& part);
 

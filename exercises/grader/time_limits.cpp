@@ -5,6 +5,8 @@
 #include <charconv>
 #include <system_error>
 
+#include "judge/session.h"
+
 namespace grade {
 namespace {
 
@@ -24,6 +26,15 @@ std::string write_limits(const Request& request) {
     text += (text.empty() ? "" : ",") + std::string(digits, std::size_t(end - digits));
   }
   return text;
+}
+
+double longest_run(const Request& request) {
+  const std::size_t tests = judge::tests_of(request.exercise.name).size();
+  return static_cast<double>(tests) * request.run_limits.wall;
+}
+
+double longest_grading(const Request& request) {
+  return 2 * (request.compile_limits.wall + request.runs * longest_run(request));
 }
 
 bool read_limits(std::string_view text, Request& request) {

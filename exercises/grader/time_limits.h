@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Calibrated limits, handed from the grader of a class to the one of a submission.
+/// The limits of time that the grader of a class hands to the one of a submission, and what follows
+/// from them.
 #pragma once
 #include <string>
 #include <string_view>
@@ -14,5 +15,13 @@ std::string write_limits(const Request& request);
 
 /// @returns whether it was such a text
 bool read_limits(std::string_view text, Request& request);
+
+/// How long all drivers of a run may take together, on the clock [s]: what one of them may, for
+/// each of the tests.
+double longest_run(const Request& request);
+
+/// How long a grading can take [s]: the compiler, and all runs, each to its limit; as much again
+/// for what is ours.
+double longest_grading(const Request& request);
 
 }  // namespace grade

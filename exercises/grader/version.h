@@ -2,13 +2,19 @@
 /// @file
 /// Hashes of what was compiled in; versions.cmake writes version.cpp when any of it changes.
 #pragma once
-#include <map>
 #include <string>
+#include <vector>
 
 namespace grade {
 
-/// Of each exercise that this grader can judge, by its name: the version of the book, and SHA-256
-/// over the grader's own files and those of the exercise, the first sixteen digits.
-const std::map<std::string, std::string>& versions();
+/// Of an exercise.
+struct Version {
+  std::string exercise;  ///< its name
+  std::string hash;  ///< the version of the book, and SHA-256 over the grader's own files and those
+                     ///< of the exercise, the first sixteen digits
+};
+
+/// Of all exercises that this grader can judge, in the book's order.
+const std::vector<Version>& versions();
 
 }  // namespace grade

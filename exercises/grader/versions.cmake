@@ -29,8 +29,8 @@ file(WRITE ${OUT} "#include \"version.h\"
 
 namespace grade {
 
-const std::map<std::string, std::string>& versions() {
-  static const std::map<std::string, std::string> all{
+const std::vector<Version>& versions() {
+  static const std::vector<Version> all{
 ${lines}  };
   return all;
 }

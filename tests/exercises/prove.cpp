@@ -38,7 +38,6 @@ Grade in_the_cage(const grade::Exercise& exercise) {
     request.exercise = exercise;
     request.submission = file;
     request.seed = seed;
-    request.check_memory = false;
     request.runs = 1;
     return grade::grade_submission(request);
   };

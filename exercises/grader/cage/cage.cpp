@@ -22,18 +22,10 @@ File part(const fs::path& path) {
   return file;
 }
 
-/// The checker of leaks would need to trace the program; and what it printed before it crashed is
-/// what one wants to see. Who asked for memory is not found the fast way where there is no /proc.
-constexpr const char* own_main =
-    "#include <cstdio>\n"
-    "extern \"C\" const char* __asan_default_options() {\n"
-    "  return \"detect_leaks=0:handle_abort=1:hard_rss_limit_mb=2000:fast_unwind_on_malloc=0\";\n"
-    "}\n"
-    "static const int at_once = std::setvbuf(stdout, nullptr, _IONBF, 0);\n";
-
 std::string glue(const std::string& header, Build build) {
   const std::string both = "#include \"given.h\"\n#include \"" + header + "\"\n";
-  return both + (build == Build::own ? own_main : "#include \"exercise/harness.h\"\n");
+  return both +
+         (build == Build::own ? "#include \"own.h\"\n" : "#include \"exercise/harness.h\"\n");
 }
 
 void write(const fs::path& path, std::string_view text) {
@@ -117,22 +109,13 @@ Process compile(Sandbox sandbox, const Kit& kit, std::string_view submission,
   return Process(compile_command(kit, shown.words, header, limits, build), files, limits);
 }
 
-static bool can_have_proc(const Kit& kit) {
-  static const bool can = [&] {
-    const Ended ended = Process(try_proc(kit), {}, {}).finish();
-    return ended.how == Ended::How::exited && ended.code == 0;
-  }();
-  return can;
-}
-
 Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& limits, Build build,
             const std::vector<std::string>& arguments) {
   const bool checked = build != Build::scored;
-  Words command = checked ? check_command(sandbox, kit, limits, can_have_proc(kit))
-                          : run_command(sandbox, limits);
+  Words command = checked ? check_command(sandbox, kit, limits) : run_command(sandbox, limits);
   command.insert(command.end(), arguments.begin(), arguments.end());
   if (sandbox == Sandbox::none) return Process(command, {{driver.get(), 8}}, limits);
-  const File filter = part(fs::path(kit.filters) / (checked ? "compile.bpf" : "run.bpf"));
+  const File filter = part(fs::path(kit.filters) / (checked ? "check.bpf" : "run.bpf"));
   return Process(command, {{driver.get(), 8}, {filter.get(), 9}}, limits);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// The two cages: one to compile in, and one to run in, which holds nothing but the program.
+/// The cages: one to compile in, one to run in, which holds nothing but the program, and one to run
+/// in under a checker of memory, which holds that program's libraries, too. See README.md.
 #pragma once
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@ struct Kit {
   std::vector<std::string> flags = {};          ///< for the compiler
   std::vector<std::string> checked_flags = {};  ///< the same, with a checker of memory
   std::vector<std::string> shown = {};          ///< the folders of its parts, headers and libraries
+  std::vector<std::string> libraries = {};      ///< files that a checked program is linked with
 };
 
 /// What a driver is made for: to be scored, or to be run once more under a checker of memory. That

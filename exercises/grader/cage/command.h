@@ -24,12 +24,8 @@ Words leash(Sandbox sandbox, const Limits& limits, int open_files);
 /// Starts the driver on descriptor 8 under the filter on descriptor 9.
 Words run_command(Sandbox sandbox, const Limits& limits);
 
-/// The same for a driver with a checker of memory, which finds the folders of the kit.
-/// @param proc  whether it can have a /proc, in which it finds the names of lines
-Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits, bool proc);
-
-/// Succeeds where bubblewrap may mount a /proc, which it may not in some containers.
-Words try_proc(const Kit& kit);
+/// The same for a driver with a checker of memory, which finds its libraries.
+Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits);
 
 /// Compiles in the cage: the header on descriptor 8, harness.h on 7, the glue on 6, the filter
 /// on 9.

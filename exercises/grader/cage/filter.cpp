@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
-// Writes a filter of system calls, as bubblewrap takes it: `filter run FILE` or `filter compile
-// FILE`.
+// Writes a filter of system calls, as bubblewrap takes it: `filter run FILE`, `filter check FILE`
+// or `filter compile FILE`.
 #include <fcntl.h>
 #include <sched.h>
 #include <seccomp.h>
@@ -53,6 +53,14 @@ class Filter {
     }
   }
 
+  /// A clone is permitted that is a thread and no process.
+  void threads() {
+    rule(SCMP_ACT_ERRNO(ENOSYS), "clone3");  // its flags lie behind a pointer
+    const scmp_arg_cmp is_thread = {0, SCMP_CMP_MASKED_EQ, CLONE_THREAD, CLONE_THREAD};
+    check(seccomp_rule_add_array(context_, SCMP_ACT_ALLOW, SCMP_SYS(clone), 1, &is_thread),
+          "clone");
+  }
+
   void write(const char* path) {
     const int file = ::open(path, O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0644);
     if (file < 0) fail(path, errno);
@@ -68,10 +76,8 @@ class Filter {
   scmp_filter_ctx context_;
 };
 
-/// What a program needs that computes, allocates, prints and ends. A trapped call reaches the
-/// driver's handler, which can name it; blocked or ignored, the kernel kills.
-void write_for_running(const char* path) {
-  Filter filter(SCMP_ACT_TRAP);
+/// What a program needs that computes, allocates, prints and ends.
+void allow_to_run(Filter& filter) {
   filter.rule(SCMP_ACT_ALLOW,
               "read write readv writev close fstat lseek mmap munmap mremap mprotect brk "
               "madvise rt_sigaction rt_sigprocmask rt_sigreturn sigaltstack exit exit_group "
@@ -81,11 +87,33 @@ void write_for_running(const char* path) {
   // bubblewrap's own start of the driver, and its wait for the driver's end. There is nothing else
   // in the cage that could be executed.
   filter.rule(SCMP_ACT_ALLOW, "execve wait4");
+}
+
+/// A trapped call reaches the driver's handler, which can name it; blocked or ignored, the kernel
+/// kills.
+void write_for_running(const char* path) {
+  Filter filter(SCMP_ACT_TRAP);
+  allow_to_run(filter);
   // Asked by the C library as it starts or prints; it carries on when refused.
   filter.rule(SCMP_ACT_ERRNO(ENOENT), "readlink readlinkat");
   filter.rule(SCMP_ACT_ERRNO(ENOTTY), "ioctl");
   filter.rule(SCMP_ACT_ERRNO(EACCES), "newfstatat");
+  // Asked for a locale, too, which there is none of; the C library goes on with its own.
+  filter.rule(SCMP_ACT_ERRNO(ENOENT), "open openat");
   filter.rule(SCMP_ACT_ERRNO(EPERM), "prlimit64");
+  filter.write(path);
+}
+
+/// Beside that, what the checker of memory needs: its libraries and the program's own file, which
+/// are all that there is to open; and a thread that watches how much memory is held.
+void write_for_checking(const char* path) {
+  Filter filter(SCMP_ACT_TRAP);
+  allow_to_run(filter);
+  filter.rule(SCMP_ACT_ALLOW,
+              "open openat pread64 access faccessat newfstatat readlink readlinkat prlimit64 "
+              "getrlimit getrusage sched_getaffinity prctl uname fcntl");
+  filter.threads();
+  filter.rule(SCMP_ACT_ERRNO(ENOTTY), "ioctl");
   filter.write(path);
 }
 
@@ -116,10 +144,12 @@ int main(int count, char** arguments) {
   const std::string_view kind = count == 3 ? arguments[1] : "";
   if (kind == "run") {
     write_for_running(arguments[2]);
+  } else if (kind == "check") {
+    write_for_checking(arguments[2]);
   } else if (kind == "compile") {
     write_for_compiling(arguments[2]);
   } else {
-    std::cerr << "usage: filter run|compile FILE\n";
+    std::cerr << "usage: filter run|check|compile FILE\n";
     return 2;
   }
 }

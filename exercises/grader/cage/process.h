@@ -62,7 +62,7 @@ class Process {
   /// @param command  the program with its arguments
   /// One at a time: at its end every child of this process goes that came after it.
   ///
-  /// @param files  our descriptors, and their numbers in the program (5 to 19)
+  /// @param files  our descriptors, and their numbers in the program (5 to 31)
   /// @param folder  removed at the end; none if empty
   Process(const std::vector<std::string>& command, const std::vector<std::pair<int, int>>& files,
           const Limits& limits, std::filesystem::path folder = {});

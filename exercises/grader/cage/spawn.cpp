@@ -8,13 +8,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <stdexcept>
 #include <system_error>
 
 namespace cage {
 
 namespace {
 
-constexpr int first_free = 20;
+constexpr int first_free = 32;
 
 /// A copy above the numbers that a program is given, so that no dup2 overwrites a source.
 File lifted(int descriptor) {
@@ -86,6 +87,7 @@ pid_t spawn(const std::vector<std::string>& command,
   Actions actions;
   std::vector<File> sources;
   for (const auto& [from, to] : files) {
+    if (to >= first_free) throw std::logic_error("too many files for a program");
     sources.push_back(lifted(from));
     actions.give(sources.back(), to);
   }

@@ -15,6 +15,7 @@
 #include "format_values.h"
 #include "report/escape.h"
 #include "report/folder.h"
+#include "submission.h"
 
 namespace grade {
 namespace {
@@ -44,6 +45,17 @@ void print_some(const char* what, const std::vector<std::string>& names) {
     std::printf("%s: %s\n", what, printable_name(names[i]).c_str());
   }
   if (names.size() > most) std::printf("%s: %zu more\n", what, names.size() - most);
+}
+
+/// A backup of hard links has the same files: what somebody writes there is written here.
+void print_linked(const std::vector<Job>& jobs) {
+  const auto linked = std::ranges::count_if(jobs, [](const Job& job) {
+    return take_in(job.student.folder, job.exercise.chapter(), job.exercise.header()).linked;
+  });
+  if (linked > 0) {
+    std::printf("%s with more than one hard link, as a backup makes them\n",
+                counted(static_cast<std::size_t>(linked), "submission").c_str());
+  }
 }
 
 bool can_be_read_by_others(const std::filesystem::path& file) {
@@ -77,7 +89,10 @@ int grade_roll(const Roll& roll, const Class& work) {
   }
   print_some("Belongs to no exercise", without_exercise(roll.students, grade::exercises()));
   const std::vector<Job> all = all_jobs(work, roll.students, exercises);
-  std::vector<Job> jobs = part_of(all, work.shard);
+  std::vector<Job> jobs = all;
+  std::erase_if(jobs, [](const Job& job) { return !job.asked; });
+  const std::vector<Job> part = jobs = part_of(jobs, work.shard);
+  print_linked(jobs);
   const std::size_t before = jobs.size();
   std::erase_if(jobs, [&](const Job& job) {
     const bool done = is_done(job, work.seed);
@@ -101,7 +116,7 @@ int grade_roll(const Roll& roll, const Class& work) {
   if (work.shard.of == 1) return write_tables(roll, exercises, all, work);
   std::printf("Part %zu of %zu is done; without --shard, the tables are made\n", work.shard.part,
               work.shard.of);
-  return exit_code(collect(roll.students, exercises, part_of(all, work.shard)).reports);
+  return exit_code(collect(roll.students, exercises, part).all());
 }
 
 }  // namespace

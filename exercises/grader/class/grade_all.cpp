@@ -3,23 +3,20 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 
 #include "class/pool.h"
 #include "class/progress.h"
-#include "judge/session.h"
+#include "report/words.h"
 #include "time_limits.h"
 
 namespace grade {
 namespace {
 
-/// The longest that a grading can take: the compiler, and each test, which starts at most two
-/// drivers; as much again for the rest.
-std::chrono::milliseconds longest(const Request& request) {
-  const auto tests = static_cast<double>(judge::tests_of(request.exercise.name).size());
-  const double seconds = request.compile_limits.wall + 2 * tests * request.run_limits.wall;
-  return std::chrono::milliseconds(static_cast<long>(2000 * seconds));
+std::chrono::milliseconds deadline(const Request& request) {
+  return std::chrono::milliseconds(std::llround(1000 * longest_grading(request)));
 }
 
 /// By the names of the exercises.
@@ -44,9 +41,21 @@ std::vector<ChildProcess> children(const std::vector<Job>& jobs, const Class& wo
   std::vector<ChildProcess> all;
   for (const Job& job : jobs) {
     const Request& request = requests.at(job.exercise.name);
-    all.push_back({arguments(job, work, write_limits(request)), longest(request)});
+    all.push_back({arguments(job, work, write_limits(request)), deadline(request)});
   }
   return all;
+}
+
+/// Whatever held up the grader until it was killed, the points that it had come to are kept.
+void note_late(const Job& job, const Class& work) {
+  Report report = kept_report(job);
+  const bool under_way = report.verdict == Verdict::grader_error && !report.version.empty();
+  if (!under_way) return;
+  report.verdict = Verdict::time_limit;
+  report.why = "Grading was stopped at its deadline. What had held by then counts.";
+  report.try_again = false;
+  for (const TestResult& test : report.tests) report.score += earned(test);
+  keep(report, job.out, work.emits);
 }
 
 }  // namespace
@@ -56,8 +65,10 @@ std::optional<Obstacle> grade_all(const std::vector<Job>& jobs, const Class& wor
   if (auto obstacle = calibrate_all(jobs, work, requests)) return obstacle;
   std::filesystem::create_directories(work.results);
   Progress progress(jobs.size(), isatty(STDOUT_FILENO) != 0);
-  run_all(children(jobs, work, requests), work.jobs,
-          [&](std::size_t i) { progress.done(jobs[i], kept_report(jobs[i])); });
+  run_all(children(jobs, work, requests), work.jobs, [&](std::size_t i, bool late) {
+    if (late) note_late(jobs[i], work);
+    progress.done(jobs[i], kept_report(jobs[i]));
+  });
   return std::nullopt;
 }
 

@@ -15,9 +15,10 @@ struct Job {
   Student student;
   Exercise exercise;
   std::filesystem::path out;  ///< where its report is kept
+  bool asked = true;          ///< it was handed in, or had to be; else nothing is graded
 };
 
-/// Every student with every exercise, handed in or not.
+/// Every student with every exercise, asked or not.
 std::vector<Job> all_jobs(const Class& work, const std::vector<Student>& students,
                           const std::vector<Exercise>& exercises);
 

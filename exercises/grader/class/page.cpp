@@ -64,6 +64,7 @@ std::string section(const Results& results, std::size_t exercise) {
 }
 
 std::string grade_cell(const Results& results, std::size_t student, std::size_t exercise) {
+  if (!results.is_asked(student, exercise)) return "<td></td>";
   const Report& report = results.report(student, exercise);
   const std::string path =
       results.students[student].name + "/" + results.exercises[exercise].name + "/feedback.md";
@@ -75,17 +76,20 @@ std::string grade_cell(const Results& results, std::size_t student, std::size_t 
 }
 
 std::string student_row(const Results& results, std::size_t student) {
-  int total = 0;
+  int total = 0, of = 0;
   bool whole = true;
   std::string cells;
   for (std::size_t e = 0; e < results.exercises.size(); ++e) {
     cells += grade_cell(results, student, e);
+    if (!results.is_asked(student, e)) continue;
+    of += results.report(student, e).points;
     total += results.report(student, e).score;
     whole = whole && is_graded(results.report(student, e));
   }
   return "<tr><th scope=\"row\">" + html(printable_name(results.students[student].name)) +
-         "</th><td class=\"number\">" + (whole ? std::to_string(total) : "no grade") + "</td>" +
-         cells + "</tr>\n";
+         "</th><td class=\"number\">" +
+         (whole ? std::to_string(total) + "/" + std::to_string(of) : "no grade") + "</td>" + cells +
+         "</tr>\n";
 }
 
 std::string students(const Results& results) {
@@ -104,8 +108,7 @@ std::string students(const Results& results) {
 }  // namespace
 
 std::string summary_html(const Results& results) {
-  const std::string seed =
-      results.reports.empty() ? "" : std::to_string(results.reports.front().seed);
+  const std::string seed = results.all().empty() ? "" : std::to_string(results.all().front().seed);
   return std::string(
              "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"

@@ -53,7 +53,7 @@ Running start(const std::vector<ChildProcess>& children, std::size_t index) {
 }  // namespace
 
 void run_all(const std::vector<ChildProcess>& children, std::size_t at_a_time,
-             const std::function<void(std::size_t)>& ended) {
+             const std::function<void(std::size_t, bool)>& ended) {
   cage::adopt_orphans();
   const Interruption interruption;
   RunningChildren running;
@@ -61,7 +61,7 @@ void run_all(const std::vector<ChildProcess>& children, std::size_t at_a_time,
     while (next < children.size() && running.size() < at_a_time)
       running.add(start(children, next++));
     running.wait(interruption);
-    for (const std::size_t child : running.ended()) ended(child);
+    for (const auto& [task, late] : running.ended()) ended(task, late);
   }
 }
 

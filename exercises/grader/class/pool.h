@@ -23,9 +23,9 @@ struct Interrupted : std::runtime_error {
 
 /// Runs all of them, each in a process group of its own that dies with this process. May be called
 /// only where nothing else starts processes.
-/// @param ended  is told which of them ended
+/// @param ended  is told which of them ended, and whether it was killed at its limit
 /// @throws Interrupted  at SIGINT, SIGTERM or SIGHUP, when none runs any more
 void run_all(const std::vector<ChildProcess>& children, std::size_t at_a_time,
-             const std::function<void(std::size_t)>& ended);
+             const std::function<void(std::size_t, bool late)>& ended);
 
 }  // namespace grade

@@ -12,18 +12,20 @@ namespace grade {
 struct Results {
   std::vector<Student> students;
   std::vector<Exercise> exercises;
-  std::vector<Report> reports;        ///< student by student, each with every exercise
-  std::vector<bool> are_handed_in{};  ///< beside the reports
-  bool assigned = false;              ///< what was not handed in counts, as nothing
+  std::vector<Report> reports;  ///< student by student, each with every exercise
+  std::vector<bool> asked{};  ///< beside the reports: whether there is one; not of an exercise that
+                              ///< the student neither handed in nor had to
 
   const Report& report(std::size_t student, std::size_t exercise) const {
     return reports[student * exercises.size() + exercise];
   }
 
-  /// Whether its score, or the lack of one, belongs in the sum.
-  bool counts(std::size_t student, std::size_t exercise) const {
-    return assigned || are_handed_in[student * exercises.size() + exercise];
+  bool is_asked(std::size_t student, std::size_t exercise) const {
+    return asked[student * exercises.size() + exercise];
   }
+
+  /// Those that are there.
+  std::vector<Report> all() const;
 };
 
 /// Reads what is kept for these jobs.
@@ -35,8 +37,7 @@ Results collect(const std::vector<Student>& students, const std::vector<Exercise
 std::vector<Job> stale(const std::vector<Job>& jobs, const Results& results, std::uint64_t seed);
 
 /// One row for each student, one column for each exercise, the sum, and what could be had; a cell
-/// without a grade is empty, and so is its sum. So is a cell of what was not handed in, unless all
-/// had to.
+/// without a grade is empty, and so is its sum. So is a cell of what was not asked.
 std::string grades_csv(const Results& results);
 
 /// One row for each submission.

@@ -16,10 +16,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-bool has_ended(const Running& one) {
-  const bool late = Clock::now() >= one.deadline;
-  if (late) kill(-one.process, SIGKILL);
-  return waitpid(one.process, nullptr, late ? 0 : WNOHANG) == one.process;
+bool has_ended(const Running& one, int how) {
+  return waitpid(one.process, nullptr, how) == one.process;
 }
 
 }  // namespace
@@ -60,12 +58,16 @@ void RunningChildren::wait(const Interruption& interruption) const {
   if (handles[0].revents != 0) interruption.take();
 }
 
-std::vector<std::size_t> RunningChildren::ended() {
-  std::vector<std::size_t> tasks;
+std::vector<RunningChildren::Ended> RunningChildren::ended() {
+  std::vector<Ended> tasks;
   std::erase_if(all_, [&](const Running& one) {
-    const bool over = has_ended(one);
-    if (over) tasks.push_back(one.task);
-    return over;
+    const bool over = has_ended(one, WNOHANG), late = !over && Clock::now() >= one.deadline;
+    if (late) {
+      kill(-one.process, SIGKILL);
+      has_ended(one, 0);
+    }
+    if (over || late) tasks.push_back({one.task, late});
+    return over || late;
   });
   bury_strangers();
   return tasks;

@@ -47,8 +47,13 @@ class RunningChildren {
   /// @throws Interrupted
   void wait(const Interruption& interruption) const;
 
+  struct Ended {
+    std::size_t task;
+    bool late;  ///< and therefore killed
+  };
+
   /// Takes out those that have ended, and kills and reaps what they left behind.
-  std::vector<std::size_t> ended();
+  std::vector<Ended> ended();
 
  private:
   std::vector<pid_t> strangers() const;

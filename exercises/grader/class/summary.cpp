@@ -18,6 +18,7 @@ TestCount& counter(std::vector<TestCount>& counters, const TestResult& test) {
 ExerciseCount count(const Results& results, std::size_t exercise) {
   ExerciseCount all;
   for (std::size_t student = 0; student < results.students.size(); ++student) {
+    if (!results.is_asked(student, exercise)) continue;
     const Report& report = results.report(student, exercise);
     ++all.verdicts[report.verdict];
     const bool judged = is_graded(report) && report.verdict != Verdict::rejected;

@@ -43,9 +43,9 @@ std::string grades_csv(const Results& results) {
     bool whole = true;
     for (std::size_t e = 0; e < results.exercises.size(); ++e) {
       const Report& report = results.report(s, e);
-      const bool counts = results.counts(s, e);
-      cells.push_back(counts && is_graded(report) ? std::to_string(report.score) : "");
-      if (!counts) continue;
+      const bool asked = results.is_asked(s, e);
+      cells.push_back(asked && is_graded(report) ? std::to_string(report.score) : "");
+      if (!asked) continue;
       total += report.score;
       of += report.points;
       whole = whole && is_graded(report);
@@ -62,6 +62,7 @@ std::string report_csv(const Results& results) {
       row({"student", "exercise", "verdict", "score", "points", "seed", "grader", "why"});
   for (std::size_t s = 0; s < results.students.size(); ++s) {
     for (std::size_t e = 0; e < results.exercises.size(); ++e) {
+      if (!results.is_asked(s, e)) continue;
       const Report& report = results.report(s, e);
       text +=
           row({printable_name(results.students[s].name), results.exercises[e].name,

@@ -28,8 +28,7 @@ int refuse_stale(const std::vector<Job>& jobs) {
 
 int write_tables(const Roll& roll, const std::vector<Exercise>& exercises,
                  const std::vector<Job>& jobs, const Class& work) {
-  Results results = collect(roll.students, exercises, jobs);
-  results.assigned = !work.assigned.empty();
+  const Results results = collect(roll.students, exercises, jobs);
   const std::vector<Job> old = stale(jobs, results, work.seed);
   if (!old.empty()) return refuse_stale(old);
   const std::filesystem::path tables = work.tables();
@@ -37,7 +36,8 @@ int write_tables(const Roll& roll, const std::vector<Exercise>& exercises,
   write_whole(tables / "grades.csv", grades_csv(results));
   write_whole(tables / "report.csv", report_csv(results));
   write_whole(tables / "summary.html", summary_html(results));
-  const auto failed = std::ranges::count_if(results.reports, std::not_fn(is_graded));
+  const std::vector<Report> reports = results.all();
+  const auto failed = std::ranges::count_if(reports, std::not_fn(is_graded));
   std::printf("%s, %s: see %s\n", counted(roll.students.size(), "student").c_str(),
               counted(exercises.size(), "exercise").c_str(),
               printable_name((tables / "summary.html").string()).c_str());
@@ -47,7 +47,7 @@ int write_tables(const Roll& roll, const std::vector<Exercise>& exercises,
                  "tries them again\n",
                  counted(static_cast<std::size_t>(failed), "submission").c_str());
   }
-  return exit_code(results.reports);
+  return exit_code(reports);
 }
 
 }  // namespace grade

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// States and starts in words, with all the digits that it takes to try them at home.
+/// States and starts in words, with all digits: whoever shows them leaves out what nobody needs.
 #pragma once
 #include <string>
 
@@ -9,8 +9,8 @@
 
 namespace judge {
 
-std::string describe(const Vec& vector, int digits = 6);
-std::string describe(const State& state, int digits = 6);
+std::string describe(const Vec& vector, int digits = 17);
+std::string describe(const State& state, int digits = 17);
 std::string describe(const Start& start);
 
 /// What pushes, with its constants.

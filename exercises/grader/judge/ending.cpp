@@ -61,8 +61,19 @@ void note_signal(const cage::Ended& ended) {
   }
 }
 
+// The harness prints a line before it ends the program; code that calls _exit with one of its codes
+// has no such line.
+bool by_the_harness(const cage::Ended& ended) {
+  return ended.err.find("It threw") != ended.err.npos ||
+         ended.err.find("It asked") != ended.err.npos;
+}
+
 void note_exit(const cage::Ended& ended, Moment moment) {
-  if (ended.code == threw) {
+  if (ended.code != 0 && !by_the_harness(ended)) {
+    note(Verdict::runtime_error,
+         "Your code ended the program with exit code " + std::to_string(ended.code) + ".",
+         ended.err);
+  } else if (ended.code == threw) {
     note(Verdict::runtime_error, "Your code threw an exception.", ended.err);
   } else if (ended.code == no_memory && was_full(ended)) {
     note(Verdict::memory_limit, "Your code wanted more memory than the " +
@@ -89,8 +100,10 @@ void note_exit(const cage::Ended& ended, Moment moment) {
 
 std::unique_ptr<cage::Process> start_driver() {
   Session& now = session();
+  cage::Limits limits = now.limits;
+  limits.wall = std::clamp(now.longest - now.wall, 0.0, limits.wall);
   return std::unique_ptr<cage::Process>(new cage::Process(
-      cage::run(now.sandbox, *now.kit, *now.driver, now.limits, now.build, now.arguments)));
+      cage::run(now.sandbox, *now.kit, *now.driver, limits, now.build, now.arguments)));
 }
 
 void note_nonsense() {
@@ -105,8 +118,9 @@ void note_other_count(double came, std::size_t wanted) {
 }
 
 void note_ending(const cage::Ended& ended, Moment moment) {
+  session().wall += ended.wall;
   session().processor = std::max(session().processor, ended.processor);
-  if (!session().stopped()) session().printed = ended.err;
+  if (!session().stopped()) session().printed += ended.err;
   switch (ended.how) {
     case How::exited:
       return note_exit(ended, moment);

@@ -43,8 +43,9 @@ void evaluates(Student& student, const Method& method, int per_step, int to_begi
   finding.asked = std::to_string(case_steps) + " steps of " + method.name + " with " +
                   std::to_string(wanted) + " evaluations of the acceleration, where it has them";
   finding.input = describe(with.start) + ", h = " + number(with.h, 17);
-  finding.expected = std::to_string(wanted) + " evaluations";
-  finding.got = std::to_string(yours.evaluations.size()) + " evaluations";
+  finding.expected = std::to_string(wanted) + " evaluations, where " + method.name + " has them";
+  finding.got = std::to_string(yours.evaluations.size()) + " evaluations" +
+                (wrong_places.empty() ? "" : ", some of them elsewhere");
   finding.error = yours.evaluations.size() == wanted ? "another place"
                                                      : std::to_string(yours.evaluations.size()) +
                                                            " instead of " + std::to_string(wanted);

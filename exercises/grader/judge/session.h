@@ -2,6 +2,7 @@
 /// @file
 /// The grading that is under way: what a test needs to know, and where it leaves what it found.
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,7 +21,8 @@ struct Session {
   const cage::File* driver = nullptr;
   cage::Sandbox sandbox = cage::Sandbox::bubblewrap;
   cage::Build build = cage::Build::scored;  ///< of the driver
-  cage::Limits limits;
+  cage::Limits limits;                      ///< of each driver
+  double longest = HUGE_VAL;                ///< for all drivers together, on the clock [s]
   std::uint64_t seed = 1;
   std::vector<std::string> arguments;  ///< of the driver
   std::string only;                    ///< the one test to run, by its name; all, if empty
@@ -30,8 +32,9 @@ struct Session {
   grade::Verdict ended =
       grade::Verdict::accepted;  ///< how the student's code ended; accepted: as it should
   std::string why;               ///< if it did not end as it should
-  std::string printed;           ///< by the driver that did not end as it should, on stderr
+  std::string printed;           ///< on stderr, up to the first driver that ended otherwise
   double processor = 0;          ///< most that one test used [s]
+  double wall = 0;               ///< used by all drivers that have ended, on the clock [s]
 
   bool stopped() const { return ended != grade::Verdict::accepted; }
 };

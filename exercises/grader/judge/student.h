@@ -11,7 +11,7 @@
 
 namespace judge {
 
-/// A driver in its cage, for as long as this lives. A test makes one, or two to see whether
+/// A driver in its cage, for as long as this lives. A test makes one, or more to see whether
 /// anything is remembered between runs.
 class Student {
  public:

@@ -42,14 +42,9 @@ void emit(const Report& report, const std::filesystem::path& folder, const std::
   write_or_remove(emits.contains(Emit::junit), folder / "junit.xml", junit(report));
 }
 
-void keep_provisional(const Request& request, const std::string& version,
-                      const std::filesystem::path& folder, const std::set<Emit>& emits) {
-  Report report;
-  report.exercise = request.exercise.name;
-  report.version = version;
-  report.submission = request.submission.string();
-  report.seed = request.seed;
-  report.sandbox = request.sandbox;
+void keep_provisional(Report report, const std::filesystem::path& folder,
+                      const std::set<Emit>& emits) {
+  report.verdict = Verdict::grader_error;
   report.why = "The grader was stopped before it came to a verdict. Grade it again.";
   report.try_again = true;
   std::filesystem::create_directories(folder);

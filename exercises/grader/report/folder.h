@@ -23,11 +23,12 @@ void emit(const Report& report, const std::filesystem::path& folder, const std::
 /// if nothing would be.
 std::string in_the_way(const std::filesystem::path& folder);
 
-/// Says that a grading has begun: until keep() replaces it, the folder tells of a grader that was
-/// stopped before it came to a verdict. Makes the folder.
+/// Says that a grading is under way: until keep() replaces it, the folder tells of a grader that
+/// was stopped before it came to a verdict. Makes the folder.
+/// @param report  as far as it is known; its verdict and its reason are not kept
 /// @throws std::system_error  one line that says what could not be written, and why
-void keep_provisional(const Request& request, const std::string& version,
-                      const std::filesystem::path& folder, const std::set<Emit>& emits);
+void keep_provisional(Report report, const std::filesystem::path& folder,
+                      const std::set<Emit>& emits);
 
 /// Writes plots, feedback.md, what is to be emitted, and at last report.json. Notes in the report
 /// where its plots are.

@@ -2,15 +2,13 @@
 #include "report/terminal.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <regex>
 #include <sstream>
 #include <vector>
 
-#include "format_values.h"
 #include "printable.h"
 #include "report/escape.h"
 #include "report/plot.h"
+#include "report/shortened.h"
 #include "report/words.h"
 
 namespace grade {
@@ -89,45 +87,7 @@ std::string row(const Report& report, const TestResult& test, const Paint& paint
          wrapped(test.name, before);
 }
 
-constexpr int few = 6;
-
-/// Numbers of more than six digits in the shortest form that has so many. All of them stand in
-/// report.json.
-std::string shortened(const std::string& text, int digits = few) {
-  static const std::regex longer(R"(-?\d+\.\d{5,}(e[-+]?\d+)?)");
-  std::string result;
-  auto from = text.begin();
-  for (std::sregex_iterator found(text.begin(), text.end(), longer), end; found != end; ++found) {
-    result.append(from, (*found)[0].first);
-    result += number(std::strtod(found->str().c_str(), nullptr), digits);
-    from = (*found)[0].second;
-  }
-  return result.append(from, text.end());
-}
-
-std::vector<double> numbers_in(const std::string& text) {
-  static const std::regex any(R"(-?\d+(\.\d+)?(e[-+]?\d+)?)");
-  std::vector<double> all;
-  for (std::sregex_iterator found(text.begin(), text.end(), any), end; found != end; ++found)
-    all.push_back(std::strtod(found->str().c_str(), nullptr));
-  return all;
-}
-
-/// As many as it takes to tell what came from what is expected.
-int digits_for(const Finding& finding) {
-  const std::vector<double> expected = numbers_in(finding.expected), got = numbers_in(finding.got);
-  const std::size_t both = std::min(expected.size(), got.size());
-  const auto alike = [&](int digits) {
-    return std::equal(expected.begin(), expected.begin() + std::ptrdiff_t(both), got.begin(),
-                      [=](double a, double b) { return number(a, digits) == number(b, digits); });
-  };
-  int digits = few;
-  while (digits < 17 && alike(digits) && !alike(17)) ++digits;
-  return digits;
-}
-
-std::string labelled(const Line& found, int digits = few) {
-  const Line line{found.label, shortened(found.text, digits)};
+std::string labelled(const Line& line) {
   const std::string label = "    " + line.label + std::string(label_width - line.label.size(), ' ');
   if (line.text.find('\n') == std::string::npos) {
     return label + wrapped(line.text, 4 + label_width);
@@ -145,10 +105,11 @@ std::string section(const TestResult& test, const Paint& paint) {
   std::string text = "\n" + paint.strong("  " + wrapped(test.name, 2));
   for (const Finding& finding : test.findings) {
     if (finding.held) continue;
-    const int digits = digits_for(finding);
-    for (const Line& line : lines(finding)) {
-      const bool compared = line.label == "Expected" || line.label == "Got";
-      text += labelled(line, compared ? digits : few);
+    const auto [expected, got] = told_apart(finding.expected, finding.got);
+    for (Line& line : lines(finding)) {
+      const bool compared = line.text == expected || line.text == got;
+      if (!compared) line.text = shortened(line.text);
+      text += labelled(line);
     }
     if (has_plot(finding)) text += labelled({"Picture", where(finding.plot)});
   }

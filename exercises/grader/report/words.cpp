@@ -6,6 +6,7 @@
 
 #include "replace_all.h"
 #include "report/escape.h"
+#include "report/shortened.h"
 
 namespace grade {
 namespace {
@@ -51,8 +52,9 @@ std::vector<std::string> commands_for_next(const std::string& exercise, const Pl
   auto next = std::ranges::find(all, exercise, &Exercise::name);
   if (next == all.end() || ++next == all.end()) return {grade + " --list"};
   const std::string starter = place.exercises + "/" + next->name + "/starter.h";
-  return {"cp -n " + word(starter) + " " + next->header(),
-          grade + " " + next->name + " " + next->header()};
+  const auto beside = std::filesystem::path(place.file).replace_filename(next->header()).string();
+  const std::string header = word(beside).empty() ? next->header() : word(beside);
+  return {"cp -n " + word(starter) + " " + header, grade + " " + next->name + " " + header};
 }
 
 }  // namespace
@@ -119,10 +121,11 @@ bool is_size(const std::string& error) {
 }
 
 std::vector<Line> lines(const Finding& finding) {
+  const auto [expected, got] = told_apart(finding.expected, finding.got);
   std::vector<Line> all{{"Asked", finding.asked},
                         {"Input", finding.input},
-                        {"Expected", finding.expected},
-                        {"Got", finding.got},
+                        {"Expected", expected},
+                        {"Got", got},
                         {is_size(finding.error) ? "Off by" : "Wrong", finding.error},
                         {"Allowed", with_reason(finding.tolerance, finding.tolerance_from)}};
   for (const std::string& diagnosis : finding.diagnoses) all.push_back({"Diagnosis", diagnosis});
@@ -143,6 +146,7 @@ std::vector<std::string> next_commands(const Report& report, const Place& seen) 
   std::string command =
       word(place.grade) + " " + report.exercise + " " + (file.empty() ? own : file);
   if (report.seed != public_seed) command += " --seed " + std::to_string(report.seed);
+  if (report.no_cage) command += " --sandbox none";
   return {command};
 }
 

@@ -81,7 +81,7 @@ TEST_CASE("A folder without the header says which names were expected and found"
   }
 }
 
-TEST_CASE("No link is followed") {
+TEST_CASE("No symbolic link is followed, and another hard link is noted") {
   const Folder folder;
   folder.write("real/" + header, text);
   fs::create_symlink(folder / "real" / header, folder / "link.h");
@@ -99,7 +99,9 @@ TEST_CASE("No link is followed") {
   CHECK_THAT(take(folder / "c").refused, ContainsSubstring("2-euler is a symbolic link"));
 
   fs::create_hard_link(folder / "real" / header, folder / "hard.h");
-  CHECK_THAT(take(folder / "hard.h").refused, ContainsSubstring("hard link"));
+  CHECK(take(folder / "hard.h").text == text);
+  CHECK(take(folder / "hard.h").linked);
+  CHECK_FALSE(take(folder.write("alone.h", text)).linked);
 }
 
 TEST_CASE("What is no plain file is refused, and does not hold the grader up") {

@@ -1,6 +1,6 @@
 // Classes, graded by the stand-in:   node class.test.mjs STAND_IN
 import assert from 'node:assert/strict';
-import { chmodSync, existsSync, mkdirSync, renameSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
+import { chmodSync, existsSync, linkSync, mkdirSync, renameSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
@@ -17,7 +17,7 @@ test('a class is graded, and the tables say what the reports say', () => {
   const room = classroom(three);
   const { status, stdout, stderr, graded } = room.grade();
   assert.equal(status, 0, stderr);
-  assert.equal(graded.length, 6);
+  assert.deepEqual(graded, ['ada 1-first/one', 'ada 2-second/three', 'bob 1-first/one', 'cy 1-first/one']);
   assert.deepEqual(rows(room.read('grades.csv')), [
     'student,1-first/one,2-second/three,total,of',
     'ada,10,0,10,20',
@@ -27,14 +27,18 @@ test('a class is graded, and the tables say what the reports say', () => {
   const long = rows(room.read('report.csv'));
   assert.equal(long[0], 'student,exercise,verdict,score,points,seed,grader,why');
   assert.equal(long[1], 'ada,1-first/one,ACCEPTED,10,10,1,one,');
-  assert.match(long[5], /^cy,1-first\/one,COMPILE_ERROR,0,10,1,one,./);
-  assert.match(stdout, /^\[6\/6\] /m);
+  assert.match(long[4], /^cy,1-first\/one,COMPILE_ERROR,0,10,1,one,./);
+  assert.match(stdout, /^\[4\/4\] /m);
+  assert.equal(long.length, 5);
+  assert.ok(!room.has('bob/2-second')); // nobody asked it of him
+  assert.match(room.read('summary.html'), /bob<\/th><td class="number">4\/10<\/td>/);
   assert.match(room.read('ada/1-first/one/feedback.md'), /^# 1-first\/one: ACCEPTED/);
 });
 
-test('who handed in nothing is rejected, and told what was expected and what is there', () => {
+test('who had to hand in something and did not is told what was expected and what is there', () => {
   const room = classroom({ ...three, 'dan/1-first/One': '// score 10' });
-  assert.equal(room.grade(['--exercise', '1-first/one']).status, 0);
+  writeFileSync(room.path('assigned'), '1-first/one');
+  assert.equal(room.grade(['--assigned', room.path('assigned')]).status, 0);
   const { verdict, why, score } = room.report('dan/1-first/one');
   assert.deepEqual([verdict, score], ['REJECTED', 0]);
   assert.match(why, /one\.h/);
@@ -43,24 +47,37 @@ test('who handed in nothing is rejected, and told what was expected and what is 
 
 test('graded again, only what changed is graded', () => {
   const room = classroom({ ...three, 'empty/1-first/other': '' });
-  assert.equal(room.grade().graded.length, 8);
+  assert.equal(room.grade().graded.length, 4);
   const { graded, stdout, status } = room.grade();
   assert.deepEqual([graded, status], [[], 0]);
-  assert.match(stdout, /8 submissions graded before/);
+  assert.match(stdout, /4 submissions graded before/);
   room.write('bob/1-first/one', '// score 10');
   assert.deepEqual(room.grade().graded, ['bob 1-first/one']);
   assert.match(room.read('grades.csv'), /^bob,10,,10,10\r$/m);
   writeFileSync(room.path('results/cy/1-first/one/report.json'), '{"schema":');
   assert.deepEqual(room.grade().graded, ['cy 1-first/one']);
-  assert.equal(room.grade(['--seed', '7']).graded.length, 8);
-  assert.equal(room.grade(['--seed', '7'], { STAND_IN_VERSION: 'two' }).graded.length, 8);
+  assert.equal(room.grade(['--seed', '7']).graded.length, 4);
+  assert.equal(room.grade(['--seed', '7'], { STAND_IN_VERSION: 'two' }).graded.length, 4);
 });
 
-test('what was rejected is graded as soon as it is there', () => {
+test('what was not there is graded as soon as it is', () => {
+  for (const more of [[], ['--assigned', 'assigned']]) {
+    const room = classroom(three);
+    writeFileSync(room.path('assigned'), '2-second/three');
+    const words = more.map(word => word.replace(/^a/, room.path('a')));
+    room.grade(words);
+    room.write('bob/2-second/three', '// score 10');
+    assert.deepEqual(room.grade(words).graded, ['bob 2-second/three']);
+  }
+});
+
+test('what has more than one name, as in a backup of hard links, is graded, and it is said once', () => {
   const room = classroom(three);
-  room.grade();
-  room.write('bob/2-second/three', '// score 10');
-  assert.deepEqual(room.grade().graded, ['bob 2-second/three']);
+  linkSync(room.path('submissions/bob/1-first/one.h'), room.path('backup'));
+  const { status, stdout } = room.grade();
+  assert.equal(status, 0);
+  assert.match(stdout, /^1 submission with more than one hard link, as a backup makes them$/m);
+  assert.equal(room.report('bob/1-first/one').score, 4);
 });
 
 test('a submission on which the grader fails stops nobody, has no grade, and is tried again', () => {
@@ -68,7 +85,6 @@ test('a submission on which the grader fails stops nobody, has no grade, and is 
     ['crash', 75],
     ['again', 75],
     ['fails', 42],
-    ['slow', 75],
   ]) {
     const room = classroom({ ...three, 'aaa/1-first/one': `// ${fate}` });
     const first = room.grade(['--exercise', '1-first/one']);
@@ -80,6 +96,23 @@ test('a submission on which the grader fails stops nobody, has no grade, and is 
     room.write('aaa/1-first/one', '// score 10');
     assert.deepEqual(room.grade(['--exercise', '1-first/one']).graded, ['aaa 1-first/one']);
   }
+});
+
+test('what is killed at its deadline has the points that it had, and is not tried again', () => {
+  const room = classroom({ ...three, 'aaa/1-first/one': '// slow 4', 'abe/1-first/one': '// slow' });
+  const { status, stderr } = room.grade(['--exercise', '1-first/one', '--emit', 'gradescope']);
+  assert.deepEqual([status, stderr], [0, '']);
+  for (const [student, score] of [
+    ['aaa', 4],
+    ['abe', 0],
+  ]) {
+    const report = room.report(`${student}/1-first/one`);
+    assert.deepEqual([report.verdict, report.score], ['TIME_LIMIT', score]);
+    assert.match(report.why, /stopped at its deadline/);
+    assert.equal(JSON.parse(room.read(`${student}/1-first/one/results.json`)).score, score);
+  }
+  assert.deepEqual(rows(room.read('part/grades.csv')).slice(1, 4), ['aaa,4,4,10', 'abe,0,0,10', 'ada,10,10,10']);
+  assert.deepEqual(room.grade(['--exercise', '1-first/one']).graded, []);
 });
 
 test('where a report cannot be written there is no grade, and the others have theirs', () => {
@@ -187,9 +220,9 @@ test('shards together are the whole, and the tables come of a last run', () => {
   });
   assert.deepEqual(
     parts.map(part => part.length),
-    [2, 2, 1, 1],
+    [1, 1, 1, 1],
   );
-  assert.equal(new Set(parts.flat()).size, 6);
+  assert.equal(new Set(parts.flat()).size, 4);
   assert.deepEqual(room.grade().graded, []);
   assert.equal(rows(room.read('grades.csv')).length, 4);
 });

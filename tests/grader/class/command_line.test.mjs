@@ -1,8 +1,8 @@
 // Bad input and exit codes of the command line, in front of the stand-in:   node command_line.test.mjs STAND_IN
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { GRADE, scratch } from './classroom.mjs';
 
@@ -97,6 +97,18 @@ test('without --out it only prints; with it, it writes as well', () => {
   assert.ok(!existsSync(at('out/a/plots')));
 });
 
+test('options may stand anywhere', () => {
+  for (const [n, words] of [
+    ['--emit', 'junit', '--out', 'order-0', '1-first/one', 'some.h'],
+    ['--out', 'order-1', '--emit', 'gradescope', '1-first/one', 'some.h'],
+    ['1-first/one', '--emit', 'gradescope', 'some.h', '--out', 'order-2'],
+  ].entries()) {
+    const { status, stderr } = run(...words);
+    assert.deepEqual([status, stderr], [0, ''], words.join(' '));
+    assert.equal(readdirSync(at(`order-${n}`)).length, 3);
+  }
+});
+
 test('a file of yours in the folder that --out names is not lost', () => {
   mkdirSync(at('mine'));
   writeFileSync(at('mine/feedback.md'), 'Dear diary');
@@ -105,6 +117,15 @@ test('a file of yours in the folder that --out names is not lost', () => {
   assert.match(stderr, /^grade: 'mine' holds a feedback\.md that is not the grader's own; name another folder/);
   assert.deepEqual(readdirSync(at('mine')), ['feedback.md']);
   for (const _ of ['new', 'its own']) assert.equal(run('1-first/one', 'some.h', '--out', 'out/b').status, 0);
+});
+
+test('what had full marks is done', () => {
+  const done = join(dirname(GRADE), 'done.txt');
+  rmSync(done, { force: true });
+  run('1-first/two', 'some.h');
+  assert.ok(!existsSync(done));
+  for (const _ of ['once', 'again']) run('1-first/two', 'full.h');
+  assert.equal(readFileSync(done, 'utf8'), '1-first/two\n');
 });
 
 test('colours come on terminals only', () => {

@@ -1,6 +1,6 @@
 // The summary page of a class, graded by the stand-in, in the browser:   node page.test.mjs STAND_IN
 import assert from 'node:assert/strict';
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -18,7 +18,8 @@ const room = classroom({
   'ada/2-second/three': '// score 4',
   '<script>alert(1)<~script>/1-first/two': '// fails',
 });
-room.grade();
+writeFileSync(room.path('assigned'), '1-first/one\n1-first/two\n2-second/three\n');
+room.grade(['--assigned', room.path('assigned')]);
 const page = room.path('results/summary.html');
 
 let browser;

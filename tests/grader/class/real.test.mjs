@@ -22,7 +22,7 @@ after(() => rmSync(folder, { recursive: true, force: true }));
 const at = (...names) => join(folder, ...names);
 
 const hostile = "$(touch forged) 'n\newline";
-mkdirSync(at('submissions', hostile), { recursive: true });
+mkdirSync(at('submissions', hostile, '2-euler/orbit-drift.h'), { recursive: true });
 const students = answers
   .flatMap(from =>
     readdirSync(from)

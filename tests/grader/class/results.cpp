@@ -4,6 +4,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "class/summary.h"
+#include "time_limits.h"
 
 using namespace grade;
 
@@ -47,6 +48,7 @@ TEST_CASE("a share is of those whose submission was judged") {
     report.tests = {{"a test", 3, ran, held, {}}};
     results.students.push_back({std::string(name(verdict)), {}});
     results.reports.push_back(report);
+    results.asked.push_back(true);
   }
   const ExerciseCount all = count(results, 0);
   CHECK(all.judged == 3);
@@ -63,4 +65,16 @@ TEST_CASE("of what a compiler said the table has the line with the error") {
       "a.h: In function 'int f()':\na.h:20:25: error: 'nix' was not declared\n   20 | nix;";
   const Results results{{{"ada", {}}}, {exercise}, {report}, {true}};
   CHECK(report_csv(results).ends_with(",a.h:20:25: error: 'nix' was not declared\r\n"));
+}
+
+// A program's tests are those of an exercise if they bear its name: here this one, alone.
+TEST_CASE("a deadline is long enough for all that may reach its limit", "[deadlines]") {
+  Request request;
+  request.exercise.name = "deadlines";
+  request.runs = 3;
+  request.compile_limits.wall = 30;
+  request.run_limits.wall = 10;
+  CHECK(longest_run(request) == 10);
+  CHECK(longest_grading(request) >= 30 + 3 * 10);
+  CHECK(longest_grading(request) <= 3 * (30 + 3 * 10));
 }

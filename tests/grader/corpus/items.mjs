@@ -11,8 +11,9 @@ function fromFile(kind, file) {
   const [, verdict] = source.match(/^\/\/ ([A-Z_|]+): \S/) ?? [];
   if (!verdict) throw new Error(`${kind}/${file}: the first line must be "// VERDICT: what it does"`);
   const [, says] = source.match(/^.*\n\/\/ says: (.*)/) ?? [];
+  const [, never] = source.match(/^\/\/ never: (.*)/m) ?? [];
   const make = at => (copyFileSync(join(here, kind, file), join(at, file)), join(at, file));
-  return { name: `${kind}/${file.replace(/\.h$/, '')}`, verdict, says, source, make };
+  return { name: `${kind}/${file.replace(/\.h$/, '')}`, verdict, says, never, source, make };
 }
 
 export function items(solution) {

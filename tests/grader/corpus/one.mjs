@@ -85,6 +85,7 @@ export function checker({ grade, alone, exercises, build }) {
       'a process left': code === 99,
       'time': result.seconds > mostSeconds,
       'message': item.says !== undefined && !said.includes(item.says),
+      'what should not be said': item.never !== undefined && flat(result.report.memory).includes(item.never),
       'a file left':
         readdirSync(join(room, 'work')).length > 0 ||
         traces.some(existsSync) ||

@@ -48,17 +48,17 @@ TEST_CASE("a written file may be read by whom the mask allows") {
 
 TEST_CASE("a report exists from the first moment, and says that the grader was stopped") {
   const Folder folder;
-  Request request;
-  request.exercise.name = "2-euler/orbit-drift";
-  request.seed = 7;
+  Report begun = sample();
+  begun.seed = 7;
   const auto out = folder.path / "a" / "b";
-  keep_provisional(request, "v", out, both);
+  keep_provisional(begun, out, both);
   const std::optional<Report> kept = report_from(read_whole(out / "report.json").value());
   REQUIRE(kept);
   CHECK(kept->verdict == Verdict::grader_error);
   CHECK(kept->try_again);
   CHECK(kept->why.find("stopped before") != std::string::npos);
   CHECK(kept->seed == 7);
+  CHECK(kept->tests[0].held == begun.tests[0].held);  // what it had come to
   for (const char* file : {"feedback.md", "junit.xml"}) {
     CHECK(read_whole(out / file).value().find("GRADER_ERROR") != std::string::npos);
   }

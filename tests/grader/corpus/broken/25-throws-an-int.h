@@ -1,4 +1,5 @@
 // RUNTIME_ERROR: throws a number
+// never: overflow
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

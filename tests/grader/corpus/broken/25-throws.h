@@ -1,5 +1,6 @@
 // RUNTIME_ERROR: throws an exception
 // says: the orbit was lost
+// never: overflow
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include <stdexcept>

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Which exercises a student has done: those for which this program, called for one submission,
+/// gave full marks. Their names stand in `done.txt` beside the program.
+#pragma once
+#include "exercise.h"
+
+namespace grade {
+
+/// Whether it has ever had full marks here.
+bool is_done(const Exercise& exercise);
+
+/// Remembers that it has. Where the file can't be written, nothing is remembered.
+void note_done(const Exercise& exercise);
+
+}  // namespace grade

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT-0
+#include "report/shortened.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <regex>
+#include <vector>
+
+#include "format_values.h"
+
+namespace grade {
+
+std::string shortened(const std::string& text, int digits) {
+  static const std::regex longer(R"(-?\d+\.\d{5,}(e[-+]?\d+)?)");
+  std::string result;
+  auto from = text.begin();
+  for (std::sregex_iterator found(text.begin(), text.end(), longer), end; found != end; ++found) {
+    result.append(from, (*found)[0].first);
+    result += number(std::strtod(found->str().c_str(), nullptr), digits);
+    from = (*found)[0].second;
+  }
+  return result.append(from, text.end());
+}
+
+namespace {
+
+std::vector<std::string> numbers_in(const std::string& text, int digits) {
+  static const std::regex any(R"(-?\d+(\.\d+)?(e[-+]?\d+)?)");
+  std::vector<std::string> all;
+  for (std::sregex_iterator found(text.begin(), text.end(), any), end; found != end; ++found)
+    all.push_back(number(std::strtod(found->str().c_str(), nullptr), digits));
+  return all;
+}
+
+/// Whether all numbers of the one text are among those of the other.
+bool alike(const std::string& expected, const std::string& got, int digits) {
+  const auto came = numbers_in(got, digits);
+  return std::ranges::all_of(numbers_in(expected, digits), [&](const std::string& wanted) {
+    return std::ranges::find(came, wanted) != came.end();
+  });
+}
+
+}  // namespace
+
+std::pair<std::string, std::string> told_apart(const std::string& expected,
+                                               const std::string& got) {
+  constexpr int few = 6, all = 17;
+  int digits = few;
+  while (digits < all && alike(expected, got, digits) && !alike(expected, got, all)) ++digits;
+  return {shortened(expected, digits), shortened(got, digits)};
+}
+
+}  // namespace grade
