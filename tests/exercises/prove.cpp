@@ -4,7 +4,8 @@
 // an edit of the solution, fails the test that its first line names and is told what its line
 // `Says:` promises. All of them lie in one driver, which is run without a cage, the right ones
 // under one seed, the wrong ones by the test that they are named for; then the right ones and one
-// that is wrong go the way of a submission. With a number, the driver alone is tried, under so many
+// that is wrong go the way of a submission. What the tests ask is within the bounds that harness.h
+// names, and all of these are among it. With a number, the driver alone is tried, under so many
 // seeds; with `caged`, all go the way of a submission, through all tests. Prints one line for each;
 // the exit code is 1 if any is not so.
 #include <algorithm>
@@ -12,13 +13,16 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "grade_submission.h"
 #include "judge/session.h"
+#include "report/shortened.h"
 #include "report/words.h"
 #include "ways.h"
 
@@ -86,6 +90,30 @@ bool is_right(const Grade& grade, const std::filesystem::path& file, int seeds) 
   return false;
 }
 
+// What the solution's drivers said of the arguments that they were given, see watch.h: each
+// bound and each special value that the exercise's harness.h names was asked, and nothing beyond.
+bool asks_all(const std::string& printed) {
+  std::map<std::string, bool> asked;
+  bool good = true;
+  std::istringstream lines(printed);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string what, place, name, value, answer;
+    words >> what >> place >> name >> value >> answer;
+    const std::string which = "harness.h:" + place + ": " + name + " = " + value;
+    if (what == "asked") asked[which] = asked[which] || answer == "yes";
+    if (what != "outside") continue;
+    std::printf("WRONG  %s lies outside of its bounds, and is asked\n", which.c_str());
+    good = false;
+  }
+  for (const auto& [which, was] : asked) {
+    if (was) continue;
+    std::printf("WRONG  %s is never asked\n", which.c_str());
+    good = false;
+  }
+  return good;
+}
+
 bool is_nothing(const Grade& grade, const std::filesystem::path& file) {
   const Report report = grade(file, 1, "");
   const bool ran = std::all_of(report.tests.begin(), report.tests.end(),
@@ -112,22 +140,48 @@ std::string told(const Report& report, const grade::TestResult& test) {
   return all;
 }
 
+// Two lines that look alike teach nobody what is wrong.
+bool shows_a_difference(const grade::TestResult& test) {
+  for (const grade::Finding& finding : test.findings) {
+    const auto [expected, got] = grade::told_apart(finding.expected, finding.got);
+    if (!finding.held && !expected.empty() && expected == got) return false;
+  }
+  return true;
+}
+
 // A test that was never run, because the code crashed, is not one that it failed.
-bool is_caught(const Grade& grade, const std::filesystem::path& file) {
+bool fails(const Report& report, const std::string& test) {
+  const auto named = std::ranges::find(report.tests, test, &grade::TestResult::name);
+  return named != report.tests.end() && !named->held &&
+         (named->ran || report.verdict != Verdict::partial);
+}
+
+// The first seed under which it passes its test after all; none if it never does.
+std::optional<int> lucky(const Grade& grade, const std::filesystem::path& file,
+                         const std::string& test, int seeds) {
+  for (int seed = 2; seed <= seeds; ++seed)
+    if (!fails(grade(file, static_cast<std::uint64_t>(seed), test), test)) return seed;
+  return std::nullopt;
+}
+
+bool is_caught(const Grade& grade, const std::filesystem::path& file, int seeds) {
   const std::string name = promised(file, "Fails"), words = promised(file, "Says");
   const Report report = grade(file, 1, name);
-  const auto named = std::find_if(report.tests.begin(), report.tests.end(),
-                                  [&](const grade::TestResult& test) { return test.name == name; });
+  const auto named = std::ranges::find(report.tests, name, &grade::TestResult::name);
   if (name.empty()) return say(report, file, false, "its first line is not \"// Fails: TEST\"");
   if (named == report.tests.end())
     return say(report, file, false, "there is no test \"" + name + "\"");
   if (report.verdict == Verdict::grader_error) return say(report, file, false, "was not judged");
-  const bool caught = !named->held && (named->ran || report.verdict != Verdict::partial);
+  const bool caught = fails(report, name);
   if (words.empty())
     return say(report, file, false,
                "has no line \"// Says: WORDS\"; is told:" + told(report, *named));
   if (caught && told(report, *named).find(words) == std::string::npos)
     return say(report, file, false, "is not told \"" + words + "\" but:" + told(report, *named));
+  if (caught && !shows_a_difference(*named))
+    return say(report, file, false, "what is expected and what came look alike");
+  if (const auto seed = lucky(grade, file, name, seeds))
+    return say(report, file, false, "passes under seed " + std::to_string(*seed) + ": " + name);
   return say(report, file, caught && report.score < report.points,
              (caught ? "fails: " : "passed: ") + name);
 }
@@ -167,7 +221,7 @@ bool prove(const Grade& grade, const grade::Exercise& exercise, int seeds,
   bool good = is_right(grade, exercise.folder / "solution.h", seeds);
   for (const auto& file : right) good = is_right(grade, file, seeds) && good;
   good = is_nothing(grade, exercise.folder / "starter.h") && good;
-  for (const auto& file : wrong) good = is_caught(grade, file) && good;
+  for (const auto& file : wrong) good = is_caught(grade, file, seeds) && good;
   return good;
 }
 
@@ -190,6 +244,8 @@ int prove(const grade::Exercise& exercise, const Trial& trial) {
     const Grade alone = [&](const auto& file, std::uint64_t seed, const std::string& only) {
       return driver.grade(file, seed, {}, only);
     };
+    alone(exercise.folder / "solution.h", 1, "");
+    good = asks_all(judge::session().printed) && good;
     good = prove(alone, exercise, trial.seeds, right, wrong) && good;
   }
   if (trial.caged == Caged::none) return good ? 0 : 1;

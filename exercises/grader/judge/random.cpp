@@ -27,6 +27,10 @@ double Random::between(double low, double high) {
   return low + (high - low) * static_cast<double>(numbers_() >> 11) * 0x1p-53;
 }
 
+double Random::between(const harness::Bounds& bounds) {
+  return between(bounds.smallest(), bounds.largest());
+}
+
 int Random::whole(int low, int high) {
   return low + static_cast<int>(numbers_() % static_cast<std::uint64_t>(high - low + 1));
 }
@@ -37,6 +41,12 @@ Vec Random::vector(double low, double high) {
   drawn.y = between(low, high);
   drawn.z = between(low, high);
   return drawn;
+}
+
+std::vector<double> Random::all_of(const harness::Bounds& bounds, int drawn) {
+  std::vector<double> values(bounds.asked().begin(), bounds.asked().end());
+  for (int n = 0; n < drawn; ++n) values.push_back(between(bounds));
+  return values;
 }
 
 Start Random::start() {

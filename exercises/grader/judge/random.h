@@ -4,7 +4,9 @@
 #pragma once
 #include <cstdint>
 #include <random>
+#include <vector>
 
+#include "harness/bounds.h"
 #include "harness/force.h"
 #include "judge/path.h"
 
@@ -17,8 +19,12 @@ class Random {
   Random();
 
   double between(double low, double high);
-  int whole(int low, int high);  ///< both may be drawn
+  double between(const harness::Bounds& bounds);  ///< from the smallest to the largest
+  int whole(int low, int high);                   ///< both may be drawn
   Vec vector(double low, double high);
+
+  /// What is to be asked of an argument: its bounds, what is special, and so many drawn between.
+  std::vector<double> all_of(const harness::Bounds& bounds, int drawn);
 
   /// About 1 in size, and not along an axis.
   Start start();
