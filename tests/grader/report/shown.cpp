@@ -138,8 +138,19 @@ TEST_CASE("full marks lead to the next exercise of the book") {
   CHECK(next_commands(report) ==
         std::vector<std::string>{"cp -n exercises/" + next.name + "/starter.h " + next.header(),
                                  "build/exercises/grade " + next.name + " " + next.header()});
+  // It lies beside the last one.
+  CHECK(next_commands(report, {.file = "mine/a.h"}).back() ==
+        "build/exercises/grade " + next.name + " mine/" + next.header());
   report.exercise = exercises().back().name;
   CHECK(next_commands(report) == std::vector<std::string>{"build/exercises/grade --list"});
+}
+
+TEST_CASE("where no cage can be had, the next command does without") {
+  Report report = sample();
+  report.verdict = Verdict::grader_error;
+  CHECK_FALSE(has(next_commands(report).front(), "--sandbox"));
+  report.no_cage = true;
+  CHECK(next_commands(report).front().ends_with(" --sandbox none"));
 }
 
 TEST_CASE("a command names the file and the grader as they were called") {
