@@ -273,7 +273,7 @@ constexpr Dopri5Error<Vec> dopri5(Dopri5Path<Vec, Time, Real>& path, Real h,
 
 /// Moves on by `duration` in as many steps of dopri5 as a tolerance asks for.
 ///
-/// For answers to compare with. In a frame it is the wrong tool: nobody knows what it will cost.
+/// For answers to compare with. In a frame nobody knows what it will cost, unless `most` says so.
 ///
 /// @param x  position, advanced in place
 /// @param v  velocity, advanced in place
@@ -283,12 +283,14 @@ constexpr Dopri5Error<Vec> dopri5(Dopri5Path<Vec, Time, Real>& path, Real h,
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @param norm  callable `(Vec) -> Real`, the size of an error in `x` or in `v`
 /// @param tolerance  largest size of the estimate in one step
-/// @returns  whether it got there; if not, the step had to shrink to nothing, or the acceleration
-/// or the duration was not finite, and x and v are as at the start
+/// @param most  how many steps it may try, each of six evaluations
+/// @returns  whether it got there; if not, the step had to shrink to nothing, `most` steps were not
+/// enough, or the acceleration or the duration was not finite, and x and v are as at the start
 /// @see Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I (1993), section II.4
 template <class Vec, class Time, class Real, class Acceleration, class Norm>
 [[nodiscard]] bool dopri5_adaptive(Vec& x, Vec& v, Time t, Real duration, Real& h,
-                                   Acceleration&& acceleration, Norm&& norm, Real tolerance) {
+                                   Acceleration&& acceleration, Norm&& norm, Real tolerance,
+                                   long most = 1'000'000) {
   constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
@@ -306,7 +308,7 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
     for (Real done = 0; done < length;) {
       const bool last = !(h < length - done);
       const Real step = last ? length - done : h;
-      if (!(done + step > done)) return false;
+      if (!(done + step > done) || most-- <= 0) return false;
       Vec x_next = x_now, v_next = v_now, a_next = a_now;
       const auto error =
           dopri5(x_next, v_next, a_next, t + forward * done, forward * step, acceleration);
@@ -332,11 +334,13 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @param norm  callable `(Vec) -> Real`, the size of an error in `x` or in `v`
 /// @param tolerance  largest size of the estimate in one step
-/// @returns  whether the path holds t; if not, it ends where the step had to shrink to nothing, or
-/// the acceleration or t was not finite
+/// @param most  how many steps it may try, each of six evaluations
+/// @returns  whether the path holds t; if not, it ends where the step had to shrink to nothing,
+/// where `most` steps had got it, or where the acceleration or t was not finite
 template <class Vec, class Time, class Real, class Acceleration, class Norm>
 [[nodiscard]] bool dopri5_adaptive(Dopri5Path<Vec, Time, Real>& path, Time t,
-                                   Acceleration&& acceleration, Norm&& norm, Real tolerance) {
+                                   Acceleration&& acceleration, Norm&& norm, Real tolerance,
+                                   long most = 1'000'000) {
   constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
@@ -351,7 +355,7 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
     while (!path.holds(t)) {
       // As a share of the time, since -ffast-math takes (t + h) - t for h.
       const Real least = Real(std::numeric_limits<Time>::epsilon()) * std::abs(Real(path.t));
-      if (!Verdict::finite(path.h) || !(path.h > least)) return false;
+      if (!Verdict::finite(path.h) || !(path.h > least) || most-- <= 0) return false;
       auto next = path;
       const auto error = dopri5(next, t < path.t ? -path.h : path.h, acceleration);
       const Verdict verdict(Real(norm(error.x)) / tolerance, Real(norm(error.v)) / tolerance);

@@ -224,6 +224,12 @@ TEST_CASE("Where there is no way on, a path of Dormand and Prince ends and says 
     CHECK(refuses(2, [](double x, double, double) { return -1 / (x * x); }));
     CHECK((path.x > 0 && path.x < 1e-3 && path.t > 0.5));
   }
+  SECTION("more steps than it may try") {
+    CHECK_FALSE(integrate::dopri5_adaptive(path, 100.0, spring, size, 1e-8, 20));
+    CHECK((path.t > 1 && path.t < 100));
+    CHECK_THAT(path.x, WithinAbs(std::cos(path.t) - 0.5 * std::sin(path.t), 1e-6));
+    CHECK(integrate::dopri5_adaptive(path, 100.0, spring, size, 1e-8));
+  }
   SECTION("a tolerance that no step can keep") {
     CHECK(refuses(2, [](double x, double, double t) { return std::cos(3 * t) - x; }, 0.0));
     CHECK((path.x == 1 && path.t == 0));

@@ -144,6 +144,15 @@ TEST_CASE("Where there is no way on, Dormand and Prince say so and move nothing"
     v = 0.5;
     CHECK_FALSE(moves(x, v, -2, h, [](double at, double, double) { return -1 / (at * at); }));
   }
+  SECTION("more steps than it may try") {
+    int asked = 0;
+    const auto counted = [&asked](double at, double, double) {
+      ++asked;
+      return -at;
+    };
+    CHECK_FALSE(integrate::dopri5_adaptive(x, v, 0.0, 100.0, h, counted, size, 1e-8, 20));
+    CHECK(asked == 1 + 6 * 20);
+  }
   SECTION("a tolerance that no step can keep") {
     const auto driven = [](double at, double, double t) { return std::cos(3 * t) - at; };
     CHECK_FALSE(integrate::dopri5_adaptive(x, v, 0.0, 1.0, h, driven, size, 0.0));
