@@ -88,9 +88,11 @@ template <class Real>
 Impact<Real> impact_plane(Real height, Real speed, Real acceleration, Real h) {
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   const Real zero = Real(0);
+  const Real square = speed * speed - Real(2) * acceleration * height;
+  if (!(square == square) || !(h >= zero)) return {};    // one of them is not a number
+  if (speed >= zero && acceleration >= zero) return {};  // it never comes down
   if (height <= zero && (speed < zero || (speed == zero && acceleration < zero)))
     return {true, zero};
-  const Real square = speed * speed - Real(2) * acceleration * height;
   if (!(square >= zero)) return {};  // it turns before it comes down
   // Of the two forms of the root the one that subtracts nothing.
   const Real root = std::sqrt(square);
@@ -122,7 +124,7 @@ Impact<Real> impact_sphere(const Vec& x, const Vec& v, Real radius, Real h, Dot&
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales && dots) {
     const Real closing = -Real(dot(x, v)), fast = dot(v, v);
-    if (!(closing > Real(0))) return {};
+    if (!(closing > Real(0)) || !(h >= Real(0))) return {};
     const Real distance = std::sqrt(Real(dot(x, x)));
     const Real outside = (distance - radius) * (distance + radius);
     if (outside <= Real(0)) return {true, Real(0)};
@@ -165,6 +167,8 @@ Impact<Real> impact_sphere(const Vec& x, const Vec& v, const Vec& a, Real radius
     Real c[5] = {(distance - radius) * (distance + radius), Real(2) * Real(dot(x, way)),
                  Real(dot(way, way)) + Real(2) * Real(dot(x, bend)), Real(2) * Real(dot(way, bend)),
                  dot(bend, bend)};
+    const Real all = c[0] + c[1] + c[2] + c[3] + c[4];
+    if (!(all == all) || !(h >= Real(0))) return {};  // one of them is not a number
     if (c[0] <= Real(0) && (c[1] < Real(0) || (c[1] == Real(0) && c[2] < Real(0)))) {
       return {true, Real(0)};
     }
@@ -313,6 +317,10 @@ int bounce_step(Vec& x, Vec& v, const Vec& a, Real h, const Plane<Vec, Real>& pl
         v = v + left * Vec(a + (-pull) * plane.normal);
         friction(v, plane.normal, plane.friction * -pull * left, dot);
         x = x + (left / Real(2)) * Vec(before + v);
+        return bounces;
+      } else {  // nothing draws it back
+        x = x + (left * v + (left * left / Real(2)) * a);
+        v = v + left * a;
         return bounces;
       }
     }

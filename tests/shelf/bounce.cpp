@@ -349,3 +349,35 @@ TEST_CASE("Drawn to a ceiling, a balloon bounces off it and floats away when gra
   for (int n = 0; n < 60; ++n) shelf::bounce_step(x, v, -0.5, 1 / 60.0, ceiling, times);
   CHECK_THAT(x, WithinAbs(2.75, 1e-12));
 }
+
+TEMPLATE_TEST_CASE("What leaves the plane as slowly as can be is let go", "", float, double) {
+  const OnALine<TestType> plane{1, 0, TestType(0.5), 0, TestType(0.5)};
+  const TestType h = TestType(1) / 60, away = TestType(g);
+  const TestType least = std::numeric_limits<TestType>::denorm_min();
+  for (const TestType speed : {least, -least, TestType(0), TestType(0.1), TestType(-0.1)}) {
+    CAPTURE(speed);
+    TestType x = 0, v = speed;
+    shelf::bounce_step(x, v, away, h, plane, times);
+    const double start = std::max(0.0, double(speed));
+    CHECK_THAT(x, WithinRel(start * h + 0.5 * double(away) * h * h, 1e-5));
+    CHECK_THAT(v, WithinRel(start + double(away) * h, 1e-5));
+  }
+  CHECK_FALSE(shelf::impact_plane(TestType(0), least, away, h).hit);
+}
+
+TEST_CASE("What is not a number meets nothing") {
+  for (int which = 0; which < 4; ++which) {
+    CAPTURE(which);
+    double in_plane[] = {-1, -1, -g, 0.1}, in_sphere[] = {0.5, -1, 1, 0.1};
+    CHECK(shelf::impact_plane(in_plane[0], in_plane[1], in_plane[2], in_plane[3]).hit);
+    CHECK(shelf::impact_sphere(in_sphere[0], in_sphere[1], in_sphere[2], in_sphere[3], times).hit);
+    in_plane[which] = in_sphere[which] = NAN;
+    const auto [height, speed, acceleration, h] = in_plane;
+    CHECK_FALSE(shelf::impact_plane(height, speed, acceleration, h).hit);
+    const auto [x, v, radius, step] = in_sphere;
+    CHECK_FALSE(shelf::impact_sphere(x, v, radius, step, times).hit);
+    CHECK_FALSE(shelf::impact_sphere(x, v, 0.0, radius, step, times).hit);
+  }
+  CHECK(shelf::impact_sphere(0.5, -1.0, 0.0, 1.0, 0.1, times).hit);
+  CHECK_FALSE(shelf::impact_sphere(0.5, -1.0, double(NAN), 1.0, 0.1, times).hit);
+}
