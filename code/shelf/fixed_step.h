@@ -50,10 +50,10 @@ namespace shelf {
 /// @see G. Fiedler, Fix Your Timestep! (2004)
 template <class Real = double>
 struct FixedStep {
-  Real h = Real(1) / Real(60);       ///< step size [s], above zero; not to be changed on the way
-  Real longest_frame = Real(1) / 4;  ///< time beyond this in one frame is dropped [s]
+  Real h = Real(1) / Real(60);       ///< step size [s], above zero; a change throws the time back
+  Real longest_frame = Real(1) / 4;  ///< time beyond this in one frame is dropped [s]; finite
   Real saved = 0;                    ///< time not yet spent, always under one step [s]
-  long steps = 0;                    ///< steps taken so far
+  long long steps = 0;               ///< steps taken so far
 
   /// Spends a frame. A negative length, from a clock that was set back, counts as none, and so does
   /// one that is not a number.

@@ -7,6 +7,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "frames/recorded.h"
@@ -39,6 +40,10 @@ TEST_CASE("Steps and saved time add up to the time of uneven frames") {
     REQUIRE(clock.saved < clock.h);
   }
   CHECK_THAT(double(clock.steps) * clock.h + clock.saved, WithinRel(total, 1e-12));
+}
+
+TEST_CASE("Where a long has 32 bits, too, a server counts its steps for longer than a month") {
+  STATIC_CHECK(std::is_same_v<decltype(FixedStep<>::steps), long long>);
 }
 
 TEST_CASE("A clock that was set back takes no steps and loses none") {

@@ -61,15 +61,15 @@ Promise time_kept() {
           off < 1e-12, off};
 }
 
-long steps_of(double length) {
+long long steps_of(double length) {
   shelf::FixedStep<> clock{.h = 1.0 / 64};
   clock.frame(length, [](double) {});
   return clock.steps;
 }
 
 Promise cut() {
-  const long longest = steps_of(0.25), hour = steps_of(3600),
-             ever = steps_of(std::numeric_limits<double>::infinity());
+  const long long longest = steps_of(0.25), hour = steps_of(3600),
+                  ever = steps_of(std::numeric_limits<double>::infinity());
   return {"a frame longer than the longest takes as many steps as the longest",
           longest == 16 && hour == longest && ever == longest, double(hour), whole, "steps"};
 }
@@ -78,7 +78,7 @@ Promise not_a_frame() {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   shelf::FixedStep<> clock{.h = 1.0 / 64, .saved = 1.0 / 128};
   for (const double length : {-3600.0, nan, -nan}) clock.frame(length, [](double) {});
-  const long taken = clock.steps;
+  const long long taken = clock.steps;
   clock.frame(1.0 / 128, [](double) {});
   return {"a frame whose length is negative or not a number takes no step and stops no clock",
           taken == 0 && clock.steps == 1, double(taken), whole, "steps"};
@@ -88,9 +88,9 @@ Promise not_a_frame() {
 template <class Real>
 std::pair<double, double> apart_after_a_day() {
   shelf::FixedStep<Real> clock{Real(1) / Real(60)};
-  clock.steps = 60L * 60 * 60 * 24;
+  clock.steps = 60LL * 60 * 60 * 24;
   double before = 0, least = 1, most = 0;
-  while (clock.steps < 60L * (60 * 60 * 24 + 10)) {
+  while (clock.steps < 60LL * (60 * 60 * 24 + 10)) {
     clock.frame(clock.h, [&](Real t) {
       if (before > 0) {
         least = std::min(least, double(t) - before);
