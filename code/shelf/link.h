@@ -82,7 +82,8 @@ namespace shelf {
 
 /// Moves two points until they are at a distance, the lighter one further: Jakobsen's pull.
 ///
-/// Momentum is kept. Where both are immovable, or at the same place, they stay there.
+/// Momentum is kept. Where both are immovable, or at the same place, they stay there; so do points
+/// so near that the square of their distance is zero (below 1e-23 m in float).
 ///
 /// @param x1  place of the first point, moved in place [m]
 /// @param x2  place of the second, moved in place [m]
@@ -103,7 +104,7 @@ constexpr void pull(Vec& x1, Vec& x2, Real w1, Real w2, Real length, Norm&& norm
     // [pull]
     const Vec apart = x2 + Real(-1) * x1;
     const Real distance = norm(apart), w = w1 + w2;
-    if (!(w > Real(0)) || !(distance > Real(0))) return;
+    if (!(w > Real(0)) || !(distance * distance > Real(0))) return;
     const Real excess = (distance - length) / distance;
     x1 = x1 + (w1 / w * excess) * apart;
     x2 = x2 + (-w2 / w * excess) * apart;
@@ -135,7 +136,7 @@ constexpr void link_warm_start(Vec& x1, Vec& x2, Real tension, Real w1, Real w2,
   if constexpr (scales && measures) {
     const Vec apart = x2 + Real(-1) * x1;
     const Real distance = norm(apart);
-    if (!(distance > Real(0))) return;
+    if (!(distance * distance > Real(0))) return;
     const Real move = h * h * tension / distance;
     x1 = x1 + (w1 * move) * apart;
     x2 = x2 + (-w2 * move) * apart;
@@ -147,7 +148,7 @@ constexpr void link_warm_start(Vec& x1, Vec& x2, Real tension, Real w1, Real w2,
 /// With a compliance of 0 it is pull. Else it ends where the tension is stretch over compliance, at
 /// the end of the step: backward Euler of a spring. What it remembers is the tension in newtons,
 /// not the multiplier of the paper, which is -h^2 times that and so wrong after a step of another
-/// size. Where both are immovable, or at the same place, they stay there.
+/// size. Where both are immovable, or as near as those that stay in pull, they stay there.
 ///
 /// @param x1  place of the first point, moved in place [m]
 /// @param x2  place of the second, moved in place [m]
@@ -173,7 +174,7 @@ constexpr void link(Vec& x1, Vec& x2, Real& tension, Real w1, Real w2, Real leng
     // [link]
     const Vec apart = x2 + Real(-1) * x1;
     const Real distance = norm(apart), w = w1 + w2;
-    if (!(w > Real(0)) || !(distance > Real(0))) return;
+    if (!(w > Real(0)) || !(distance * distance > Real(0))) return;
     const Real change = (distance - length - compliance * tension) / (h * h * w + compliance);
     const Real move = h * h * change / distance;
     tension = tension + change;

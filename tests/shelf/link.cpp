@@ -432,6 +432,17 @@ TEST_CASE("A point that is not a number stays alone with it") {
   CHECK(tension == 1);
 }
 
+TEMPLATE_TEST_CASE("Points that nearly touch stay where they are", "", float, double) {
+  const auto size = [](TestType x) { return std::abs(x); };
+  const TestType near = std::numeric_limits<TestType>::denorm_min(), held = 0, free = 1, h = 0.25;
+  TestType x1 = 0, x2 = near, tension = 0;
+  shelf::pull(x1, x2, held, free, TestType(2), size);
+  shelf::link_warm_start(x1, x2, TestType(5), held, free, h, size);
+  shelf::link(x1, x2, tension, held, free, TestType(2), TestType(0), h, size);
+  CHECK(x1 == 0);
+  CHECK(x2 == near);
+}
+
 TEST_CASE("A pull is worked out by the compiler") {
   constexpr double middle = [] {
     double x1 = 0, x2 = 4;
