@@ -52,8 +52,8 @@ struct SoftMotion {
 /// The three numbers of a soft constraint.
 ///
 /// The step of backward Euler for a spring x'' = -omega^2 x - 2 zeta omega x', written as impulses.
-/// A frequency of 0 gives a constraint that does nothing. Negative arguments, and an h omega whose
-/// square is not finite, are meaningless.
+/// A frequency of 0, or next to it, gives a constraint that does nothing. Negative arguments, and
+/// an h omega whose square is not finite, are meaningless.
 ///
 /// @param h  step size, the substep if there are substeps [s]; above 0
 /// @param omega  natural frequency asked for, 2 pi times the hertz [rad/s]; not negative
@@ -63,9 +63,9 @@ struct SoftMotion {
 template <class Real>
 constexpr Softness<Real> softness(Real h, Real omega, Real zeta) {
   static_assert(!std::is_integral_v<Real>, "h, omega and zeta must be no integers");
-  if (!(omega > Real(0))) return {Real(0), Real(0), Real(1)};
   const Real damping_and_step = Real(2) * zeta + h * omega;
   const Real stiff = h * omega * damping_and_step;
+  if (!(omega > Real(0)) || !(stiff > Real(0))) return {Real(0), Real(0), Real(1)};
   return {omega / damping_and_step, stiff / (Real(1) + stiff), Real(1) / (Real(1) + stiff)};
 }
 

@@ -233,3 +233,12 @@ TEST_CASE("However stiff, a soft constraint never grows") {
     }
   }
 }
+
+TEMPLATE_TEST_CASE("The lowest frequency there is gives a constraint that does nothing", "", float,
+                   double) {
+  const TestType least = std::numeric_limits<TestType>::denorm_min();
+  const auto soft = shelf::softness(TestType(1) / 64, least, TestType(0));
+  CHECK(soft.bias_rate == 0);
+  CHECK(soft.mass_scale == 0);
+  CHECK(soft.impulse_scale == 1);
+}
