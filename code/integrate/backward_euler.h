@@ -63,10 +63,12 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve>
       std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
   static_assert(solves, "solve must be callable as bool(x, v, t, p, q, change), change a Vec&");
   if constexpr (calls && scales && solves) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_end = Clock(t) + Clock(h);
     // [move]
     const Vec x_end = x + h * v;
-    Vec change = h * acceleration(x_end, v, t + h);
-    if (!solve(x_end, v, t + h, -h * h, -h, change)) return false;
+    Vec change = h * acceleration(x_end, v, t_end);
+    if (!solve(x_end, v, t_end, -h * h, -h, change)) return false;
     v = v + change;
     x = x + h * v;
     return true;
@@ -106,12 +108,14 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve, cl
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
   if constexpr (calls && scales && solves && measures) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_end = Clock(t) + Clock(h);
     // [newton-move]
     Vec v_end = v;
     for (int iteration = 1; iteration <= 50; ++iteration) {
       const Vec x_end = x + h * v_end;
-      Vec change = v + Real(-1) * v_end + h * acceleration(x_end, v_end, t + h);
-      if (!solve(x_end, v_end, t + h, -h * h, -h, change)) return 0;
+      Vec change = v + Real(-1) * v_end + h * acceleration(x_end, v_end, t_end);
+      if (!solve(x_end, v_end, t_end, -h * h, -h, change)) return 0;
       v_end = v_end + change;
       if (norm(change) <= tolerance) {
         v = v_end;

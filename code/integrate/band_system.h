@@ -24,6 +24,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -69,16 +70,17 @@ class BandSystem {
 
  private:
   static_assert(Width > 0, "without neighbours there is nothing to solve");
+  static constexpr std::size_t size = std::size_t(Width);  // for -Wsign-conversion
 
   // A row, divided by its pivot, when all to the left of the pivot has been eliminated.
   struct Row {
-    Real right[Width];
+    Real right[size];
     Real y;
   };
 
   // The rows above are kept at hand: to wait for them to come back from memory doubles the time.
   void eliminate(Vec& y) {
-    Row above[Width] = {};  // the nearest first
+    Row above[size] = {};  // the nearest first
     for (Eigen::Index i = 0; i < y.size(); ++i) {
       Eigen::Matrix<Real, 2 * Width + 1, 1> row = rows_.col(i);
       row[Width] += Real(1);
@@ -100,7 +102,7 @@ class BandSystem {
   }
 
   void substitute(Vec& y) const {
-    Real below[Width] = {};  // the nearest first
+    Real below[size] = {};  // the nearest first
     for (Eigen::Index i = y.size() - 1; i >= 0; --i) {
       Real rest = y[i];
       for (int n = Width - 1; n >= 0; --n) rest -= rows_(Width + 1 + n, i) * below[n];

@@ -115,6 +115,8 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve>
       std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
   static_assert(solves, "solve must be callable as bool(x, v, t, p, q, change), change a Vec&");
   if constexpr (calls && scales && solves) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_end = Clock(t) + Clock(h);
     // [move]
     const Real ratio = h / h_previous;
     const Real ahead = ratio * ratio / (Real(1) + Real(2) * ratio);         // 1/3 of even steps
@@ -122,8 +124,8 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve>
     const Vec x_from = x + ahead * Vec(x + Real(-1) * previous.x);
     const Vec v_from = v + ahead * Vec(v + Real(-1) * previous.v);
     const Vec x_end = x_from + part * v_from;
-    Vec change = part * acceleration(x_end, v_from, t + h);
-    if (!solve(x_end, v_from, t + h, -part * part, -part, change)) return false;
+    Vec change = part * acceleration(x_end, v_from, t_end);
+    if (!solve(x_end, v_from, t_end, -part * part, -part, change)) return false;
     previous = {x, v};
     v = v_from + change;
     x = x_from + part * v;
@@ -166,6 +168,8 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve, cl
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
   if constexpr (calls && scales && solves && measures) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_end = Clock(t) + Clock(h);
     // [newton-move]
     const Real ratio = h / h_previous;
     const Real ahead = ratio * ratio / (Real(1) + Real(2) * ratio);
@@ -175,8 +179,8 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve, cl
     Vec v_end = v_from;
     for (int iteration = 1; iteration <= 50; ++iteration) {
       const Vec x_end = x_from + part * v_end;
-      Vec change = v_from + Real(-1) * v_end + part * acceleration(x_end, v_end, t + h);
-      if (!solve(x_end, v_end, t + h, -part * part, -part, change)) return 0;
+      Vec change = v_from + Real(-1) * v_end + part * acceleration(x_end, v_end, t_end);
+      if (!solve(x_end, v_end, t_end, -part * part, -part, change)) return 0;
       v_end = v_end + change;
       if (norm(change) <= tolerance) {
         previous = {x, v};

@@ -170,33 +170,35 @@ constexpr Dopri5Error<Vec> dopri5(Place& x, Vec& v, Vec& a, Time t, Real h,
   static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const auto at = [t, h](double weight) { return Clock(t) + Clock(h * Real(weight)); };
     // [move]
     using W = Dopri5Weights;
     const auto part = [h](double weight) { return h * Real(weight); };
     const Place x2 = x + part(W::a21) * v;
     const Vec v2 = v + part(W::a21) * a;
-    const Vec a2 = acceleration(x2, v2, t + part(W::c2));
+    const Vec a2 = acceleration(x2, v2, at(W::c2));
     const Place x3 = x + (part(W::a31) * v + part(W::a32) * v2);
     const Vec v3 = v + (part(W::a31) * a + part(W::a32) * a2);
-    const Vec a3 = acceleration(x3, v3, t + part(W::c3));
+    const Vec a3 = acceleration(x3, v3, at(W::c3));
     const Place x4 = x + (part(W::a41) * v + part(W::a42) * v2 + part(W::a43) * v3);
     const Vec v4 = v + (part(W::a41) * a + part(W::a42) * a2 + part(W::a43) * a3);
-    const Vec a4 = acceleration(x4, v4, t + part(W::c4));
+    const Vec a4 = acceleration(x4, v4, at(W::c4));
     const Place x5 =
         x + (part(W::a51) * v + part(W::a52) * v2 + part(W::a53) * v3 + part(W::a54) * v4);
     const Vec v5 =
         v + (part(W::a51) * a + part(W::a52) * a2 + part(W::a53) * a3 + part(W::a54) * a4);
-    const Vec a5 = acceleration(x5, v5, t + part(W::c5));
+    const Vec a5 = acceleration(x5, v5, at(W::c5));
     const Place x6 = x + (part(W::a61) * v + part(W::a62) * v2 + part(W::a63) * v3 +
                           part(W::a64) * v4 + part(W::a65) * v5);
     const Vec v6 = v + (part(W::a61) * a + part(W::a62) * a2 + part(W::a63) * a3 +
                         part(W::a64) * a4 + part(W::a65) * a5);
-    const Vec a6 = acceleration(x6, v6, t + part(W::c6));
+    const Vec a6 = acceleration(x6, v6, at(W::c6));
     const Place x7 = x + (part(W::a71) * v + part(W::a73) * v3 + part(W::a74) * v4 +
                           part(W::a75) * v5 + part(W::a76) * v6);
     const Vec v7 = v + (part(W::a71) * a + part(W::a73) * a3 + part(W::a74) * a4 +
                         part(W::a75) * a5 + part(W::a76) * a6);
-    const Vec a7 = acceleration(x7, v7, t + part(W::c7));
+    const Vec a7 = acceleration(x7, v7, at(W::c7));
     const Vec x_error = part(W::e1) * v + part(W::e3) * v3 + part(W::e4) * v4 + part(W::e5) * v5 +
                         part(W::e6) * v6 + part(W::e7) * v7;
     const Vec v_error = part(W::e1) * a + part(W::e3) * a3 + part(W::e4) * a4 + part(W::e5) * a5 +
@@ -248,6 +250,7 @@ constexpr Dopri5Error<Vec> dopri5(Dopri5Path<Vec, Time, Real>& path, Real h,
   static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && !std::is_integral_v<Real>) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
     Vec v[7] = {path.v, path.v, path.v, path.v, path.v, path.v, path.v};
     Vec a[7] = {path.a, path.a, path.a, path.a, path.a, path.a, path.a};
     int stage = 0;
@@ -265,7 +268,7 @@ constexpr Dopri5Error<Vec> dopri5(Dopri5Path<Vec, Time, Real>& path, Real h,
     path.x_before = path.x, path.v_before = path.v, path.a_before = path.a;
     path.t_before = path.t, path.length = h;
     const Dopri5Error<Vec> error = dopri5(path.x, path.v, path.a, path.t, h, noting);
-    path.t = Time(path.t + h);
+    path.t = Time(Clock(path.t) + Clock(h));
     path.x_bend = bend(v), path.v_bend = bend(a);
     return error;
   }
@@ -300,6 +303,7 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
   if constexpr (calls && scales && measures) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
     using Verdict = Dopri5Verdict<Real>;
     const Real length = std::abs(duration);
     if (!Verdict::finite(length)) return false;
@@ -310,8 +314,8 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
       const Real step = last ? length - done : h;
       if (!(done + step > done) || most-- <= 0) return false;
       Vec x_next = x_now, v_next = v_now, a_next = a_now;
-      const auto error =
-          dopri5(x_next, v_next, a_next, t + forward * done, forward * step, acceleration);
+      const Clock now = Clock(t) + Clock(forward * done);
+      const auto error = dopri5(x_next, v_next, a_next, now, forward * step, acceleration);
       const Verdict verdict(Real(norm(error.x)) / tolerance, Real(norm(error.v)) / tolerance);
       if (!(verdict.good && last)) h = step * verdict.change;
       if (!verdict.good) continue;

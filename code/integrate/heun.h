@@ -35,11 +35,13 @@ constexpr void heun(Place& x, Vec& v, Time t, Real h, Acceleration&& acceleratio
   static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_end = Clock(t) + Clock(h);
     // [move]
     const Vec a = acceleration(x, v, t);
     const Place x_end = x + h * v;
     const Vec v_end = v + h * a;
-    const Vec a_end = acceleration(x_end, v_end, t + h);
+    const Vec a_end = acceleration(x_end, v_end, t_end);
     x = x + (h / Real(2)) * (v + v_end);
     v = v + (h / Real(2)) * (a + a_end);
     // [move]

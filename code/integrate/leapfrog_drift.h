@@ -41,9 +41,11 @@ constexpr void leapfrog_drift(Place& x, Vec& v, Time t, Real h, Acceleration&& a
   static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_middle = Clock(t) + Clock(h / Real(2));
     // [move]
     x = x + (h / Real(2)) * v;
-    const Vec a = acceleration(x, v, t + h / Real(2));
+    const Vec a = acceleration(x, v, t_middle);
     v = v + h * a;
     x = x + (h / Real(2)) * v;
     // [move]

@@ -35,11 +35,13 @@ constexpr void midpoint(Place& x, Vec& v, Time t, Real h, Acceleration&& acceler
   static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_middle = Clock(t) + Clock(h / Real(2));
     // [move]
     const Place x_middle = x + (h / Real(2)) * v;
     const Vec v_middle = v + (h / Real(2)) * acceleration(x, v, t);
     x = x + h * v_middle;
-    v = v + h * acceleration(x_middle, v_middle, t + h / Real(2));
+    v = v + h * acceleration(x_middle, v_middle, t_middle);
     // [move]
   }
 }

@@ -39,11 +39,13 @@ constexpr void predicted_euler(Place& x, Vec& v, Time t, Real h, Acceleration&& 
   static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_end = Clock(t) + Clock(h);
     // [move]
     Place x_end = x + h * v;
     Vec v_end = v + h * acceleration(x, v, t);
     for (int n = 0; n < corrections; ++n) {
-      const Vec a_end = acceleration(x_end, v_end, t + h);
+      const Vec a_end = acceleration(x_end, v_end, t_end);
       x_end = x + h * v_end;
       v_end = v + h * a_end;
     }

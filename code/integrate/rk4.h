@@ -41,15 +41,18 @@ constexpr void rk4(Place& x, Vec& v, Time t, Real h, Acceleration&& acceleration
   static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_middle = Clock(t) + Clock(h / Real(2));
+    const Clock t_end = Clock(t) + Clock(h);
     // [move]
     const Real half = h / Real(2);
     const Vec a1 = acceleration(x, v, t);
     const Vec v2 = v + half * a1;
-    const Vec a2 = acceleration(Place(x + half * v), v2, t + half);
+    const Vec a2 = acceleration(Place(x + half * v), v2, t_middle);
     const Vec v3 = v + half * a2;
-    const Vec a3 = acceleration(Place(x + half * v2), v3, t + half);
+    const Vec a3 = acceleration(Place(x + half * v2), v3, t_middle);
     const Vec v4 = v + h * a3;
-    const Vec a4 = acceleration(Place(x + h * v3), v4, t + h);
+    const Vec a4 = acceleration(Place(x + h * v3), v4, t_end);
     x = x + (h / Real(6)) * (v + Real(2) * (v2 + v3) + v4);
     v = v + (h / Real(6)) * (a1 + Real(2) * (a2 + a3) + a4);
     // [move]

@@ -68,9 +68,11 @@ constexpr void symplectic_euler_position_first(Place& x, Vec& v, Time t, Real h,
   static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_end = Clock(t) + Clock(h);
     // [position-first-move]
     x = x + h * v;
-    const Vec a = acceleration(x, v, t + h);
+    const Vec a = acceleration(x, v, t_end);
     v = v + h * a;
     // [position-first-move]
   }

@@ -62,12 +62,14 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve>
       std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
   static_assert(solves, "solve must be callable as bool(x, v, t, p, q, change), change a Vec&");
   if constexpr (calls && scales && solves) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_end = Clock(t) + Clock(h);
     // [move]
     const Real half = h / Real(2);
     const Vec x_end = x + h * v;
     const Vec a = acceleration(x, v, t);
-    Vec change = half * Vec(a + acceleration(x_end, v, t + h));
-    if (!solve(x_end, v, t + h, -half * half, -half, change)) return false;
+    Vec change = half * Vec(a + acceleration(x_end, v, t_end));
+    if (!solve(x_end, v, t_end, -half * half, -half, change)) return false;
     x = x + h * v + half * change;
     v = v + change;
     return true;
@@ -107,14 +109,16 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve, cl
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
   if constexpr (calls && scales && solves && measures) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_end = Clock(t) + Clock(h);
     const Real half = h / Real(2);
     const Vec a = acceleration(x, v, t);
     Vec v_end = v;
     for (int iteration = 1; iteration <= 50; ++iteration) {
       const Vec x_end = x + half * Vec(v + v_end);
-      const Vec a_end = acceleration(x_end, v_end, t + h);
+      const Vec a_end = acceleration(x_end, v_end, t_end);
       Vec change = v + Real(-1) * v_end + half * Vec(a + a_end);
-      if (!solve(x_end, v_end, t + h, -half * half, -half, change)) return 0;
+      if (!solve(x_end, v_end, t_end, -half * half, -half, change)) return 0;
       v_end = v_end + change;
       if (norm(change) <= tolerance) {
         x = x + half * Vec(v + v_end);

@@ -54,11 +54,13 @@ constexpr void velocity_verlet(Place& x, Vec& v, Vec& a, Time t, Real h,
   static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_end = Clock(t) + Clock(h);
     // [move]
     const Vec v_half = v + (h / Real(2)) * a;
     const Vec v_predicted = v + h * a;
     x = x + h * v_half;
-    a = acceleration(x, v_predicted, t + h);
+    a = acceleration(x, v_predicted, t_end);
     v = v_half + (h / Real(2)) * a;
     // [move]
   }

@@ -58,6 +58,8 @@ constexpr void yoshida4(Place& x, Vec& v, Vec& a, Time t, Real h, Acceleration&&
   static_assert(moves, "x + h * v must be a Place, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const auto after = [t](Real past) { return Clock(t) + Clock(past); };
     // [move]
     const Real outer = h * Real(1.3512071919596576340476878089715);  // h / (2 - cbrt(2))
     const Real middle = h - Real(2) * outer;                         // a step back
@@ -68,9 +70,9 @@ constexpr void yoshida4(Place& x, Vec& v, Vec& a, Time t, Real h, Acceleration&&
       a = acceleration(x, v_predicted, end);
       v = v_half + (part / Real(2)) * a;
     };
-    verlet(outer, t + outer);
-    verlet(middle, t + (outer + middle));
-    verlet(outer, t + h);
+    verlet(outer, after(outer));
+    verlet(middle, after(outer + middle));
+    verlet(outer, after(h));
     // [move]
   }
 }

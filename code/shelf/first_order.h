@@ -87,10 +87,12 @@ constexpr void first_order_midpoint(Vec& x, Time t, Real h, Velocity&& u) {
   static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_middle = Clock(t) + Clock(h / Real(2));
     // [midpoint]
     const Real half = h / Real(2);
     const Vec u1 = u(x, t);
-    const Vec u2 = u(Vec(x + half * u1), t + half);
+    const Vec u2 = u(Vec(x + half * u1), t_middle);
     x = x + h * u2;
     // [midpoint]
   }
@@ -114,12 +116,15 @@ constexpr void first_order_rk4(Vec& x, Time t, Real h, Velocity&& u) {
   static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales) {
+    using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
+    const Clock t_middle = Clock(t) + Clock(h / Real(2));
+    const Clock t_end = Clock(t) + Clock(h);
     // [rk4]
     const Real half = h / Real(2);
     const Vec u1 = u(x, t);
-    const Vec u2 = u(Vec(x + half * u1), t + half);
-    const Vec u3 = u(Vec(x + half * u2), t + half);
-    const Vec u4 = u(Vec(x + h * u3), t + h);
+    const Vec u2 = u(Vec(x + half * u1), t_middle);
+    const Vec u3 = u(Vec(x + half * u2), t_middle);
+    const Vec u4 = u(Vec(x + h * u3), t_end);
     x = x + (h / Real(6)) * (u1 + Real(2) * (u2 + u3) + u4);
     // [rk4]
   }

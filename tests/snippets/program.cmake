@@ -29,8 +29,8 @@ function(compile_and_run things)
   endif()
   execute_process(
     COMMAND ${COMPILER} -std=c++${STANDARD} -I${CMAKE_CURRENT_FUNCTION_LIST_DIR} ${eigen} -Wall
-            -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fno-exceptions -fno-rtti ${ARGN}
-            ${FLAGS} program.cpp -o program
+            -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Wsign-conversion -Werror
+            -fno-exceptions -fno-rtti ${ARGN} ${FLAGS} program.cpp -o program
     WORKING_DIRECTORY ${SCRATCH} RESULT_VARIABLE result ERROR_VARIABLE errors)
   if(result)
     message(FATAL_ERROR "${SCRATCH}/program.cpp does not compile:\n${errors}")

@@ -90,7 +90,8 @@ int differences(const char* method_name, Method method, double tolerance = 0,
   for (int i = 0; i < Kind::size; ++i) {
     const auto one = after_ten_steps<Scalar<Real, typename Kind::Time>>(method, {x[i], v[i]});
     const Real x_end = Kind::read(all.x, i), v_end = Kind::read(all.v, i);
-    if (std::abs(x_end - one.x) <= tolerance && std::abs(v_end - one.v) <= tolerance) continue;
+    const double x_off = double(std::abs(x_end - one.x)), v_off = double(std::abs(v_end - one.v));
+    if (x_off <= tolerance && v_off <= tolerance) continue;
     std::printf("%s on %s, coordinate %d: x %.17g, v %.17g; alone x %.17g, v %.17g\n", method_name,
                 Kind::name, i, double(x_end), double(v_end), double(one.x), double(one.v));
     ++wrong;
@@ -107,7 +108,8 @@ int numbers_wrong(const char* name, Method method) {
   const auto clocked = after_ten_steps<Scalar<float, float>>(method, {1, 2});
   const double tolerance = rounding<float>();
   const auto near = [&](const State<float>& s) {
-    return std::abs(s.x - exact.x) < tolerance && std::abs(s.v - exact.v) < tolerance;
+    return std::abs(double(s.x) - exact.x) < tolerance &&
+           std::abs(double(s.v) - exact.v) < tolerance;
   };
   const bool moved = std::abs(exact.x - 1) > tolerance && std::abs(exact.v - 2) > tolerance;
   if (moved && near(rounded) && near(clocked)) return 0;

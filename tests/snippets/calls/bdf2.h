@@ -8,7 +8,8 @@ void call_bdf2(Try& attempt) {
     auto previous = integrate::bdf2_start(x, v, t, h, scene);
     const auto next = h / 2;
     const bool first = integrate::bdf2(x, v, previous, t, h, h, scene, scene.solve);
-    const bool second = integrate::bdf2(x, v, previous, t + h, next, h, scene, scene.solve);
+    const bool second =
+        integrate::bdf2(x, v, previous, t + decltype(t)(h), next, h, scene, scene.solve);
     assert(first && second);
   });
   attempt("bdf2_newton", [](auto& x, auto& v, auto t, auto h, auto& scene) {

@@ -7,7 +7,7 @@ void call_dopri5(Try& attempt) {
   attempt("dopri5", [](auto& x, auto& v, auto t, auto h, auto& acceleration) {
     auto a = integrate::dopri5_start(x, v, t, acceleration);
     integrate::dopri5(x, v, a, t, h, acceleration);
-    const auto error = integrate::dopri5(x, v, a, t + h, h, acceleration);
+    const auto error = integrate::dopri5(x, v, a, t + decltype(t)(h), h, acceleration);
     x = x + error.x;
     v = v + error.v;
   });
@@ -22,7 +22,7 @@ void call_dopri5(Try& attempt) {
     auto path = integrate::dopri5_path(x, v, t, h, acceleration);
     integrate::dopri5(path, h / 2, acceleration);
     const auto error = integrate::dopri5(path, h / 2, acceleration);
-    const auto end = t + h / 2 + h / 4;  // within the second half
+    const auto end = t + decltype(t)(h / 2 + h / 4);  // within the second half
     x = path.position(end) + error.x;
     v = path.velocity(end) + error.v;
   });
@@ -30,9 +30,10 @@ void call_dopri5(Try& attempt) {
     const auto norm = [&](const auto& error) { return scene.norm(error); };
     const decltype(h) wide = 1000;
     auto path = integrate::dopri5_path(x, v, t, h / 4, scene);
-    const bool arrived = integrate::dopri5_adaptive(path, t + h, scene, norm, wide);
-    assert(arrived && path.holds(t + h));
-    x = path.position(t + h);
-    v = path.velocity(t + h);
+    const auto end = t + decltype(t)(h);
+    const bool arrived = integrate::dopri5_adaptive(path, end, scene, norm, wide);
+    assert(arrived && path.holds(end));
+    x = path.position(end);
+    v = path.velocity(end);
   });
 }
