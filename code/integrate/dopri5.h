@@ -227,6 +227,7 @@ constexpr Dopri5Path<Vec, Time, Real> dopri5_path(const Vec& x, const Vec& v, Ti
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  static_assert(!std::is_integral_v<Time>, "t must be no integer, since the path keeps its type");
   if constexpr (calls && scales) {
     const Vec a = acceleration(x, v, t);
     return {x, v, a, t, h, x, v, a, t, h, Real(0) * x, Real(0) * v};

@@ -58,6 +58,11 @@ template <int Line>
 struct numbers_are_integers : Call<Line, double, int> {};
 
 template <int Line>
+struct clock_is_an_integer : Call<Line, double, double> {
+  using Time = int;
+};
+
+template <int Line>
 struct vectors_of_two_types : Call<Line, double, double, float> {};
 
 template <int Line>
