@@ -91,8 +91,8 @@ Impact<Real> impact_plane(Real height, Real speed, Real acceleration, Real h) {
   const Real square = speed * speed - Real(2) * acceleration * height;
   if (!(square == square) || !(h >= zero)) return {};    // one of them is not a number
   if (speed >= zero && acceleration >= zero) return {};  // it never comes down
-  if (height <= zero && (speed < zero || (speed == zero && acceleration < zero)))
-    return {true, zero};
+  // At once, too, from rest so near to it that the square is lost in rounding.
+  if ((height <= zero && speed < zero) || (speed == zero && square <= zero)) return {true, zero};
   if (!(square >= zero)) return {};  // it turns before it comes down
   // Of the two forms of the root the one that subtracts nothing.
   const Real root = std::sqrt(square);

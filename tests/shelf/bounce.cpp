@@ -365,6 +365,14 @@ TEMPLATE_TEST_CASE("What leaves the plane as slowly as can be is let go", "", fl
   CHECK_FALSE(shelf::impact_plane(TestType(0), least, away, h).hit);
 }
 
+TEMPLATE_TEST_CASE("From as near as can be nothing falls through the plane", "", float, double) {
+  const TestType start = std::numeric_limits<TestType>::denorm_min(), down = TestType(-0.1);
+  TestType x = start, v = 0;
+  shelf::bounce_step(x, v, down, TestType(10), OnALine<TestType>{1, 0, 0, 0, 0}, times);
+  CHECK(x == start);
+  CHECK(v == 0);
+}
+
 TEST_CASE("What is not a number meets nothing") {
   for (int which = 0; which < 4; ++which) {
     CAPTURE(which);
