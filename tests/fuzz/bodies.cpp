@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT-0
+// What turns and tumbles.
+#include "fuzz.h"
+
+namespace fuzz {
+namespace {
+
+template <class Real>
+using Vec3 = shelf::Vec3<Real>;
+template <class Real>
+using Quaternion = shelf::Quaternion<Real>;
+
+template <class Real>
+Quaternion<Real> orientation(Source& source) {
+  const Quaternion<Real> any{source.number<Real>(), source.number<Real>(), source.number<Real>(),
+                             source.number<Real>()};
+  const Real square = any.w * any.w + any.x * any.x + any.y * any.y + any.z * any.z;
+  if (!source.tame()) return any;
+  return square > Real(0) ? normalised(any) : Quaternion<Real>{};
+}
+
+template <class Real>
+void check(Source& source, const Quaternion<Real>& q) {
+  if (!source.tame()) return;
+  const Real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+  require(std::abs(square - Real(1)) < 16 * std::numeric_limits<Real>::epsilon(),
+          "the length of q stays one");
+}
+
+}  // namespace
+
+Cases bodies() {
+  Cases cases;
+  add_numbers(cases, "orientation", "turns", []<class Real>(Source& source) {
+    auto q = orientation<Real>(source);
+    shelf::turn(q, source.vector<Vec3<Real>>(), source.number<Real>());
+    check(source, q);
+    shelf::turn_exact(q, source.vector<Vec3<Real>>(), source.number<Real>());
+    check(source, q);
+    q = q * orientation<Real>(source);
+    const auto there = shelf::rotate(q, source.vector<Vec3<Real>>()),
+               back = shelf::rotate_back(q, there);
+    if (source.tame()) require(finite(there) && finite(back), "a vector that is turned");
+  });
+  add_numbers(cases, "orientation", "spins", []<class Real>(Source& source) {
+    auto q = orientation<Real>(source);
+    const Vec3<Real> inertia{source.above<Real>(), source.above<Real>(), source.above<Real>()};
+    Vec3<Real> L = shelf::angular_momentum(q, source.vector<Vec3<Real>>(), inertia);
+    const Real h = source.number<Real>();
+    shelf::spin_by_rotations(q, L, inertia, h);
+    check(source, q);
+    shelf::spin_damped(q, L, inertia, source.size<Real>(), source.size<Real>());
+    check(source, q);
+    const auto w = shelf::angular_velocity(q, L, inertia);
+    auto beside = q;
+    if (std::abs(h) * length(w) <= Real(2)) {
+      shelf::spin_by_midpoint(q, L, inertia, h);
+      check(source, q);
+    }
+    shelf::spin_by_midpoint(beside, L, inertia, source.number<Real>());
+    shelf::spin_by_bullet(beside, L, inertia, source.number<Real>());
+  });
+  add_numbers(cases, "orientation", "pushes", []<class Real>(Source& source) {
+    const auto q = orientation<Real>(source);
+    const auto inertia = shelf::inertia_of_box(
+        source.above<Real>(), {source.above<Real>(), source.above<Real>(), source.above<Real>()});
+    const auto n = source.direction<Vec3<Real>>(), r = source.vector<Vec3<Real>>();
+    const Real inverse = shelf::inverse_mass_at(q, inertia, source.size<Real>(), r, n);
+    if (source.tame()) require(inverse >= Real(0), "what 1/mass is to a push");
+  });
+  return cases;
+}
+
+}  // namespace fuzz

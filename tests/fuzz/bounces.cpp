@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT-0
+// What bounces, and the clock that a game is stepped by.
+#include "fuzz.h"
+#include "shelf/bounce.h"
+#include "shelf/fixed_step.h"
+
+namespace fuzz {
+namespace {
+
+template <class... Numbers>
+bool any_is_not_a_number(Numbers... numbers) {
+  return (... || (numbers != numbers));
+}
+
+template <class Real>
+void check(shelf::Impact<Real> impact, Real h, bool senseless) {
+  if (senseless) require(!impact.hit, "none if an argument is not a number");
+  if (impact.hit)
+    require(impact.time >= Real(0) && impact.time <= h, "the first moment within the step");
+}
+
+void add_impacts(Cases& cases) {
+  add_numbers(cases, "bounce", "a plane is met", []<class Real>(Source& source) {
+    const Real height = source.number<Real>(), speed = source.number<Real>(),
+               a = source.number<Real>(), h = source.size<Real>();
+    check(shelf::impact_plane(height, speed, a, h), h, any_is_not_a_number(height, speed, a, h));
+  });
+  add(cases, "bounce", "a sphere is met", []<class Vec, class Real>(Source& source) {
+    const Vec x = source.vector<Vec>(), v = source.vector<Vec>(), a = source.vector<Vec>();
+    const Real radius = source.size<Real>(), h = source.size<Real>();
+    const bool straight = any_is_not_a_number(dot(x, x), dot(v, v), radius, h);
+    check(shelf::impact_sphere(x, v, radius, h, product), h, straight);
+    check(shelf::impact_sphere(x, v, a, radius, h, product), h,
+          straight || any_is_not_a_number(dot(a, a)));
+  });
+}
+
+void add_steps(Cases& cases) {
+  add(cases, "bounce", "bounces and slides", []<class Vec, class Real>(Source& source) {
+    Vec v = source.vector<Vec>();
+    const Vec normal = source.direction<Vec>();
+    const Real push = shelf::bounce(v, normal, source.size<Real>(), source.number<Real>(), product);
+    require(!(push < Real(0)) || !source.tame(), "the push of the plane, 0 if it goes away anyway");
+    const Real before = length(v);
+    shelf::friction(v, normal, source.size<Real>(), product);
+    if (source.tame()) require(length(v) <= before * Real(1.0001), "it brakes");
+  });
+  add(cases, "bounce", "steps above a plane", []<class Vec, class Real>(Source& source) {
+    Vec x = source.vector<Vec>(), v = source.vector<Vec>();
+    const Vec a = source.vector<Vec>();
+    const Real back = source.tame() ? Real(source.share()) : source.size<Real>();
+    const shelf::Plane<Vec, Real> plane{source.direction<Vec>(), source.number<Real>(), back,
+                                        source.size<Real>(), source.size<Real>()};
+    for (int n = 0; n < 4; ++n) {
+      const Real h = source.size<Real>();
+      const Real way = length(x) + h * (length(v) + h * length(a)) + std::abs(plane.level);
+      const int bounces = shelf::bounce_step(x, v, a, h, plane, product);
+      require(bounces >= 0 && bounces <= 64, "64 times at most");
+      if (!source.tame()) continue;
+      const Real height = dot(x, plane.normal) - plane.level;
+      require(height >= -256 * std::numeric_limits<Real>::epsilon() * (Real(1) + way),
+              "nothing gets through");
+    }
+  });
+}
+
+}  // namespace
+
+Cases bounces() {
+  Cases cases;
+  add_impacts(cases);
+  add_steps(cases);
+  add_numbers(cases, "fixed_step", "frames of any length", []<class Real>(Source& source) {
+    shelf::FixedStep<Real> clock{Real(0.001 + source.share())};
+    clock.longest_frame = Real(source.share());
+    for (int n = 0; n < 8; ++n) {
+      const long long before = clock.steps;
+      const Real frame = source.number<Real>();
+      clock.frame(frame, [](Real t) { require(t >= Real(0), "the time at the start of a step"); });
+      require(clock.saved >= Real(0) && clock.saved < clock.h,
+              "time not yet spent, always under one step");
+      require(clock.blend() >= Real(0) && clock.blend() <= Real(1),
+              "0 at the older one, 1 at the newer");
+      if (!(frame > Real(0)))
+        require(clock.steps == before, "a frame that is negative or not a number takes no step");
+    }
+  });
+  return cases;
+}
+
+}  // namespace fuzz

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT-0
+// What follows a target.
+#include "fuzz.h"
+#include "shelf/smooth_damp.h"
+
+namespace fuzz {
+
+Cases followers() {
+  Cases cases;
+  add_numbers(cases, "smooth_damp", "the share", []<class Real>(Source& source) {
+    const Real rate = source.size<Real>(), h = source.size<Real>();
+    const Real share = shelf::smoothing_share(rate, h);
+    if (rate >= Real(0) && h >= Real(0) && finite(rate) && finite(h)) {
+      require(share >= Real(0) && share <= Real(1), "between 0 and 1");
+    }
+  });
+  add(cases, "smooth_damp", "all three", []<class Vec, class Real>(Source& source) {
+    Vec x = source.vector<Vec>(), v = source.vector<Vec>();
+    const Vec target = source.vector<Vec>(), moves = source.vector<Vec>();
+    shelf::smooth(x, target, moves, source.size<Real>(), source.size<Real>());
+    shelf::smooth_damp(x, v, target, moves, source.size<Real>(), source.size<Real>());
+    shelf::smooth_damp_no_overshoot(x, v, target, moves, source.size<Real>(), source.size<Real>(),
+                                    product);
+    if (source.tame()) require(finite(x) && finite(v), "a follower stays somewhere");
+  });
+  add_numbers(cases, "smooth_damp", "no overshoot", []<class Real>(Source& source) {
+    Real x = source.number<Real>(), v = source.number<Real>();
+    const Real target = source.number<Real>(), omega = source.size<Real>();
+    Real allowed = 0;
+    const Real side = x < target ? Real(-1) : Real(1);
+    // So fast as it is promised for.
+    if (std::abs(v) > Real(100) * omega * std::abs(x - target)) v = Real(0);
+    for (int n = 0; n < 10; ++n) {
+      allowed += 8 * std::numeric_limits<Real>::epsilon() * (std::abs(x) + std::abs(target));
+      shelf::smooth_damp_no_overshoot(x, v, target, Real(0), omega, source.size<Real>(), product);
+      if (source.tame()) require(side * (x - target) >= -allowed, "never passes its target");
+    }
+  });
+  return cases;
+}
+
+}  // namespace fuzz
