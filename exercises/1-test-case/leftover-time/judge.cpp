@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
@@ -18,12 +19,12 @@ using grade::number;
 std::vector<After> show(Student& student, double h, const std::vector<Frame>& frames) {
   std::vector<double> arguments{h, static_cast<double>(frames.size())};
   for (const Frame& frame : frames) arguments.insert(arguments.end(), {frame.length, frame.pace});
-  const std::vector<double> answer = student.call(0, arguments, 2 * frames.size());
+  const std::vector<double> answer = student.call(0, arguments, 3 * frames.size());
   std::vector<After> shown;
   double steps = 0;
   for (std::size_t n = 0; n < frames.size(); ++n) {
-    steps += answer[2 * n];
-    shown.push_back({steps, answer[2 * n + 1]});
+    steps += answer[3 * n];
+    shown.push_back({steps, answer[3 * n + 1], answer[3 * n + 2]});
   }
   return shown;
 }
@@ -63,28 +64,45 @@ grade::Plot plot(const std::vector<After>& got, const std::vector<double>& time,
   return {"What the screen shows", "game time [s]", "steps and blend", {yours, right}};
 }
 
-// The first frame after which the picture is not where the time is; all of them if none.
+// What is looked at beside the steps: what they leave, what of it is seen, or both.
+enum Judged { saved, blended, all };
+
+// The first frame after which the clock is not where the time is; all of them if none.
 std::size_t first_wrong(const std::vector<After>& got, const std::vector<double>& time, double h,
-                        double within) {
+                        double within, Judged judged) {
   for (std::size_t n = 0; n < got.size(); ++n) {
-    const double off = std::abs(got[n].picture() - time[n] / h), blend = got[n].blend;
-    if (!(off <= within && blend >= -within && blend < 1 + within)) return n;
+    const auto is_rest = [&](double share) {
+      return std::abs(got[n].steps + share - time[n] / h) <= within && share >= -within &&
+             share < 1 + within;
+    };
+    if (judged != saved && !is_rest(got[n].blend)) return n;
+    if (judged != blended && !is_rest(got[n].saved / h)) return n;
   }
   return got.size();
 }
 
-void keeps_time(Student& student, double h, const std::vector<Frame>& frames,
+std::string described(const After& now, Judged judged) {
+  std::string text = number(now.steps) + " steps";
+  if (judged != saved) text += " and a blend of " + number(now.blend);
+  if (judged != blended) text += " and " + number(now.saved) + " s saved";
+  return text;
+}
+
+void keeps_time(Student& student, double h, const std::vector<Frame>& frames, Judged judged,
                 const std::string& which, const std::string& hint, const char* before = nullptr) {
   const std::vector<After> got = show(student, h, frames);
   const std::vector<double> time = times(frames);
   const Tolerance within = tolerance(h, frames, time.back());
-  const std::size_t bad = first_wrong(got, time, h, within.value);
+  const std::size_t bad = first_wrong(got, time, h, within.value, judged);
   const std::size_t n = std::min(bad, frames.size() - 1);
 
   grade::Finding finding;
   finding.held = bad == frames.size();
-  finding.asked = std::to_string(frames.size()) + " frames " + which +
-                  ": after each, steps and blend add up to the game time, and the blend is under 1";
+  const std::string rest = judged == saved     ? "what is saved"
+                           : judged == blended ? "the blend"
+                                               : "the blend, or what is saved,";
+  finding.asked = std::to_string(frames.size()) + " frames " + which + ": after each, steps and " +
+                  rest + " add up to the game time, and " + rest + " is under one step";
   finding.input = "h = " + number(h, 17) + ", frames of";
   constexpr std::size_t most = 6;
   for (std::size_t i = 0; i < std::min(n + 1, most); ++i) {
@@ -94,12 +112,14 @@ void keeps_time(Student& student, double h, const std::vector<Frame>& frames,
   if (n >= most)
     finding.input +=
         " and so on; frame " + std::to_string(n + 1) + " of " + described(frames[n]) + " s";
-  finding.expected = "after frame " + std::to_string(n + 1) + ": " +
-                     number(std::floor(time[n] / h)) + " steps and a blend of " +
-                     number(time[n] / h - std::floor(time[n] / h));
-  finding.got = number(got[n].steps) + " steps and a blend of " + number(got[n].blend);
-  finding.error = number(std::abs(got[n].picture() - time[n] / h), 3) + " steps";
-  if (got[n].blend < 0 || got[n].blend >= 1) finding.error += ", and the blend is not from 0 to 1";
+  const double due = std::floor(time[n] / h), part = time[n] / h - due;
+  finding.expected =
+      "after frame " + std::to_string(n + 1) + ": " + described({due, part, part * h}, judged);
+  finding.got = described(got[n], judged);
+  const double left = judged == saved ? got[n].saved / h : got[n].blend;
+  finding.error = number(std::abs(got[n].steps + left - time[n] / h), 3) + " steps";
+  if (judged != saved && (left < 0 || left >= 1))
+    finding.error += ", and the blend is not from 0 to 1";
   finding.tolerance = number(within.value, 2);
   finding.tolerance_from = within.from;
   if (!finding.held) {
@@ -115,13 +135,15 @@ std::vector<Frame> equal(int count, double length) {
   return std::vector<Frame>(static_cast<std::size_t>(count), {length});
 }
 
-// A while at the usual pace, then slowly, then a pause, then fast, and slowly again.
+// A while at the usual pace, then slowly, then a pause, then fast, slowly again, and one frame as
+// fast as may be.
 std::vector<Frame> of_many_paces(Random& random) {
   std::vector<Frame> frames;
-  for (const double pace :
-       {1.0, random.between(0.1, 0.4), 0.0, random.between(1.5, 3), random.between(0.1, 0.4)}) {
+  for (const double pace : {1.0, random.between(0.1, 0.4), bounds::pace.smallest(),
+                            random.between(1.5, 3), random.between(0.1, 0.4)}) {
     for (int n = 0; n < 60; ++n) frames.push_back({random.between(0.004, 0.02), pace});
   }
+  frames.push_back({random.between(0.004, 0.02), bounds::pace.largest()});
   return frames;
 }
 
@@ -140,7 +162,7 @@ TEST_CASE("uneven frames are paid with as many steps as fit into them",
       frames.push_back(
           {n % 60 == 0 ? random.between(2 * hitch, 6 * hitch) : random.between(0.008, 0.04)});
     }
-    keeps_time(student, h, frames,
+    keeps_time(student, h, frames, saved,
                again ? "of a second level" : "of many lengths, with a hitch in every sixtieth",
                hint,
                again ? "the first level was right: something is remembered from it" : nullptr);
@@ -152,7 +174,8 @@ TEST_CASE("on a fast screen the picture moves by the same amount in every frame"
   Student student;
   Random random;
   const double h = 1 / random.between(40, 80);
-  keeps_time(student, h, equal(300, h / random.between(2.1, 4.9)), "that are shorter than a step",
+  keeps_time(student, h, equal(300, h / random.between(2.1, 4.9)), blended,
+             "that are shorter than a step",
              "Most frames have no step. What moves the picture in those?");
 }
 
@@ -161,14 +184,22 @@ TEST_CASE("on a slow screen several steps are due in a frame, and the rest is ke
   Student student;
   Random random;
   const double h = 1 / random.between(200, 400);
-  keeps_time(student, h, equal(300, h * (random.whole(2, 6) + random.between(0.2, 0.8))),
+  keeps_time(student, h, equal(300, h * (random.whole(2, 6) + random.between(0.2, 0.8))), all,
              "that are longer than a step",
              "How often must the loop go round, and what is left when it ends?");
   // Powers of two add up without rounding.
   const double binary = std::ldexp(1.0, -random.whole(6, 8));
-  keeps_time(student, binary, equal(20, binary * random.whole(2, 5)),
+  keeps_time(student, binary, equal(20, binary * random.whole(2, 5)), all,
              "that last just so many steps",
              "Time for just one step more is there, and nothing is left over then. Is it due?");
+  for (const double step : bounds::h.asked())
+    keeps_time(student, step,
+               {{bounds::length.largest()},
+                {0.3 * step},
+                {bounds::length.smallest()},
+                {bounds::length.largest() - 0.1 * step}},
+               all, "of which one is a long hitch, and another takes no time at all",
+               "A step may be long or short, and a frame, too: the same sums hold.");
 }
 
 TEST_CASE("in slow motion the steps come more rarely, and a change of pace shows no jump",
@@ -178,6 +209,6 @@ TEST_CASE("in slow motion the steps come more rarely, and a change of pace shows
   // Drawn one after the other: in which order arguments are computed is the compiler's choice.
   const auto frames = of_many_paces(random);
   const double h = 1 / random.between(40, 80);
-  keeps_time(student, h, frames, "whose pace changes now and then",
+  keeps_time(student, h, frames, blended, "whose pace changes now and then",
              "Let what is saved be game time, and ask what a frame adds to it.");
 }

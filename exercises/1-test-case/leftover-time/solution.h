@@ -4,8 +4,9 @@
 
 /// How many steps are due in a frame.
 /// @param saved  game time that the frames before left over [s]; leaves what is not yet spent
-/// @param length  how long the frame took for the player [s]
-/// @param pace  seconds of the game in one of the player's: 1, less in slow motion, 0 in a pause
+/// @param length  how long the frame took for the player [s], 0 or more
+/// @param pace  seconds of the game in one of the player's: 1, less in slow motion, 0 in a pause,
+///   up to 4 in fast motion
 /// @param h  step size, in game time [s]
 inline int steps_due(double& saved, double length, double pace, double h) {
   saved += pace * length;
