@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
+#include "bounds.h"
 
-const harness::Wanted<int(double& saved, double length, double h, int most)> wanted_steps =
-    steps_due;
-const harness::Wanted<double(double draw, double cost, double h, int most)> wanted_frame =
-    settled_frame;
+namespace bounds {
+
+// At a cost of just a step, one of the special ones, a formula divides by zero.
+constexpr double sixty_fourth = 1.0 / 64;
+constexpr harness::Bounds saved{"saved", 0, 0.04}, length{"length", 0, 2, sixty_fourth},
+    h{"h", 1e-3, 0.05, sixty_fourth}, most{"most", 1, 100}, draw{"draw", 1e-4, 0.2},
+    cost{"cost", 0, 0.2, sixty_fourth};
+
+}  // namespace bounds
+
+#ifdef GRADING
+
+const harness::Wanted<int(double& saved, double length, double h, int most)> wanted_steps{
+    steps_due, {bounds::saved, bounds::length, bounds::h, bounds::most}};
+const harness::Wanted<double(double draw, double cost, double h, int most)> wanted_frame{
+    settled_frame, {bounds::draw, bounds::cost, bounds::h, bounds::most}};
 
 void answer(harness::Call& call) {
   double first = call.number();
@@ -14,3 +27,5 @@ void answer(harness::Call& call) {
   call.answer(static_cast<double>(wanted_steps(first, second, h, most)));
   call.answer(first);
 }
+
+#endif

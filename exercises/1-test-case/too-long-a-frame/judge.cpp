@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
@@ -60,6 +61,33 @@ Tolerance rest_tolerance(double length, double h) {
           "rounding: one sum for each step that the frame covers"};
 }
 
+// What was made of a frame by mistake: the first that fits, as the others may follow from it.
+std::vector<std::string> recognise(const Frame& got, const Machine& machine, double saved,
+                                   double rest) {
+  const double h = machine.h, all = saved + got.length, most = machine.most * h;
+  const double due = std::floor(all / h), steps = std::min<double>(due, machine.most);
+  const double within = rest_tolerance(all, h).value, cut = saved + std::min(got.length, most);
+  const double in_steps = saved + got.length / h;
+  if (got.steps == std::floor(cut / h) && rest_apart(got.saved, cut, h) <= within)
+    return {"the time is cut before it is counted, and so the part of a step is another"};
+  if (due >= machine.most && std::abs(got.steps * h + got.saved - most) <= within)
+    return {
+        "what is owed is cut to `most` steps: beyond them the part of a step is dropped, too, and "
+        "only whole ones may be"};
+  if (got.steps == std::min<double>(std::floor(in_steps), machine.most) &&
+      rest_apart(got.saved, in_steps, 1) <= within / h)
+    return {"what is saved is in steps here; it is asked for in seconds"};
+  if (got.steps > machine.most)
+    return {"more steps than a frame may take: is there a limit at all, and is it `most`?"};
+  if (got.steps == steps - 1 && got.saved == h)
+    return {"a step is due as soon as its time is there, and nothing is left over then"};
+  if (got.steps < steps) return {"fewer steps than are due, though it may take them"};
+  if (got.saved > h && rest_apart(got.saved, rest, h) <= within)
+    return {"the debt is kept, and the next frames have to pay it"};
+  if (got.saved == 0) return {"the part of a step is dropped, too"};
+  return {};
+}
+
 void spends(Student& student, const Machine& machine, double saved, double length,
             const std::string& hint) {
   const Frame got = spend(student, machine, saved, length);
@@ -80,22 +108,40 @@ void spends(Student& student, const Machine& machine, double saved, double lengt
   finding.tolerance_from = tolerance.from;
   if (!finding.held) {
     finding.hint = hint;
-    const double cut = saved + std::min(length, machine.most * machine.h);
-    if (got.steps == std::floor(cut / machine.h) &&
-        rest_apart(got.saved, cut, machine.h) <= tolerance.value)
-      finding.diagnoses.emplace_back(
-          "the time is cut before it is counted, and so the part of a step is another");
-    if (got.steps > machine.most)
-      finding.diagnoses.emplace_back(
-          "more steps than a frame may take: is there a limit at all, and is it `most`?");
-    if (got.steps < steps)
-      finding.diagnoses.emplace_back("fewer steps than are due, though it may take them");
-    if (got.saved > machine.h && rest_apart(got.saved, rest, machine.h) <= tolerance.value) {
-      finding.diagnoses.emplace_back("the debt is kept, and the next frames have to pay it");
-    }
-    if (got.saved == 0) finding.diagnoses.emplace_back("the part of a step is dropped, too");
+    finding.diagnoses = recognise(got, machine, saved, rest);
   }
   check(finding);
+}
+
+std::string hint_for(const Machine& machine) {
+  return machine.cost < machine.h
+             ? "A frame F asks for F/h steps, if so many are allowed. When is F the same again?"
+             : "A step costs as much as it covers, or more: every frame takes all the steps it "
+               "may.";
+}
+
+// With all that may be asked, each beside what is drawn, and one whose steps cost just what they
+// cover. None needs many frames to settle.
+std::vector<Machine> special_machines(Random& random) {
+  std::vector<Machine> machines;
+  const double share = random.between(0.3, 0.7);
+  const auto drawn = [&] { return draw_machine(random, share); };
+  for (const double draw : bounds::draw.asked()) {
+    machines.push_back(drawn());
+    machines.back().draw = draw;
+  }
+  for (const double cost : bounds::cost.asked()) {
+    machines.push_back(drawn());
+    machines.back().cost = cost;
+    if (cost == bounds::sixty_fourth) machines.back().h = cost;
+  }
+  for (const double h : bounds::h.asked())
+    machines.push_back({random.between(0.3, 1.2) * h, share * h, h, 5});
+  for (const double most : bounds::most.asked()) {
+    machines.push_back(drawn());
+    machines.back().most = static_cast<int>(most);
+  }
+  return machines;
 }
 
 // The next frame is as long as this one.
@@ -117,6 +163,42 @@ void settles(Student& student, const Machine& machine, const std::string& hint) 
   check(finding);
 }
 
+// A frame of so many steps and a part of one.
+void spends(Student& student, const Machine& machine, double saved, double steps) {
+  spends(student, machine, saved, steps * machine.h - saved,
+         "Count what fits, take what is allowed, and leave in saved what is less than a step.");
+}
+
+// All that may be asked, each beside what is drawn.
+void spends_all(Student& student, Random& random) {
+  const auto steps = [&](int low, int high) {
+    const int whole = random.whole(low, high);
+    return whole + random.between(0.55, 0.95);
+  };
+  for (const double h : bounds::h.asked()) spends(student, {0, 0, h, 7}, 0, steps(11, 20));
+  for (const double most : bounds::most.asked()) {
+    const double h = 1 / random.between(100, 200);
+    spends(student, {0, 0, h, static_cast<int>(most)}, 0, most + steps(2, 9));
+  }
+  const double most_saved = bounds::saved.largest(), h = most_saved / random.between(0.82, 0.95);
+  spends(student, {0, 0, h, 5}, most_saved, steps(2, 5));
+}
+
+// Frames without a length, of the longest, and of just one step or so many: powers of two add up
+// without rounding.
+void spends_special(Student& student, Random& random) {
+  const std::string hint = "A step is due when all of its time is there, and not before.";
+  Machine machine = draw_machine(random, 1);
+  const double part = random.between(0.55, 0.95) * machine.h;
+  spends(student, machine, part, bounds::length.smallest(), hint);
+  const double longest = bounds::length.largest();
+  machine.h = longest / (200 + random.between(0.55, 0.95));
+  spends(student, machine, 0, longest, hint);
+  machine.h = bounds::sixty_fourth;
+  for (const int steps : {1, machine.most, machine.most + 1})
+    spends(student, machine, 0, steps * machine.h, hint);
+}
+
 }  // namespace
 
 TEST_CASE("no frame takes more steps than it may, and a hitch is forgotten",
@@ -129,9 +211,10 @@ TEST_CASE("no frame takes more steps than it may, and a hitch is forgotten",
     const int whole =
         n % 3 == 0 ? random.whole(2, machine.most) : random.whole(machine.most + 2, 60);
     const double part = random.between(0.55, 0.95), saved = random.between(0.05, 0.5) * machine.h;
-    spends(student, machine, saved, (whole + part) * machine.h - saved,
-           "Count what fits, take what is allowed, and leave in saved what is less than a step.");
+    spends(student, machine, saved, whole + part);
   }
+  spends_all(student, random);
+  spends_special(student, random);
 }
 
 TEST_CASE("a machine too slow for its steps slows the game and not the screen",
@@ -207,9 +290,8 @@ TEST_CASE("the length that frames settle at is foretold",
       machine.cost = random.between(0.5, 0.8) * machine.h;
       machine.draw = random.between(1.1, 2) * machine.most * (machine.h - machine.cost);
     }
-    settles(student, machine,
-            machine.cost < machine.h
-                ? "A frame F asks for F/h steps, if so many are allowed. When is F the same again?"
-                : "A step costs more than it covers: every frame takes all the steps it may.");
+    settles(student, machine, hint_for(machine));
   }
+  for (const Machine& machine : special_machines(random))
+    settles(student, machine, hint_for(machine));
 }
