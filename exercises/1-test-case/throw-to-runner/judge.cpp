@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/describe.h"
 #include "judge/diagnose.h"
 #include "judge/random.h"
@@ -60,6 +61,12 @@ Throw thrown(Throw one, const Vec& from, const Vec& target) {
   one.from = from;
   one.target = target;
   return one;
+}
+
+// Of length 1, to any side.
+Vec unit(Random& random) {
+  const Vec along = random.vector(0.1, 1);
+  return along / length(along);
 }
 
 struct Mistake {
@@ -176,10 +183,22 @@ TEST_CASE("a ball and a runner come to one place", "[1-test-case/throw-to-runner
 TEST_CASE("a wind from any side is allowed for", "[1-test-case/throw-to-runner][3 points]") {
   Student student;
   Random random;
-  for (int n = 0; n < 3; ++n) {
+  const std::string hint = "The acceleration has three components, and each moves the ball.";
+  const auto drawn = [&] {
     Throw with = draw(random);
     with.runner = random.vector(-6, 6);
     with.a = with.a + random.vector(-4, 4);
-    meets(student, with, "The acceleration has three components, and each moves the ball.");
+    return with;
+  };
+  for (int n = 0; n < 3; ++n) meets(student, drawn(), hint);
+  for (const double time : bounds::time.asked()) {
+    Throw with = drawn();
+    with.time = time;
+    meets(student, with, "Short or long, a flight is one exact step.");
   }
+  const Vec side = unit(random);
+  for (const double pull : bounds::a.asked())
+    meets(student, pulled(drawn(), pull * side), "A pull may be strong, or none at all.");
+  for (const double speed : bounds::runner.asked())
+    meets(student, running(drawn(), speed * side), "A runner may be fast, or stand.");
 }
