@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
@@ -111,6 +112,15 @@ double price(Student& student, double wanted, const Leaf& leaf, const Choice& wi
   return student.call(evaluations, {leaf.duration, h, static_cast<double>(with.per_step)}, 1)[0];
 }
 
+struct Ends {
+  double h, error;
+};
+
+// A short step with a small error, and a long one with a large error.
+std::vector<Ends> ends(const harness::Bounds& h, const harness::Bounds& error) {
+  return {{h.smallest(), error.smallest()}, {h.largest(), error.largest()}};
+}
+
 // Far enough from a whole number that rounding cannot choose.
 bool between_whole_numbers(double number) {
   return std::abs(number - std::round(number)) > 1e-3;
@@ -127,6 +137,16 @@ TEST_CASE("the order comes from two errors, whatever their steps",
     const double h1 = random.between(0.01, 0.1), h2 = h1 / random.between(2.2, 10);
     two_runs(student, {h1, size * std::pow(h1, p), h2, size * std::pow(h2, p)});
   }
+  // The coarser of two runs at the ends of its bounds, and then the finer one.
+  for (const auto& [h1, error1] : ends(bounds::h1, bounds::error1)) {
+    const double ratio = random.between(9, 10), p = random.between(1.1, 3);
+    two_runs(student, {h1, error1, h1 / ratio, error1 / std::pow(ratio, p)});
+  }
+  for (const auto& [h2, error2] : ends(bounds::h2, bounds::error2)) {
+    const double ratio = error2 < 1 ? random.between(10, 100) : random.between(1.1, 2);
+    const double p = error2 < 1 ? random.between(4, 4.3) : random.between(0.8, 3);
+    two_runs(student, {ratio * h2, std::pow(ratio, p) * error2, h2, error2});
+  }
 }
 
 TEST_CASE("the step is as long as the wanted error allows", "[1-test-case/two-errors][3 points]") {
@@ -137,6 +157,10 @@ TEST_CASE("the step is as long as the wanted error allows", "[1-test-case/two-er
     const double error = random.between(0.001, 0.5), wanted = error * random.between(0.02, 0.5);
     allows(student, wanted, h, error, p);
   }
+  for (const double p : random.all_of(bounds::p, 1))
+    for (const double wanted : {bounds::wanted.smallest(), bounds::wanted.largest()})
+      for (const auto& [h, error] : ends(bounds::h, bounds::error))
+        allows(student, wanted, h, error, p);
 }
 
 TEST_CASE("a run takes as few whole steps as it can", "[1-test-case/two-errors][2 points]") {
@@ -148,7 +172,20 @@ TEST_CASE("a run takes as few whole steps as it can", "[1-test-case/two-errors][
     const double part = n % 2 == 0 ? random.between(0.1, 0.4) : random.between(0.6, 0.9);
     counts(student, duration, duration / (whole + part), per_step);
   }
-  // A step that divides the run without rounding.
+  const auto steps = [&](int low, int high) {
+    const int whole = random.whole(low, high);
+    return whole + random.between(0.1, 0.9);
+  };
+  const int some = random.whole(2, 7);
+  for (const double duration : bounds::duration.asked())
+    counts(student, duration, duration / steps(700, 2000), some);
+  for (const double per_step : bounds::per_step.asked())
+    counts(student, 1, 1 / steps(20, 200), static_cast<int>(per_step));
+  const double shortest = bounds::h.smallest(), longest = bounds::h.largest();
+  counts(student, steps(2000, 5000) * shortest, shortest, some);
+  counts(student, random.between(0.2, 0.8) * longest, longest, some);
+  // Steps that divide the run without rounding, and one that is all of it.
+  counts(student, longest, longest, some);
   counts(student, random.whole(2, 9), 1.0 / (1 << random.whole(3, 7)), random.whole(2, 4));
 }
 
