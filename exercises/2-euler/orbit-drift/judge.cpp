@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 
+#include "harness.h"
 #include "judge/session.h"
 #include "judge/tests.h"
 #include "turn.h"
@@ -34,13 +35,22 @@ grade::Plot plot(const drone::Turn& turn, int steps) {
   return {"How far out the drone is", "turns", "distance [radii]", {yours, limit}};
 }
 
+// In so few steps that only the factor itself is right, and not what it is near when they are many;
+// in more and more; and with all that may be asked.
+std::vector<drone::Turn> drawn(Random& random) {
+  std::vector<drone::Turn> turns{drone::Turn::draw(random, 12, 15)};
+  for (const double least : {30.0, 100.0, 1000.0, 9000.0})
+    turns.push_back(drone::Turn::draw(random, least, 2 * least));
+  for (const double growth : bounds::growth.asked()) turns.push_back(drone::Turn::of(growth));
+  return turns;
+}
+
 // A turn in so many steps stays within the growth, and one in a smaller number does not.
 // @param fewer  that number, given the student's
 template <class Fewer>
 void keeps_within(Student& student, Random& random, const std::string& spared, Fewer fewer,
                   const std::string& hint) {
-  for (const double least : {30.0, 100.0, 1000.0, 9000.0}) {
-    const auto turn = drone::Turn::draw(random, least, 2 * least);
+  for (const drone::Turn& turn : drawn(random)) {
     const int got = static_cast<int>(student.call(steps_per_turn, {turn.growth}, 1)[0]);
     const bool within = drone::growth(got) <= turn.growth;
     grade::Finding finding;
@@ -53,7 +63,7 @@ void keeps_within(Student& student, Random& random, const std::string& spared, F
     finding.error = within ? "steps that can be spared"
                            : number(drone::growth(got) - turn.growth, 3) + " of the distance";
     finding.tolerance = "none";
-    finding.tolerance_from = "the growth is drawn so that rounding cannot choose";
+    finding.tolerance_from = "the growth is chosen so that rounding cannot decide";
     if (!finding.held) {
       finding.hint = hint;
       finding.diagnoses = drone::recognise(turn, got);

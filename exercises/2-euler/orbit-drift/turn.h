@@ -33,6 +33,16 @@ struct Turn {
   double growth;
   int fewest;
 
+  /// Of a share that is given.
+  static Turn of(double growth) {
+    int beyond = 0, within = most_steps;
+    while (within - beyond > 1) {
+      const int steps = (beyond + within) / 2;
+      (drone::growth(steps) > growth ? beyond : within) = steps;
+    }
+    return {growth, within};
+  }
+
   /// Well between what the fewest steps and one fewer do, so that rounding can't choose.
   static Turn draw(judge::Random& random, double low, double high) {
     const int steps = static_cast<int>(std::exp(random.between(std::log(low), std::log(high))));
@@ -57,6 +67,7 @@ inline std::vector<std::string> recognise(const Turn& turn, int steps) {
   const auto tangents = [](int n) { return n < 1 ? INFINITY : around / n * around / 2; };
   const auto energy = [](int n) { return std::pow(1 + growth(n), 2) - 1; };
   const auto radian = [](int n) { return growth(n, 1); };
+  const double of_many = 2 * std::numbers::pi * std::numbers::pi / std::log1p(turn.growth);
   if (steps < 1) return {"this is no number of steps: " + std::to_string(steps)};
   if (is_fewest(turn.growth, added) || is_fewest(turn.growth, tangents))
     return {
@@ -74,6 +85,10 @@ inline std::vector<std::string> recognise(const Turn& turn, int steps) {
     return {"this is right for the way of one radian; once around there are 2 pi of them"};
   if (is_fewest(100 * turn.growth, once) || is_fewest(turn.growth / 100, once))
     return {"this is off by a hundred: a growth of 0.01 is one per cent"};
+  if (steps == std::ceil(of_many))
+    return {
+        "this is right for a turn of very many steps, where log(1 + x) is nearly x; here they are "
+        "few"};
   if (steps == turn.fewest - 1) return {"one step too few: did you round down?"};
   if (steps == turn.fewest + 1) return {"one step too many: it can be spared"};
   if (steps > turn.fewest && (steps & (steps - 1)) == 0)
