@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/describe.h"
 #include "judge/random.h"
 #include "judge/session.h"
@@ -58,6 +59,10 @@ grade::Curve curve(const std::string& name, const Film& film) {
   }
   return curve;
 }
+
+// So far that ten frames leave it flat out, whatever it takes for its rate: the tests of the lag
+// say which is right.
+constexpr double far_in_seconds = 2;
 
 // Whether a program that has just begun does right what this one did wrong.
 bool right_when_fresh(const Vec& camera, const Vec& target, const Lag& lag, double frame,
@@ -129,6 +134,36 @@ std::vector<double> uneven(Random& random, int count) {
   return frames;
 }
 
+// The same camera in one frame and in many that are as long together: whatever its rate is, it ends
+// in one place.
+void ends_where_one_frame_does(Student& student, const Shot& shot) {
+  const Film cut = film(shot, [&](const Vec& camera, const Vec& target, double frame) {
+    return ask(student, camera, target, shot.lag, frame);
+  });
+  const double whole = cut.time.back();
+  const Vec expected = ask(student, shot.camera, shot.target, shot.lag, whole);
+  const Tolerance each = rounding(length(shot.camera) + length(shot.target));
+  const double frames = static_cast<double>(shot.frames.size());
+  grade::Finding finding = off_by(length(cut.camera.back() - expected),
+                                  {frames * each.value, each.from + ", a frame"}, " m");
+  finding.asked = "one frame of " + number(whole, 17) + " s, and " + number(frames) +
+                  " uneven ones that are as long together";
+  finding.input = "camera " + describe(shot.camera, 17) + ", target " + describe(shot.target, 17) +
+                  ", " + described(shot.lag);
+  finding.expected = "one end; your one frame leads to " + describe(expected, 12);
+  finding.got = "your many lead to " + describe(cut.camera.back(), 12);
+  if (!finding.held) {
+    finding.hint =
+        "At which moment within a frame does the camera begin to slow down, and what is left of "
+        "the frame then?";
+    finding.plot = {"How far the camera is from its target",
+                    "time [s]",
+                    "along x [m]",
+                    {curve("yours, in many frames", cut)}};
+  }
+  check(finding);
+}
+
 }  // namespace
 
 TEST_CASE("a frame of any length takes the camera as far as frames of a sixtieth would",
@@ -142,6 +177,12 @@ TEST_CASE("a frame of any length takes the camera as far as frames of a sixtieth
     const Shot shot = draw(random, random.between(0.05, 0.3), {1 / rate});
     follows(student, shot, "one frame, at " + number(rate, 4) + " frames a second", hint);
   }
+  for (const double part : bounds::part.asked())
+    follows(student, draw(random, part, {1.0 / 60, random.between(0.004, 0.05)}),
+            "two frames, with a part of " + number(part), hint);
+  for (const double frame : bounds::frame.asked())
+    follows(student, draw(random, random.between(0.05, 0.3), {frame}),
+            "one frame of " + number(frame, 3) + " s", hint);
   Shot close = draw(random, random.between(0.05, 0.3), {1 / random.between(100, 240)});
   close.camera = close.target + random.vector(0.001, 0.01);
   follows(student, close, "one frame that begins within two centimetres of the target", hint);
@@ -151,7 +192,7 @@ TEST_CASE("a frame of any length takes the camera as far as frames of a sixtieth
 }
 
 TEST_CASE("uneven frames leave the camera where even ones do",
-          "[2-euler/camera-that-lags][2 points]") {
+          "[2-euler/camera-that-lags][1 point]") {
   Student student;
   Random random;
   const Shot shot = draw(random, random.between(0.03, 0.1), uneven(random, 60));
@@ -171,7 +212,7 @@ TEST_CASE("after a hitch the camera is near its target and not beyond it",
 }
 
 TEST_CASE("a target that jumps is followed from where the camera is",
-          "[2-euler/camera-that-lags][2 points]") {
+          "[2-euler/camera-that-lags][1 point]") {
   Student student;
   Random random;
   Shot shot = draw(random, random.between(0.05, 0.3), uneven(random, 30));
@@ -181,7 +222,7 @@ TEST_CASE("a target that jumps is followed from where the camera is",
 }
 
 TEST_CASE("the camera is never faster than it may be, however a run is cut into frames",
-          "[2-euler/camera-that-lags][3 points]") {
+          "[2-euler/camera-that-lags][2 points]") {
   Student student;
   Random random;
   const std::string hint =
@@ -198,4 +239,19 @@ TEST_CASE("the camera is never faster than it may be, however a run is cut into 
   far.jump = 0.1 * length(far.target - far.camera);
   follows(student, far, "ten uneven frames after a target that jumps, too far away to slow down",
           hint);
+}
+
+TEST_CASE("far away it flies at its highest speed, and where it slows down no cut is seen",
+          "[2-euler/camera-that-lags][3 points]") {
+  Student student;
+  Random random;
+  const std::string hint =
+      "As long as the lag would have it move faster, it moves straight at its target at `fastest`.";
+  for (const double fastest : bounds::fastest.asked()) {
+    Shot far = draw(random, random.between(0.3, 0.6), uneven(random, 10));
+    far.lag.fastest = fastest;
+    far.target = far.camera + (far_in_seconds * fastest) * Vec{0.6, -0.64, 0.48};
+    follows(student, far, "ten uneven frames, too far away to slow down", hint);
+  }
+  ends_where_one_frame_does(student, limited(random, uneven(random, 20), 12));
 }

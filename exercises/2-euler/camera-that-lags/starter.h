@@ -6,8 +6,8 @@
 /// @param camera  where it was [m]
 /// @param target  where it wants to be [m]
 /// @param part  of the way that it goes in one frame at sixty frames a second, between 0 and 1
-/// @param fastest  speed that it never exceeds [m/s]
-/// @param frame  how long the frame took [s]
+/// @param fastest  speed that it never exceeds [m/s], above 0
+/// @param frame  how long the frame took [s], 0 or more
 inline Vec follow(const Vec& camera, const Vec& target, double part, double fastest, double frame) {
   const Vec step = part * 60 * frame * (target - camera);
   const double most = fastest * frame;
