@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/diagnose.h"
 #include "judge/random.h"
 #include "judge/session.h"
@@ -25,6 +26,18 @@ struct Leash {
 Leash draw(Random& random, double zeta) {
   const double m = random.between(2, 40), omega = random.between(3, 30);
   return {m * omega * omega, 2 * zeta * m * omega, m};
+}
+
+Leash damped(double k, double zeta, double m) {
+  return {k, 2 * zeta * std::sqrt(k * m), m};
+}
+
+// Each stiffness and each mass that may be asked, with such a damper.
+std::vector<Leash> all_damped(double zeta) {
+  std::vector<Leash> leashes;
+  for (const double k : bounds::k.asked())
+    for (const double m : bounds::m.asked()) leashes.push_back(damped(k, zeta, m));
+  return leashes;
 }
 
 std::string describe(const Leash& leash) {
@@ -116,6 +129,8 @@ TEST_CASE("a leash that swings holds up to the longest step",
     holds_until(student, draw(random, random.between(0.05, 0.95)), 1,
                 "The damper must take out more energy than the method puts in: h omega < 2 zeta.");
   }
+  for (const Leash& leash : all_damped(random.between(0.05, 0.95)))
+    holds_until(student, leash, 1, "Soft or stiff, light or heavy: the limit is the same formula.");
 }
 
 TEST_CASE("a leash that creeps is limited by its fast motion",
@@ -127,6 +142,10 @@ TEST_CASE("a leash that creeps is limited by its fast motion",
     holds_until(student, draw(random, zeta), sum * sum,
                 "Two motions die away, and the limit is two over the rate of one of them.");
   }
+  const double zeta = random.between(1.1, 4), sum = zeta + std::sqrt(zeta * zeta - 1);
+  for (const Leash& leash : all_damped(zeta))
+    holds_until(student, leash, sum * sum,
+                "Soft or stiff, light or heavy: the limit is the same formula.");
 }
 
 TEST_CASE("critical damping belongs to both sides, and no damper has no step",
@@ -145,9 +164,12 @@ TEST_CASE("critical damping belongs to both sides, and no damper has no step",
 TEST_CASE("a leash like a wall keeps its digits", "[2-euler/stiffest-leash][2 points]") {
   Student student;
   Random random;
-  for (int n = 3; n <= 7; ++n) {
-    holds_until(student, draw(random, std::pow(10, n) * random.between(1, 9)), 1,
-                "Far beyond critical damping zeta and its root are nearly equal. Take the limit "
-                "from the fast rate, which is a sum.");
-  }
+  const std::string hint =
+      "Far beyond critical damping zeta and its root are nearly equal. Take the limit from the "
+      "fast rate, which is a sum.";
+  for (int n = 3; n <= 7; ++n)
+    holds_until(student, draw(random, std::pow(10, n) * random.between(1, 9)), 1, hint);
+  Leash hardest = draw(random, 1);
+  hardest.c = bounds::c.largest();
+  holds_until(student, hardest, 1, hint);
 }

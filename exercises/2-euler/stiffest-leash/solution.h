@@ -4,8 +4,8 @@
 
 /// The longest step with which Euler's method holds a leash [s]; 0 if there is none.
 /// @param k  stiffness [N/m], above 0
-/// @param c  damper [N s/m], 0 or above
-/// @param m  mass [kg]
+/// @param c  damper [N s/m], 0 or more
+/// @param m  mass [kg], above 0
 inline double longest_step(double k, double c, double m) {
   const double beyond_critical = c * c - 4 * k * m;
   if (beyond_critical <= 0) return c / k;
