@@ -3,6 +3,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/describe.h"
 #include "judge/random.h"
 #include "judge/session.h"
@@ -189,8 +190,9 @@ std::string distance(const Scene& scene, const Answer& answer) {
          " evaluations for each of them";
 }
 
-void affords(Student& student, Random& random, Asked what, const std::string& hint) {
-  const Scene scene = scene::draw(random);
+void affords(Student& student, Random& random, Asked what, const std::string& hint,
+             double duration) {
+  const Scene scene = scene::draw(random, duration);
   const Answer answer = ask(student, scene);
   grade::Finding finding;
   finding.held = holds(what, scene, answer);
@@ -222,10 +224,11 @@ TEST_CASE("the thing ends within the wanted error, in less than three times the 
           "[2-euler/steps-you-can-afford][4 points]") {
   Student student;
   Random random;
-  for (int n = 0; n < 3; ++n) {
+  for (const double duration : random.all_of(bounds::duration, 2)) {
     affords(student, random, error,
             "Trust two runs only if the finer has about as many steps as your answer, and leave a "
-            "margin.");
+            "margin.",
+            duration);
   }
 }
 
@@ -236,7 +239,8 @@ TEST_CASE("the steps are the fewest that will do, or up to a tenth more",
   for (int n = 0; n < 3; ++n) {
     affords(student, random, steps,
             "The error is in proportion to the step. From one error that you know, which number of "
-            "steps has the wanted one?");
+            "steps has the wanted one?",
+            random.between(bounds::duration));
   }
 }
 
@@ -245,5 +249,6 @@ TEST_CASE("finding out steps that will do costs no more than four runs",
   Student student;
   Random random;
   affords(student, random, price,
-          "Stop doubling as soon as the answer is in sight. You need not run it to know it.");
+          "Stop doubling as soon as the answer is in sight. You need not run it to know it.",
+          random.between(bounds::duration));
 }

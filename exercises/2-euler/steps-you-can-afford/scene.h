@@ -28,13 +28,13 @@ struct Scene {
 
 /// One in which the error of a quarter of the steps is four times as large, within a hundredth, so
 /// that a good guess can be made from shorter runs.
-inline Scene draw(judge::Random& random) {
+inline Scene draw(judge::Random& random, double duration) {
   for (;;) {
     const harness::Force force = random.wild();
     const judge::Waves gusts{random, 0.5, 3, 3};
     Scene scene{[=](const Vec& x, const Vec& v, double t) { return force(x, v, t) + gusts(x, t); },
                 random.start(),
-                random.between(0.8, 1.6),
+                duration,
                 {},
                 0,
                 0};

@@ -1,4 +1,4 @@
-// Fails: the thing ends within the wanted error, in less than three times the fewest steps
+// Fails: the steps are the fewest that will do, or up to a tenth more
 // Says: the first question is not at the start
 // SPDX-License-Identifier: MIT-0
 #pragma once
