@@ -1,13 +1,28 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
+#include "bounds.h"
+
+namespace bounds {
+
+constexpr harness::Bounds duration{"duration", 0.01, 40}, tolerance{"tolerance", 1e-7, 1e-3},
+    tolerance_of_pass{"tolerance", 1e-7, 1e-5};
+
+}  // namespace bounds
+
+#ifdef GRADING
 
 const harness::Wanted<void(Vec& x, Vec& v, double t, double duration, double tolerance,
                            const Acceleration& acceleration)>
-    wanted = fly;
+    wanted{fly,
+           {harness::any, harness::any, harness::any, bounds::duration, bounds::tolerance,
+            harness::any}};
 
+// How long a comet's flight is hangs on its orbit.
 const harness::Wanted<double(Vec x, Vec v, double t, double duration, double tolerance,
                              const Acceleration& acceleration)>
-    wanted_nearest = nearest;
+    wanted_nearest{nearest,
+                   {harness::any, harness::any, harness::any, harness::any,
+                    bounds::tolerance_of_pass, harness::any}};
 
 constexpr int of_the_pass = 100;
 
@@ -24,3 +39,5 @@ void answer(harness::Call& call) {
                          wanted(x, v, t, h, tolerance, acceleration);
                      });
 }
+
+#endif

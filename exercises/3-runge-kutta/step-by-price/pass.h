@@ -15,8 +15,12 @@ inline double way_to_pass(const State& comet, const Vec& a) {
   return bends > 0 ? -dot(comet.x, comet.v) / bends * length(comet.v) : INFINITY;
 }
 
-/// So many of one's own flights may be paid for a pass.
-constexpr double flights = 1.5;
+/// So many may be paid for a pass. Steps that are chosen take 1,000 to 4,000; as near in equal ones
+/// are 7,000 and more.
+constexpr double questions_of_a_pass = 5000;
+
+/// Whoever asks more has asked too much, whatever comes of it.
+constexpr double patience_for_a_pass = 20'000;
 
 /// What was said of a pass.
 struct Given {
@@ -40,12 +44,13 @@ inline Signs why_not_the_pass(const Given& given, const Path& path, double bound
   if (!std::isfinite(given.time)) return {"this is not a finite time"};
   if (given.time == given.start) return {"this is the moment at which the flight begins"};
   if (given.cut_off)
-    return {"this costs more than " + grade::number(flights * given.price, 2) +
-            " of your own flights; after that the judge let nothing pull any more, and the time is "
-            "worth nothing. No guess within a step needs the flight again"};
+    return {"after " + grade::number(patience_for_a_pass) +
+            " questions the judge let nothing pull any more, and the time is worth nothing: no "
+            "guess within a step needs the flight again"};
   if (given.price > 1)
-    return {"this costs " + grade::number(flights * given.price, 2) +
-            " of your own flights: no guess within a step needs the flight again"};
+    return {"this costs " + grade::number(given.price, 3) +
+            " times what it may: no guess within a step needs the flight again, and no step need "
+            "be as short as the shortest"};
   if (std::abs(since - given.duration / 2) <= 1e-9 * given.duration)
     return {"this is the middle of the flight, where nothing but a sun would have it turn"};
   if (std::abs(given.off_since) <= bound)
