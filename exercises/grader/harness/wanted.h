@@ -53,13 +53,14 @@ class Wanted<Result(Arguments...)> {
     return call_(std::forward<Arguments>(arguments)...);
   }
 
- private:
 #ifdef WATCHED
   template <std::size_t count>
-  void watch(const Bounds (&bounds)[count], int line) {
+  void watch(const Bounds (&bounds)[count], int line) const {
     static_assert(count == sizeof...(Arguments), "bounds for each argument, or harness::any");
     for (std::size_t i = 0; i < count; ++i) (*watches_)[i].of(bounds[i], line);
   }
+
+ private:
   template <std::size_t... I, class... Passed>
   void hear(std::index_sequence<I...>, const Passed&... passed) const {
     ((*watches_)[I].hear(passed), ...);
@@ -71,11 +72,24 @@ class Wanted<Result(Arguments...)> {
   static void watch(const Bounds (&)[count], int) {
     static_assert(count == sizeof...(Arguments), "bounds for each argument, or harness::any");
   }
+
+ private:
   template <class Indices, class... Passed>
   static void hear(Indices, const Passed&...) {}
 #endif
 
   std::function<Result(Arguments...)> call_;
+};
+
+/// Stands behind `wanted = longest_step;` and says what may be asked of each argument:
+/// `const harness::Within within_wanted{wanted, {bounds::k, bounds::m}};`. In a line of their own
+/// the bounds stay out of what a student with another signature is told.
+struct Within {
+  template <class Signature, std::size_t count>
+  Within(const Wanted<Signature>& wanted, const Bounds (&bounds)[count],
+         int line = __builtin_LINE()) {
+    wanted.watch(bounds, line);
+  }
 };
 
 }  // namespace harness
