@@ -3,8 +3,11 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <complex>
+#include <string>
+#include <vector>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/diagnose.h"
 #include "judge/random.h"
 #include "judge/session.h"
@@ -31,6 +34,16 @@ std::string with(const std::string& name, double value) {
   return name + " = " + number(value, 17);
 }
 
+// One of each decade, from the largest down, then its bounds and what is special. The smallest come
+// last: there most ways are alike.
+std::vector<double> decades(Random& random, const harness::Bounds& bounds) {
+  std::vector<double> values;
+  for (double high = bounds.largest(); high > 9 * bounds.smallest(); high /= 10)
+    values.push_back(high * random.between(0.2, 1));
+  for (const double asked : bounds.asked()) values.push_back(asked);
+  return values;
+}
+
 constexpr const char* swapped = "theta and 1 - theta have changed places";
 
 // What is taken for the least theta that does not turn a brake round.
@@ -49,35 +62,28 @@ std::vector<Mistaken> slips(double ch) {
 }
 
 struct Spring {
-  static constexpr double halved_until = 1e-14;
-
   double theta, omega, zeta;
+
+  Rate lambda(double sign) const {
+    return omega * (-zeta + sign * std::sqrt(Rate(zeta * zeta - 1)));
+  }
 
   // By how much the worse of its two motions grows in a step.
   double growth(double h) const {
-    const Rate root = std::sqrt(Rate(zeta * zeta - 1));
-    return std::max(std::abs(factor(theta, h * omega * (-zeta + root))),
-                    std::abs(factor(theta, h * omega * (-zeta - root))));
+    return std::max(std::abs(factor(theta, h * lambda(1))),
+                    std::abs(factor(theta, h * lambda(-1))));
   }
 
-  // Where the growth passes 1: 0 if every step grows, infinite if none of them does.
+  // Until when the square of the factor's numerator is no larger than that of its denominator, for
+  // the one lambda and the other. From one half on it never is.
   double longest() const {
-    double low = 1e-6 / omega, high = 1e6 / omega;
-    if (growth(high) <= 1) return INFINITY;
-    if (growth(low) > 1) return 0;
-    while (high > low * (1 + halved_until)) {
-      const double middle = std::sqrt(low * high);
-      (growth(middle) > 1 ? high : low) = middle;
+    double found = INFINITY;
+    for (const double sign : {1, -1}) {
+      const Rate rate = lambda(sign);
+      if (theta < 0.5)
+        found = std::min(found, 2 * std::abs(rate.real()) / std::norm(rate) / (1 - 2 * theta));
     }
-    return low;
-  }
-
-  // How far two steps may be apart before their growths can be told apart.
-  Tolerance apart(double limit) const {
-    if (!std::isfinite(limit) || limit == 0) return {0, "there is nothing to round"};
-    const double slope = (growth(1.01 * limit) - growth(0.99 * limit)) / (0.02 * limit);
-    return {rounding(1).value / slope + halved_until * limit,
-            "rounding of the growth, over how fast it changes with the step"};
+    return found;
   }
 
   std::string described() const {
@@ -89,8 +95,10 @@ void holds_until(Student& student, const Spring& spring) {
   const double expected = spring.longest();
   const double got = ask(student, longest, spring.theta, spring.omega, spring.zeta);
   const double off = got == expected ? 0 : std::abs(got - expected);
+  const bool ends = std::isfinite(expected) && expected > 0;
 
-  grade::Finding finding = off_by(off, spring.apart(expected));
+  grade::Finding finding =
+      off_by(off, ends ? rounding(expected) : Tolerance{0, "there is nothing to round"});
   finding.asked = "the longest step at which a spring does not grow";
   finding.input = spring.described();
   finding.expected = number(expected, 12);
@@ -100,6 +108,8 @@ void holds_until(Student& student, const Spring& spring) {
         "What are the spring's two lambda here, and what does the condition say of "
         "each? Which way does it turn when theta passes one half?";
     finding.diagnoses = diagnose(got, expected);
+    if (std::isnan(got) && spring.theta == 0.5)
+      finding.diagnoses.emplace_back("with theta = 1/2 this divides by 1 - 2 theta, which is zero");
     if (got < 0)
       finding.diagnoses.emplace_back("no step is negative: is this the formula for another theta?");
     if (std::isfinite(got) && got > 0) {
@@ -119,15 +129,15 @@ TEST_CASE("a brake keeps what the factor says, with its sign",
           "[4-implicit/blend-of-slopes][2 points]") {
   Student student;
   Random random;
-  for (const double ch :
-       {random.between(0.1, 0.9), random.between(2.5, 9), random.between(1e3, 1e5)}) {
-    const double theta = random.between(0.1, 0.9);
-    is_exact("what one step leaves of a velocity on a brake",
-             with("theta", theta) + ", " + with("c h", ch), ask(student, brake, theta, ch),
-             factor(theta, -ch).real(), rounding((1 + ch) / (1 + theta * ch)),
-             "A brake has lambda = -c, and the share of the end stands in the divisor. Long steps "
-             "turn the velocity round, and the sign tells.",
-             {{factor(1 - theta, -ch).real(), swapped}});
+  for (const double theta : random.all_of(bounds::theta, 1)) {
+    for (const double ch : decades(random, bounds::c_h)) {
+      is_exact("what one step leaves of a velocity on a brake",
+               with("theta", theta) + ", " + with("c h", ch), ask(student, brake, theta, ch),
+               factor(theta, -ch).real(), rounding((1 + ch) / (1 + theta * ch)),
+               "A brake has lambda = -c, and the share of the end stands in the divisor. Long "
+               "steps turn the velocity round, and the sign tells.",
+               {{factor(1 - theta, -ch).real(), swapped}});
+    }
   }
 }
 
@@ -135,19 +145,21 @@ TEST_CASE("an undamped spring keeps what the factor says",
           "[4-implicit/blend-of-slopes][2 points]") {
   Student student;
   Random random;
-  for (const double homega : {random.between(0.1, 0.9), random.between(2, 20)}) {
-    const double theta = random.between(0.1, 0.9),
-                 expected = std::abs(factor(theta, Rate(0, homega)));
-    is_exact("what one step leaves of the swing of an undamped spring",
-             with("theta", theta) + ", " + with("h omega", homega),
-             ask(student, swing, theta, homega), expected, rounding(expected),
-             "An undamped spring has lambda = i omega. The swing goes with the size of R, which "
-             "is a root of two squares.",
-             {{std::abs(factor(1 - theta, Rate(0, homega))), swapped},
-              {expected * expected, "this is what is left of the energy, which is the square"},
-              {std::abs(factor(theta, -homega)),
-               "this is the factor of a brake, with a real "
-               "lambda"}});
+  for (const double theta : random.all_of(bounds::theta, 1)) {
+    for (const double homega : decades(random, bounds::omega_h)) {
+      const double expected = std::abs(factor(theta, Rate(0, homega)));
+      is_exact(
+          "what one step leaves of the swing of an undamped spring",
+          with("theta", theta) + ", " + with("h omega", homega), ask(student, swing, theta, homega),
+          expected, rounding(expected),
+          "An undamped spring has lambda = i omega. The swing goes with the size of R, which "
+          "is a root of two squares.",
+          {{std::abs(factor(1 - theta, Rate(0, homega))), swapped},
+           {expected * expected, "this is what is left of the energy, which is the square"},
+           {std::abs(factor(theta, -homega)), "this is the factor of a brake, with a real lambda"},
+           {(1 + (1 - theta) * homega) / (1 + theta * homega),
+            "1 and h omega are added, and they stand at a right angle: i is between them"}});
+    }
   }
 }
 
@@ -155,22 +167,22 @@ TEST_CASE("just below the longest step a damped spring shrinks, just above it gr
           "[4-implicit/blend-of-slopes][4 points]") {
   Student student;
   Random random;
-  const auto low = [&] { return random.between(0, 0.4); };
-  const auto omega = [&] { return random.between(5, 50); };
-  holds_until(student, {low(), omega(), random.between(0.1, 0.9)});
-  holds_until(student, {low(), omega(), random.between(1.2, 3)});
-  holds_until(student, {low(), omega(), 1});
-  holds_until(student, {low(), omega(), 0});
-  holds_until(student, {random.between(0.6, 1), omega(), random.between(0.1, 3)});
+  const double below = random.between(0.1, 0.9), above = random.between(1.2, 2.9);
+  const std::vector<double> omegas = random.all_of(bounds::omega, 1);
+  for (const double theta : {random.between(0.05, 0.4), random.between(0.6, 0.9), 0.0, 0.5, 1.0}) {
+    for (const double omega : omegas) {
+      for (const double zeta : {below, above, 0.0, 1.0, bounds::zeta.largest()})
+        holds_until(student, {theta, omega, zeta});
+    }
+  }
 }
 
 TEST_CASE("the least theta brakes to a stop and no further",
           "[4-implicit/blend-of-slopes][2 points]") {
   Student student;
   Random random;
-  // Where the factor of a share of one half is still positive, below c h = 2, no more is needed.
-  for (const double ch :
-       {random.between(3, 10), random.between(0.2, 1.8), random.between(50, 500)}) {
+  // Where the factor of a share of one half is still positive, up to c h = 2, no more is needed.
+  for (const double ch : decades(random, bounds::c_h)) {
     is_exact("the least theta, from one half on, that does not turn a brake round", with("c h", ch),
              ask(student, least, ch), ch > 2 ? (ch - 1) / ch : 0.5, rounding(1),
              "Where is the numerator of R zero? And which theta may the dial not go below?",
