@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
+#include "bounds.h"
+
+namespace bounds {
+
+constexpr harness::Bounds h{"h", -0.1, 0.1, 0}, omega{"omega", 0.1, 1000}, zeta{"zeta", 0, 10, 1},
+    told_h{"h", 1e-5, 0.1};
+
+}  // namespace bounds
+
+#ifdef GRADING
 
 const harness::Wanted<void(double& x, double& v, double h, double omega, double zeta)> wanted =
     step;
+const harness::Within within_wanted{
+    wanted, {harness::any, harness::any, bounds::h, bounds::omega, bounds::zeta}};
 
 const harness::Wanted<double(double omega, double h)> wanted_told = told;
+const harness::Within within_told{wanted_told, {bounds::omega, bounds::told_h}};
 
 void answer(harness::Call& call) {
   if (call.function() == 1) {
@@ -20,3 +33,5 @@ void answer(harness::Call& call) {
     call.answer(v);
   }
 }
+
+#endif

@@ -33,11 +33,14 @@ int passes(const std::vector<Swing>& path) {
 TEST_CASE("each step takes the mean of both slopes", "[4-implicit/slow-suspension][3 points]") {
   Student student;
   Random random;
-  for (int trial = 0; trial < 3; ++trial) {
-    const Suspension scene =
-        Suspension::draw(random, random.between(0.4, 3), random.between(0.1, 0.5), 20);
+  std::vector<Suspension> scenes;
+  for (int trial = 0; trial < 3; ++trial)
+    scenes.push_back(
+        Suspension::draw(random, random.between(0.4, 3), random.between(0.1, 0.5), 20));
+  for (const Suspension& scene : Suspension::at_the_bounds(random)) scenes.push_back(scene);
+  for (const Suspension& scene : scenes) {
     const auto expected = scene.right(), got = scene.by(student);
-    const Tolerance tolerance = rounding(scene.steps, scene.size(scene.start));
+    const Tolerance tolerance = rounding(scene.steps, scene.largest());
     std::size_t n = 1;
     while (n + 1 < got.size() && scene.apart(got[n], expected[n]) <= tolerance.value) ++n;
 
@@ -129,12 +132,27 @@ TEST_CASE("told another omega, the trapezoid rule swings at the one that is want
           "[4-implicit/slow-suspension][3 points]") {
   Student student;
   Random random;
-  for (const double wanted : {random.between(0.3, 0.6), random.between(1, 2.9)}) {
-    const double h = random.between(0.01, 0.04), omega = wanted / h;
+  // An angle, and a step or a rate that makes it. A small angle comes last: there the wrong ways
+  // are hardly told apart.
+  struct Told {
+    double omega, h;
+  };
+  std::vector<Told> all;
+  for (const double angle : {random.between(0.3, 0.6), random.between(1, 2.9), 3.1}) {
+    const double h = random.between(0.01, 0.04);
+    all.push_back({angle / h, h});
+  }
+  for (const double h : bounds::told_h.asked())
+    all.push_back({std::min(random.between(1, 2.9) / h, bounds::omega.largest()), h});
+  for (const double omega : bounds::omega.asked())
+    all.push_back({omega, std::min(random.between(1, 2.9) / omega, bounds::told_h.largest())});
+  all.push_back({bounds::omega.smallest(), bounds::told_h.smallest()});
+  for (const auto& [omega, h] : all) {
+    const double wanted = omega * h;
     const double told = student.call(1, {omega, h}, 1)[0];
     const Swing next = Suspension{{1, 0}, h, told, 0, 1}.after_one({1, 0});
     const double turned = std::atan2(-next.v / told, next.x);
-    grade::Finding finding = off_by(std::abs(turned - wanted), rounding(4));
+    grade::Finding finding = off_by(std::abs(turned - wanted), rounding(wanted));
     finding.asked = "by which angle a step of the trapezoid rule turns a spring that is told yours";
     finding.input = "omega = " + number(omega, 17) + ", h = " + number(h, 17);
     finding.expected = number(wanted, 12) + ", which is omega h";

@@ -6,7 +6,7 @@
 /// @param x  how far the spring is stretched [m], advanced in place
 /// @param v  its rate [m/s], advanced in place
 /// @param h  step size [s]; a negative step goes back in time
-/// @param omega  natural frequency [rad/s]
+/// @param omega  natural frequency [rad/s]; positive
 /// @param zeta  damping ratio; may be 0
 inline void step(double& x, double& v, double h, double omega, double zeta) {
   const double stiffness = omega * omega, damping = 2 * zeta * omega, half = h / 2;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/student.h"
@@ -30,6 +31,25 @@ struct Suspension {
     const double sign = 2.0 * random.whole(0, 1) - 1;
     return {
         {random.between(0.1, 0.3), sign * omega * random.between(0.1, 0.3)}, h, omega, zeta, steps};
+  }
+
+  // Each bound and each special value once, where the divisor is far from zero: a step back with a
+  // heavy damper may divide by nothing.
+  static std::vector<Suspension> at_the_bounds(Random& random) {
+    std::vector<Suspension> scenes;
+    const auto add = [&](double h, double omega, double zeta) {
+      scenes.push_back(
+          {{random.between(0.1, 0.3), omega * random.between(0.1, 0.3)}, h, omega, zeta, 5});
+    };
+    const auto light = [&] { return random.between(0.1, 0.5); };
+    for (const double h : bounds::h.asked()) add(h, random.between(5, 30), light());
+    for (const double omega : bounds::omega.asked()) {
+      add(-random.between(0.01, 0.04), omega, light());
+      add(bounds::h.largest(), omega, light());
+    }
+    for (const double zeta : bounds::zeta.asked())
+      add(random.between(0.01, 0.04), random.between(20, 80), zeta);
+    return scenes;
   }
 
   // Long enough for a swing that is slower by a hundredth to fall behind.
@@ -60,6 +80,13 @@ struct Suspension {
     std::vector<Swing> path{start};
     for (int n = 0; n < steps; ++n) path.push_back(after_one(path.back()));
     return path;
+  }
+
+  // The largest number that a right path has in it.
+  double largest() const {
+    double most = 0;
+    for (const Swing& s : right()) most = std::max(most, size(s));
+    return most;
   }
 
   // In units of length, in which the energy is a sum of two squares.
@@ -107,12 +134,20 @@ inline std::vector<std::string> recognised(const Suspension& scene, const Swing&
     return Swing{x + h * v + half * push / by, v + push / by};
   };
   const double v_right = scene.after_one(scene.start).v;
+  Suspension forward = scene;
+  forward.h = std::abs(h);
   const double right = 1 + half * c + half * half * k, v_symplectic = v - h * (k * x + c * v);
   const double v_backward = (v - h * k * x) / (1 + h * c + h * h * k);
   const std::pair<Swing, const char*> known[] = {
       {divided(1 + half * c + half * h * k), "this is the step of the code as it was"},
+      {forward.after_one(scene.start), "this is a step forward, and h is negative: it goes back"},
       {divided(1), "this is the step of Heun's method: nothing is divided"},
       {divided(1 + h * c + half * half * k), "the damping in the divisor is not halved"},
+      {divided(1 + half / 2 * c + half * half * k), "the damping in the divisor is halved twice"},
+      {divided(1 + half * half * c + half * half * k),
+       "the damping in the divisor is multiplied by h / 2 twice"},
+      {divided(1 + half * c + half * half * half * k),
+       "in the divisor h / 2 stands three times before omega^2"},
       {{x + h * v_backward, v_backward}, "this is backward Euler"},
       {{x + h * v + half * half * push / right, v + push / right},
        "the velocity is right; in the place its change is halved twice"},
