@@ -3,6 +3,7 @@
 /// A spark at the floor, and what is left of its velocity.
 #pragma once
 #include "../places.h"
+#include "harness.h"
 #include "judge/random.h"
 
 namespace judge::verlet::two_places {
@@ -17,6 +18,22 @@ struct Spark {
     spark.x_previous = spark.x + Vec{random.between(-0.2, 0.2), random.between(0.2, 0.5),
                                      random.between(-0.2, 0.2)};
     spark.floor = spark.x.y + below;
+    return spark;
+  }
+
+  /// Was below the floor a step ago already, as when the floor rises.
+  static Spark overtaken(Random& random) {
+    Spark spark = draw(random, 0.01);
+    spark.floor = spark.x_previous.y + random.between(0.05, 0.2);
+    return spark;
+  }
+
+  /// The same at another height.
+  Spark on(double other) const {
+    Spark spark = *this;
+    spark.floor = other;
+    spark.x.y += other - floor;
+    spark.x_previous.y += other - floor;
     return spark;
   }
 
@@ -44,7 +61,9 @@ inline std::string wrong_with(const Spark& before, const Spark& after) {
                  : "";
   }
   if (length(after.x - before.x) + length(after.x_previous - before.x_previous) == 0)
-    return "it is below the floor, and was left there";
+    return before.x_previous.y < before.floor
+               ? "both of its places are below the floor, and it was left there"
+               : "it is below the floor, and was left there";
   if (alike(after.x.y - before.floor, before.floor - before.x.y))
     return "the spark was put as far above the floor as it was below: it should lie on it";
   if (!alike(after.x.y, before.floor)) return "the spark does not lie on the floor";

@@ -40,29 +40,32 @@ struct Fall {
 
 TEST_CASE("the next place is as far again and a push further", "[5-verlet/two-places][2 points]") {
   Student student;
-  const Line line = Line::draw();
-  const std::vector<Vec> yours = line.by(student, next_place);
-  Asked asked{"next_place",
-              line.in_words("x_previous"),
-              line.tolerance(),
-              "In the last step it went from x_previous to x. It goes as far again, and the push "
-              "comes on top.",
-              {}};
-  asked.remarks = part_of_distance(line, yours[0]);
-  are_places(asked, yours, {"position Verlet", {line.next()}}, not_next(line));
+  for (const Line& line : Line::draw_all()) {
+    const std::vector<Vec> yours = line.by(student, next_place);
+    Asked asked{"next_place",
+                line.in_words("x_previous"),
+                line.tolerance(),
+                "In the last step it went from x_previous to x. It goes as far again, and the push "
+                "comes on top.",
+                {}};
+    asked.remarks = part_of_distance(line, yours[0]);
+    are_places(asked, yours, {"position Verlet", {line.next()}}, not_next(line));
+  }
 }
 
 TEST_CASE("the place before the start is the one of Taylor's formula",
           "[5-verlet/two-places][2 points]") {
   Student student;
-  const Line line = Line::draw();
-  are_places({"place_before",
-              line.in_words("v"),
-              line.tolerance(),
-              "Put -h for h into the path of constant acceleration. Which sign does each term get?",
-              {}},
-             line.by(student, place_before), {"Taylor's formula", {line.before_start()}},
-             not_before(line));
+  for (const Line& line : Line::draw_all()) {
+    are_places({"place_before",
+                line.in_words("v"),
+                line.tolerance(),
+                "Put -h for h into the path of constant acceleration. Which sign does each term "
+                "get?",
+                {}},
+               line.by(student, place_before), {"Taylor's formula", {line.before_start()}},
+               not_before(line));
+  }
 }
 
 TEST_CASE("five steps under a hidden force are those of position Verlet",
@@ -109,9 +112,16 @@ TEST_CASE("a spark below the floor bounces, and no other does", "[5-verlet/two-p
        {random.between(0.05, 0.1), random.between(0.01, 0.02), -0.01, -0.3, 0.0}) {
     bounces(student, Spark::draw(random, below));
   }
-  Spark dead = Spark::draw(random, 0.03);
-  dead.restitution = 0;
-  bounces(student, dead);
+  bounces(student, Spark::overtaken(random));
+  for (const double height : bounds::floor.asked()) {
+    bounces(student, Spark::draw(random, 0.03).on(height));
+    bounces(student, Spark::draw(random, -0.03).on(height));
+  }
+  for (const double restitution : bounds::restitution.asked()) {
+    Spark spark = Spark::draw(random, 0.03);
+    spark.restitution = restitution;
+    bounces(student, spark);
+  }
 }
 
 TEST_CASE("after each bounce a spark comes as high as the restitution lets it",

@@ -24,6 +24,16 @@ struct Line {
     return {start.x, start.v, random.vector(2, 9), random.between(0.3, 0.7)};
   }
 
+  /// That one, and the same with the shortest step and with the longest.
+  static std::vector<Line> draw_all() {
+    std::vector<Line> lines{draw()};
+    for (const double h : bounds::h.asked()) {
+      lines.push_back(lines[0]);
+      lines.back().h = h;
+    }
+    return lines;
+  }
+
   std::vector<Vec> by(Student& student, Function function) const {
     return as_places(
         student.call(function, {x.x, x.y, x.z, other.x, other.y, other.z, a.x, a.y, a.z, h}, 3));

@@ -20,7 +20,8 @@ inline Vec place_before(const Vec& x, const Vec& v, const Vec& a, double h) {
   return x;  // your line
 }
 
-/// Lets a spark that is below the floor bounce off it; one that is not is left alone.
+/// Lets a spark that is below the floor bounce off it, wherever it was a step ago: a floor may
+/// rise. One that is not is left alone.
 /// @param x  where it is [m]; y points up
 /// @param x_previous  where it was one step ago [m]
 /// @param floor  height of the floor [m]
