@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/describe.h"
 #include "judge/diagnose.h"
 #include "judge/orbit_energy.h"
@@ -54,16 +55,10 @@ grade::Curve curve(const std::string& name, const Path& path) {
   return curve;
 }
 
-}  // namespace
-
-TEST_CASE("three steps are two parts forward, one back and two forward, at five evaluations each",
-          "[6-symplectic/five-for-four][4 points]") {
-  Student student;
-  Random random;
+void takes_three(Student& student, Random& random, double h) {
   constexpr int steps = 3;
   const Start start = random.start();
   const harness::Force force = suzuki::draw_force(random);
-  const double h = random.between(0.3, 0.5);
   const auto by = [&](const Method& method) { return watch(method, start, h, steps, force); };
   const Path yours = student.watch(start, h, steps, force), expected = by(suzuki::asked);
   const double apart = largest_error(yours, expected);
@@ -87,6 +82,16 @@ TEST_CASE("three steps are two parts forward, one back and two forward, at five 
     finding.diagnoses = recognised(yours, by);
   }
   check(finding);
+}
+
+}  // namespace
+
+TEST_CASE("three steps are two parts forward, one back and two forward, at five evaluations each",
+          "[6-symplectic/five-for-four][4 points]") {
+  Student student;
+  Random random;
+  takes_three(student, random, random.between(0.3, 0.5));
+  for (const double h : bounds::h.asked()) takes_three(student, random, h);
 }
 
 TEST_CASE("half the step leaves a sixteenth of the error",

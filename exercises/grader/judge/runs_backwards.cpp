@@ -34,7 +34,9 @@ void runs_backwards(Student& student, const std::string& hint, int function,
   const Path there = student.run(start, h, steps_there, steps_there, force, function);
   const State end = there.states.back();
   const Start turned{end.x, end.v, start.t + steps_there * h};
-  const Path back = student.run(turned, -h, steps_there, steps_there, force, function);
+  // In another program, which can have noted down nothing on the way there.
+  Student fresh;
+  const Path back = fresh.run(turned, -h, steps_there, steps_there, force, function);
   const State home{start.x, start.v};
   const Tolerance tolerance = rounding(2 * steps_there, 1 + distance(end, State{}));
 
@@ -51,6 +53,11 @@ void runs_backwards(Student& student, const std::string& hint, int function,
         "on its way it is further from the truth than half of what a straight line is");
   if (!finding.held) {
     finding.hint = hint;
+    const Path again = student.run(turned, -h, steps_there, steps_there, force, function);
+    if (distance(again.states.back(), home) <= tolerance.value)
+      finding.diagnoses.emplace_back(
+          "the program that went there finds the way back, and another does not: what is noted "
+          "down?");
     for (const std::string& remark : remarks ? remarks() : std::vector<std::string>{})
       finding.diagnoses.push_back(remark);
   }

@@ -58,7 +58,7 @@ void has_energy_of(Student& student, const Method& method, double eccentricity, 
 void keeps_energy(Student& student, double eccentricity, int turns, int per_turn, double sway,
                   const std::string& hint, int function = 0);
 
-/// There and back again, with -h: the start, to rounding.
+/// There and, in another program, back again, with -h: the start, to rounding.
 void runs_backwards(Student& student, const std::string& hint, int function = 0,
                     const Remarks& remarks = {});
 
