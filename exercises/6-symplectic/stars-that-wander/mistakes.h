@@ -117,7 +117,7 @@ inline Stars softened(Stars stars, double h, double share) {
 }
 
 /// The length by which these stars' pulls are softened [m], by secants; 0 if they are not.
-inline double softening(const Stars& start, const Stars& yours, double h) {
+inline double softening(const Stars& start, const Stars& yours, const Stars& right, double h) {
   const Vec kick = yours.at[0].v - start.at[0].v;
   const auto missing = [&](double share) {
     return dot(softened(start, h, share).at[0].v - start.at[0].v - kick, kick);
@@ -128,8 +128,9 @@ inline double softening(const Stars& start, const Stars& yours, double h) {
     last = share;
     if (slope != 0) share -= here / slope;
   }
-  const bool fits = share > 1e-8 && apart(yours, softened(start, h, share)) <= 1e-10;
-  return fits ? std::sqrt(share) : 0;
+  // What is left is next to nothing of what is wrong.
+  const double off = apart(yours, right), left = apart(yours, softened(start, h, share));
+  return share > 0 && left <= 1e-3 * off ? std::sqrt(share) : 0;
 }
 
 /// What there is to say of a student's first step.
@@ -143,9 +144,9 @@ inline std::vector<std::string> recognised(const Stars& start, const Stars& your
   const double off = apart(yours, right);
   if (!std::isfinite(off))
     return {"there are numbers that are not finite: is a star pulled by itself?"};
-  if (const double length = softening(start, yours, h); length > 0)
+  if (const double length = softening(start, yours, right, h); length > 0)
     return {"the pull is softened, as if the stars were " + grade::number(length, 2) +
-            " m further off to one side"};
+            " m further off to one side: is something added under the root?"};
   if (judge::like_a_float(off, 1e-10))
     return {"right to seven digits and no further: a float, or a constant with an f?"};
   std::string good, bad;
@@ -155,7 +156,11 @@ inline std::vector<std::string> recognised(const Stars& start, const Stars& your
     (held ? good : bad) += "star " + std::to_string(i + 1);
   }
   if (good.empty()) return {};
-  return {"right after the first step: " + good + "; wrong: " + (bad.empty() ? "none" : bad)};
+  if (bad.empty())
+    return {"all stars are off by a share of about " +
+            grade::number(off / length(right.at[0].x), 1) +
+            ": is something added under the root, or to the mu?"};
+  return {"right after the first step: " + good + "; wrong: " + bad};
 }
 
 }  // namespace stars
