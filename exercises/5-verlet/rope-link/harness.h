@@ -1,9 +1,22 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
+#include "bounds.h"
+
+namespace bounds {
+
+constexpr harness::Bounds shortest{"shortest", 0, 100}, longest{"longest", 0.01, 100},
+    inverse{"inverse", 0, 100, 1};
+
+}  // namespace bounds
+
+#ifdef GRADING
 
 const harness::Wanted<void(Vec& a, Vec& b, double shortest, double longest, double inverse_a,
                            double inverse_b)>
     wanted = pull;
+const harness::Within within_wanted{wanted,
+                                    {harness::any, harness::any, bounds::shortest, bounds::longest,
+                                     bounds::inverse, bounds::inverse}};
 
 void answer(harness::Call& call) {
   Vec a = call.vector(), b = call.vector();
@@ -12,3 +25,5 @@ void answer(harness::Call& call) {
   call.answer(a);
   call.answer(b);
 }
+
+#endif

@@ -11,13 +11,13 @@ namespace {
 
 // Where the ends are after the pull, if they are where they should be.
 Link check_link(Student& student, const Link& link, const std::string& what,
-                const std::string& hint) {
+                const std::string& hint, Look look = Look::all) {
   const Link after = link.after(student);
-  grade::Finding finding = pulled(link, after, what);
+  grade::Finding finding = pulled(link, after, what, look);
   if (!finding.held) {
     finding.hint = hint;
     Student fresh;
-    if (wrong_with(link, link.after(fresh)).empty())
+    if (wrong_with(link, link.after(fresh), look).empty())
       finding.diagnoses = {
           "alone this link comes out right: something is remembered from one link to the next"};
   }
@@ -55,16 +55,27 @@ struct Chain {
 }  // namespace
 
 TEST_CASE("a link that is too long is drawn together to its longest, by the masses of its ends",
-          "[5-verlet/rope-link][2 points]") {
+          "[5-verlet/rope-link][1 point]") {
   Random random;
   Student student;
-  check_link(student, Link::too_long(random), "a link that is too long",
-             "The two ways add up to what is too much, and the end with twice the inverse mass "
-             "goes twice as far.");
+  const std::string hint =
+      "The two ways add up to what is too much, and the end with twice the inverse mass goes twice "
+      "as far.";
+  check_link(student, Link::too_long(random), "a link that is too long", hint);
+  for (const double inverse : bounds::inverse.asked()) {
+    Link link = Link::too_long(random);
+    link.inverse_a = inverse;
+    check_link(student, link, "a link with inverse_a = " + grade::number(inverse), hint);
+    std::swap(link.inverse_a, link.inverse_b);
+    check_link(student, link, "a link with inverse_b = " + grade::number(inverse), hint);
+  }
+  Link alike = Link::too_long(random);
+  alike.inverse_a = alike.inverse_b;
+  check_link(student, alike, "a link whose ends weigh the same", hint);
 }
 
 TEST_CASE("a link that is too short is pushed apart to its shortest, by the masses of its ends",
-          "[5-verlet/rope-link][2 points]") {
+          "[5-verlet/rope-link][1 point]") {
   Random random;
   Student student;
   check_link(student, Link::too_short(random), "a link that is too short",
@@ -72,20 +83,25 @@ TEST_CASE("a link that is too short is pushed apart to its shortest, by the mass
 }
 
 TEST_CASE("a link moves when it has no play left, and not before",
-          "[5-verlet/rope-link][2 points]") {
+          "[5-verlet/rope-link][4 points]") {
   Random random;
   Student student;
-  const std::string hint =
-      "Two bounds, and between them nothing to do. Which length should the link have?";
+  const auto check = [&](const Link& link, const std::string& what) {
+    check_link(student, link, what,
+               "Two bounds, and between them nothing to do. Which length should the link have?",
+               Look::length);
+  };
   const double some = random.between(0.1, 0.4);
-  check_link(student, Link::draw(random, 1 - some, 1 + some), "a link within its play", hint);
+  check(Link::too_long(random), "a link that is too long");
+  check(Link::too_short(random), "a link that is too short");
+  check(Link::draw(random, 1 - some, 1 + some), "a link within its play");
   for (const double more : {1e-3, -1e-3, 1e-6, -1e-6}) {
     const std::string side = more > 0 ? "inside" : "outside";
-    check_link(student, Link::draw(random, 1 - some, 1 + more), "a link just " + side + " longest",
-               hint);
-    check_link(student, Link::draw(random, 1 - more, 1 + some), "a link just " + side + " shortest",
-               hint);
+    check(Link::draw(random, 1 - some, 1 + more), "a link just " + side + " longest");
+    check(Link::draw(random, 1 - more, 1 + some), "a link just " + side + " shortest");
   }
+  for (const Link& link : Link::at_the_bounds(random))
+    check(link, "a link of " + grade::number(link.length_now()) + " m");
 }
 
 TEST_CASE("a pinned end stays, and the other goes the whole way",
