@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
@@ -21,6 +22,11 @@ struct Beginning {
   static Beginning draw(Random& random) {
     return {{random.between(-2, 2), random.between(-20, 20)}, random.between(4, 12)};
   }
+
+  // So far away that it is behind one that trails, too.
+  static Beginning draw_fast(Random& random) {
+    return {{random.between(-9, -8), random.between(-40, -20)}, random.between(4, 12)};
+  }
 };
 
 std::string described(const Beginning& start, const std::vector<Frame>& frames, std::size_t last) {
@@ -39,14 +45,19 @@ std::string described(const needle::State& state) {
 
 // How large the numbers are that a right answer sums, in place and velocity.
 double size(const Beginning& start, const needle::State& before, const Frame& frame) {
-  const double way = std::abs(before.x) + std::abs(frame.target) + std::abs(frame.u) * frame.h;
+  const double way =
+      std::abs(before.x) + std::abs(frame.target) + std::abs(frame.u) * (frame.h + 2 / start.omega);
   return (1 + start.omega) * (way + std::abs(frame.u) + std::abs(before.v));
 }
 
-Tolerance tiny_steps(double size) {
-  return {1e-12 * size,
+/// @param angle  omega h, which says how many they are
+Tolerance tiny_steps(double size, double angle) {
+  return {(1e-12 * std::min(1.0, angle)) * size + rounding(size).value,
           "the judge takes steps of a thousandth of 1/omega, and what they are off is below this"};
 }
+
+/// What is looked at.
+enum Look { place, both };
 
 bool right_when_fresh(const Beginning& start, const needle::State& before, const Frame& frame,
                       const needle::State& right, double tolerance) {
@@ -61,8 +72,12 @@ struct Seen {
   double omega;
   Frame frame;
   needle::State before, right, got;
+  Look look = both;
 
-  double apart() const { return larger(std::abs(got.x - right.x), std::abs(got.v - right.v)); }
+  double apart() const {
+    const double off = std::abs(got.x - right.x);
+    return look == place ? off : larger(off, std::abs(got.v - right.v));
+  }
 };
 
 grade::Finding finding_of(const Seen& seen, const Tolerance& tolerance, const std::string& hint) {
@@ -79,24 +94,33 @@ grade::Finding finding_of(const Seen& seen, const Tolerance& tolerance, const st
   return finding;
 }
 
+/// What frames are asked for.
+struct Asked {
+  std::string what, hint;
+  Look look = both;
+  std::string says = "";  ///< of a wrong one, if that is known beforehand
+};
+
 void check_frames(Student& student, const Beginning& start, const std::vector<Frame>& frames,
-                  const std::string& asked, const std::string& hint) {
+                  const Asked& asked) {
   std::vector<double> arguments{start.state.x, start.state.v, start.omega, double(frames.size())};
   for (const Frame& frame : frames) {
     arguments.insert(arguments.end(), {frame.target, frame.u, frame.h});
   }
   const std::vector<double> said = student.call(0, arguments, 2 * frames.size());
   needle::State right = start.state;
-  double largest = 0;
+  double largest = 0, longest = 0;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const needle::State before = right, got{said[2 * n], said[2 * n + 1]};
     right = Needle{start.omega}.after(before, frames[n]);
     largest = std::max(largest, size(start, before, frames[n]));
-    const Tolerance tolerance = tiny_steps(largest * static_cast<double>(n + 1));
+    longest = std::max(longest, start.omega * frames[n].h);
+    const Tolerance tolerance = tiny_steps(largest * static_cast<double>(n + 1), longest);
     grade::Finding finding =
-        finding_of({start.omega, frames[n], before, right, got}, tolerance, hint);
-    finding.asked = asked + ": frame " + std::to_string(n + 1);
+        finding_of({start.omega, frames[n], before, right, got, asked.look}, tolerance, asked.hint);
+    finding.asked = asked.what + ": frame " + std::to_string(n + 1);
     finding.input = described(start, frames, n);
+    if (!finding.held && !asked.says.empty()) finding.diagnoses = {asked.says};
     if (!finding.held && right_when_fresh(start, before, frames[n], right, tolerance.value)) {
       finding.diagnoses = {"as the first frame of a program it is right: what is remembered?"};
     }
@@ -104,28 +128,74 @@ void check_frames(Student& student, const Beginning& start, const std::vector<Fr
   }
 }
 
+// From very short ones to a pause of years, which no loop of short steps gets through; the short
+// ones last, since there the wrong ways are hardly told apart.
+template <class Velocity>
+void frames_of_any_length(Student& student, Random& random, Velocity u, Asked asked) {
+  const auto check = [&](const Beginning& start, double target, double with, double h) {
+    asked.what = "omega h = " + number(start.omega * h);
+    check_frames(student, start, {{target, with, h}}, asked);
+  };
+  for (const double z : {0.2, 0.01, 1.0, 5.0, 30.0, 1e9}) {
+    Beginning start = Beginning::draw(random);
+    const double target = random.between(1, 3), with = u();
+    // One of them is so fast that it passes its target within the frame.
+    if (z == 1) {
+      const double way = random.between(2, 4);
+      start.state = {target - way, with + random.between(6, 8) * start.omega * way};
+    }
+    check(start, target, with, z / start.omega);
+  }
+  // What stands in for the exponential while omega h is small is worst just below where it ends.
+  asked.says =
+      "other frames came out right, and one of this length does not: does something else stand in "
+      "for the exponential, such as the start of its series?";
+  for (double z = 0.1; z > 5e-6; z /= 10) {
+    const Beginning start = Beginning::draw_fast(random);
+    check(start, random.between(1, 3), u(), z * random.between(0.9, 0.99) / start.omega);
+  }
+  for (const double omega : bounds::omega.asked()) {
+    Beginning start = Beginning::draw_fast(random);
+    start.omega = omega;
+    check(start, random.between(1, 3), u(), random.between(0.5, 1) / omega);
+  }
+  for (const double h : bounds::h.asked())
+    check(Beginning::draw_fast(random), random.between(1, 3), u(), h);
+}
+
 }  // namespace
 
-TEST_CASE("one frame of any length ends where tiny steps do",
+TEST_CASE("one frame of any length ends at the place where tiny steps do",
           "[7-which-to-use/needle-that-settles][3 points]") {
   Student student;
   Random random;
-  // The last one is a pause of years, which no loop of short steps gets through.
-  for (const double z : {0.2, 0.01, 1.0, 5.0, 30.0, 1e9}) {
-    Beginning start = Beginning::draw(random);
-    const double target = random.between(1, 3), u = random.between(3, 8);
-    // One of them is so fast that it passes its target within the frame.
-    if (z == 1) start.state.v = u + random.between(3, 4) * start.omega * (target - start.state.x);
-    check_frames(student, start, {{target, u, z / start.omega}}, "omega h = " + number(z),
-                 "How far does a needle trail that has followed its target for long? Measure the "
-                 "way from there.");
+  frames_of_any_length(
+      student, random, [&] { return random.between(3, 8); },
+      {"",
+       "How far does a needle trail that has followed its target for long? Measure the way from "
+       "there.",
+       place});
+  for (const double u : bounds::u.asked()) {
+    const Beginning start = Beginning::draw(random);
+    check_frames(
+        student, start, {{random.between(1, 3), u, 0.5 / start.omega}},
+        {"a target with u = " + number(u), "How far behind is a needle that trails?", place});
   }
+}
+
+TEST_CASE("to a target that stands still a needle comes as fast as tiny steps do",
+          "[7-which-to-use/needle-that-settles][3 points]") {
+  Student student;
+  Random random;
+  frames_of_any_length(
+      student, random, [] { return 0.0; },
+      {"", "This is the step of the task's formula. The velocity is its derivative."});
 }
 
 // Each frame is about as long as a needle takes to settle, so that short steps have to be many. A
 // few frames are looked at, each from where the student's own needle was before it.
 TEST_CASE("a million frames take no longer than an exact step does",
-          "[7-which-to-use/needle-that-settles][3 points]") {
+          "[7-which-to-use/needle-that-settles][2 points]") {
   constexpr std::size_t frames = 1'000'000, looked_at = 20;
   Student student;
   Random random;
@@ -144,7 +214,7 @@ TEST_CASE("a million frames take no longer than an exact step does",
     const Beginning from{before, start.omega};
     grade::Finding finding =
         finding_of({start.omega, frame, before, Needle{start.omega}.after(before, frame), got},
-                   tiny_steps(size(from, before, frame)), "Is a frame alone right?");
+                   tiny_steps(size(from, before, frame), 1), "Is a frame alone right?");
     finding.asked = "frame " + std::to_string(n + 1) + " of a million, from where yours was";
     finding.input = described(from, {frame}, 0);
     check(finding);
@@ -152,7 +222,7 @@ TEST_CASE("a million frames take no longer than an exact step does",
 }
 
 TEST_CASE("uneven frames follow a target that moves on",
-          "[7-which-to-use/needle-that-settles][2 points]") {
+          "[7-which-to-use/needle-that-settles][1 point]") {
   Student student;
   Random random;
   const Beginning start = Beginning::draw(random);
@@ -161,12 +231,13 @@ TEST_CASE("uneven frames follow a target that moves on",
   for (double target = random.between(1, 3); frames.size() < 40; target = frames.back().end()) {
     frames.push_back({target, u, random.between(0.002, 0.05)});
   }
-  check_frames(student, start, frames, "forty frames with one target",
-               "The velocity that one frame leaves is the start of the next one.");
+  check_frames(student, start, frames,
+               {"forty frames with one target",
+                "The velocity that one frame leaves is the start of the next one."});
 }
 
 TEST_CASE("a target that jumps is followed, and the speed is kept",
-          "[7-which-to-use/needle-that-settles][2 points]") {
+          "[7-which-to-use/needle-that-settles][1 point]") {
   Student student;
   Random random;
   const Beginning start = Beginning::draw(random);
@@ -175,6 +246,7 @@ TEST_CASE("a target that jumps is followed, and the speed is kept",
     const double u = n % 4 == 0 ? 0 : random.between(-8, 8);
     frames.push_back({random.between(-10, 10), u, random.between(0.01, 0.2)});
   }
-  check_frames(student, start, frames, "a new target in each frame",
-               "Is anything kept from the frame before besides x and v?");
+  check_frames(
+      student, start, frames,
+      {"a new target in each frame", "Is anything kept from the frame before besides x and v?"});
 }

@@ -1,4 +1,4 @@
-// Fails: one frame of any length ends where tiny steps do
+// Fails: one frame of any length ends at the place where tiny steps do
 // Says: this is 1 / (1 + z + 0.48 z^2 + 0.235 z^3) in place of exp(-z): close, and not exact
 // SPDX-License-Identifier: MIT-0
 #pragma once

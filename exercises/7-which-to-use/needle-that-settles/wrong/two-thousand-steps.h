@@ -1,4 +1,4 @@
-// Fails: one frame of any length ends where tiny steps do
+// Fails: one frame of any length ends at the place where tiny steps do
 // Says: the exact step needs none
 // SPDX-License-Identifier: MIT-0
 #pragma once
