@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 
+#include "harness.h"
 #include "judge/session.h"
 #include "judge/tests.h"
 #include "sledge.h"
@@ -21,29 +22,41 @@ grade::Finding compare(const Ride& ride, const State& yours, const State& expect
   return finding;
 }
 
+void takes_steps(Student& student, const Ride& ride) {
+  const auto yours = ride.by(student), expected = ride.by(right);
+  for (std::size_t step = 0; step < yours.size(); ++step) {
+    grade::Finding finding = compare(ride, yours[step], expected[step],
+                                     rounding(ride.steps, 1 + distance(expected[step], State{})));
+    finding.asked = "step " + std::to_string(step + 1) + " under a hidden push";
+    if (!finding.held) {
+      finding.hint =
+          "Push first, then divide each part of the velocity by its own 1 + c h, then move.";
+      finding.diagnoses = recognised(ride, yours);
+    }
+    check(finding);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("a few steps of a sledge are braked after the push, by division",
           "[6-symplectic/sledge-that-grips][4 points]") {
   Student student;
   Random random;
-  for (int n = 0; n < 2; ++n) {
-    const Ride ride{Sledge::draw(random), random.start(), random.wild(), random.between(0.05, 0.3),
-                    5};
-    const auto yours = ride.by(student), expected = ride.by(right);
-    for (std::size_t step = 0; step < yours.size(); ++step) {
-      grade::Finding finding = compare(ride, yours[step], expected[step],
-                                       rounding(ride.steps, 1 + distance(expected[step], State{})));
-      finding.asked = "step " + std::to_string(step + 1) + " under a hidden push";
-      if (!finding.held) {
-        finding.hint =
-            "Push first, then divide each part of the velocity by its own 1 + c h, then "
-            "move.";
-        finding.diagnoses = recognised(ride, yours);
-      }
-      check(finding);
-    }
+  const auto takes = [&](const Sledge& sledge, double h, int steps) {
+    takes_steps(student, {sledge, random.start(), random.wild(), h, steps});
+  };
+  const auto some = [&] { return random.between(0.05, 0.3); };
+  for (int n = 0; n < 2; ++n) takes(Sledge::draw(random), some(), 5);
+  for (const double h : bounds::h.asked()) takes(Sledge::draw(random), h, 1);
+  for (const double drag : bounds::drag.asked()) {
+    const Sledge drawn = Sledge::draw(random);
+    takes({drawn.along, drag, drawn.c_across}, some(), 5);
+    takes({drawn.along, drawn.c_along, drag}, some(), 5);
+    takes({drawn.along, drag, drag}, some(), 5);
   }
+  for (const Vec& axis : {Vec{1, 0, 0}, Vec{0, -1, 0}, Vec{0, 0, 1}})
+    takes({axis, random.between(0.5, 1.5), random.between(50, 150)}, some(), 5);
 }
 
 TEST_CASE("pulled at a rope it ends at one speed, however long the step",

@@ -45,6 +45,9 @@ inline double exponential(double ch) {
   return std::exp(-ch);
 }
 
+inline double twice(double ch) {
+  return 1 / ((1 + ch) * (1 + ch));
+}
 inline double driven(double ch) {
   return 1 / (1 - ch);
 }
@@ -85,6 +88,14 @@ inline Sledge glides_by_c(const Sledge& sledge, double h) {
 }
 inline Sledge grips_by_c(const Sledge& sledge, double h) {
   return {sledge.along, sledge.c_along, sledge.c_across / h};
+}
+inline Sledge in_the_plane(const Sledge& sledge, double) {
+  return {{sledge.along.x, sledge.along.y, 0}, sledge.c_along, sledge.c_across};
+}
+inline Sledge turned_into_the_plane(const Sledge& sledge, double h) {
+  Sledge flat = in_the_plane(sledge, h);
+  flat.along = flat.along / length(flat.along);
+  return flat;
 }
 inline Sledge twice_along(const Sledge& sledge, double h) {
   const double both = sledge.c_along + sledge.c_across + sledge.c_along * sledge.c_across * h;
@@ -142,6 +153,11 @@ inline const std::vector<Way> others{
     {"the two drags at each other's places", divided, push_first, swapped},
     {"one drag for all directions, that along the runners", divided, push_first, easy},
     {"one drag for all directions, that across the runners", divided, push_first, stiff},
+    {"both brakes, each of them twice", twice, push_first},
+    {"runners without a third coordinate: z counts in along, too", divided, push_first,
+     in_the_plane},
+    {"runners that are turned into the plane: z counts in along, too", divided, push_first,
+     turned_into_the_plane},
     {"both drags on what glides, one after the other", divided, push_first, twice_along},
     {"a velocity that was split before the push, and the push braked along as a whole", divided,
      push_braked_along},
