@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/describe.h"
 #include "judge/diagnose.h"
 #include "judge/random.h"
@@ -23,12 +24,13 @@ struct Replay {
   int steps;
   Path there;
 
-  explicit Replay(int count) : steps(count) {
+  // @param step  its size; drawn, if it is 0
+  explicit Replay(int count, double step = 0) : steps(count) {
     Random random;
     start = random.start();
     force = random.wild();
     force.a[6] = 0;  // no drag
-    h = random.between(0.05, 0.15);
+    h = step > 0 ? step : random.between(0.05, 0.15);
     there = watch(symplectic_euler, start, h, steps, force);
   }
 
@@ -88,12 +90,7 @@ bool asked_alike(const Evaluation& yours, const Evaluation& step, double toleran
   return length(yours.x - step.x) <= tolerance && std::abs(yours.t - step.t) <= tolerance;
 }
 
-}  // namespace
-
-TEST_CASE("five steps under a hidden force are those of symplectic Euler",
-          "[6-symplectic/rewind-the-replay][3 points]") {
-  Student student;
-  const Replay replay(5);
+void takes(Student& student, const Replay& replay) {
   const Path yours = steps_of(student, replay);
   const State &end = yours.states.back(), &right = replay.there.states.back();
   const double apart = distance(end, right);
@@ -102,8 +99,9 @@ TEST_CASE("five steps under a hidden force are those of symplectic Euler",
   grade::Finding finding;
   finding.held =
       apart <= tolerance.value && yours.evaluations.size() == replay.there.evaluations.size();
-  finding.asked = "five steps in a force of place and time that only the judge knows, h = " +
-                  number(replay.h, 17);
+  finding.asked =
+      std::to_string(replay.steps) +
+      " steps in a force of place and time that only the judge knows, h = " + number(replay.h, 17);
   finding.input = describe(replay.start);
   finding.expected = describe(right) + ", for one evaluation a step";
   finding.got = describe(end) + ", for " + std::to_string(yours.evaluations.size());
@@ -117,20 +115,7 @@ TEST_CASE("five steps under a hidden force are those of symplectic Euler",
   check(finding);
 }
 
-TEST_CASE("a spring swings on while h omega is less than two, and no longer",
-          "[6-symplectic/rewind-the-replay][2 points]") {
-  Student student;
-  is_stable_until(student, 0, 2,
-                  "Move with the velocity that the kick has made, not with the old one.", 0, [&] {
-                    const Replay replay(5);
-                    return what_it_is(replay, steps_of(student, replay));
-                  });
-}
-
-TEST_CASE("undone steps lead back to the start of the replay",
-          "[6-symplectic/rewind-the-replay][3 points]") {
-  Student student;
-  const Replay replay(20);
+void leads_back(Student& student, const Replay& replay) {
   const Path yours = student.watch(replay.end(), -replay.h, replay.steps, replay.force, undo);
   const State home{replay.start.x, replay.start.v};
   const Tolerance tolerance =
@@ -155,6 +140,32 @@ TEST_CASE("undone steps lead back to the start of the replay",
                     {curve("yours", yours), curve("the replay", replay.there)}};
   }
   check(finding);
+}
+
+}  // namespace
+
+TEST_CASE("five steps under a hidden force are those of symplectic Euler",
+          "[6-symplectic/rewind-the-replay][3 points]") {
+  Student student;
+  takes(student, Replay(5));
+  for (const double h : bounds::h.asked()) takes(student, Replay(5, h));
+}
+
+TEST_CASE("a spring swings on while h omega is less than two, and no longer",
+          "[6-symplectic/rewind-the-replay][2 points]") {
+  Student student;
+  is_stable_until(student, 0, 2,
+                  "Move with the velocity that the kick has made, not with the old one.", 0, [&] {
+                    const Replay replay(5);
+                    return what_it_is(replay, steps_of(student, replay));
+                  });
+}
+
+TEST_CASE("undone steps lead back to the start of the replay",
+          "[6-symplectic/rewind-the-replay][3 points]") {
+  Student student;
+  leads_back(student, Replay(20));
+  for (const double h : bounds::h.asked()) leads_back(student, Replay(5, h));
 }
 
 TEST_CASE("an undo asks once, at the place and time where its step asked",
