@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../places.h"
+#include "harness.h"
 #include "judge/diagnose.h"
 #include "judge/random.h"
 
@@ -23,6 +24,20 @@ struct Line {
     const double h = random.between(0.2, 0.3);
     return {random.start().x, random.start().x, random.vector(2, 9), random.between(1.2, 1.8) / h,
             h};
+  }
+
+  /// The same with each bound of the drag, and with each of the step.
+  std::vector<Line> at_the_bounds() const {
+    std::vector<Line> lines;
+    for (const double drag : bounds::c.asked()) {
+      lines.push_back(*this);
+      lines.back().c = drag;
+    }
+    for (const double step : bounds::h.asked()) {
+      lines.push_back(*this);
+      lines.back().h = step;
+    }
+    return lines;
   }
 
   Vec by(Student& student) const {

@@ -71,7 +71,9 @@ void bears(Student& student, double zeta, const std::string& hint) {
 
 TEST_CASE("one step takes the drag at the velocity of now", "[5-verlet/braked-verlet][3 points]") {
   Student student;
-  solves(student, Line::draw());
+  const Line line = Line::draw();
+  solves(student, line);
+  for (const Line& other : line.at_the_bounds()) solves(student, other);
 }
 
 TEST_CASE("on a damped spring half the step leaves a quarter of the error",
