@@ -4,6 +4,7 @@
 #include "../order.h"
 #include "fall.h"
 #include "flight.h"
+#include "harness.h"
 
 using namespace judge;
 using namespace judge::verlet;
@@ -57,17 +58,18 @@ TEST_CASE("a throw passes through its true places, whatever the frames",
     return start.x + t * start.v - Vec{0, g * t * t / 2, 0};
   };
   const double last = random.between(0.004, 0.04);
-  const Flight flight{{harness::Force::falling, {g, 0, 0}},
-                      start.x,
-                      true_place(-last),
-                      start.t,
-                      last,
-                      draw_frames(random, 30)};
+  std::vector<double> frames = draw_frames(random, 30);
+  // The shortest and the longest, and two alike.
+  frames.insert(frames.end(), bounds::h.asked().begin(), bounds::h.asked().end());
+  frames.insert(frames.end(), {0.02, 0.02});
+  const Flight flight{
+      {harness::Force::falling, {g, 0, 0}}, start.x, true_place(-last), start.t, last, frames};
   Student student;
   Places exact{"true", {}};
   for (const double end : flight.ends()) exact.x.push_back(true_place(end));
-  Asked asked{"thirty frames of a throw, g = " + grade::number(g, 17) + " m/s^2 along -y",
-              flight.in_words(), rounding(30, 1 + length(exact.x.back())),
+  Asked asked{"frames of a throw, g = " + grade::number(g, 17) + " m/s^2 along -y",
+              flight.in_words(),
+              rounding(static_cast<int>(frames.size()), 1 + length(exact.x.back())),
               "Gravity changes the velocity of the last frame's middle into that of this frame's. "
               "How long is it from one middle to the other?",
               flight.ends()};
@@ -128,5 +130,11 @@ TEST_CASE("a fall is as fast as it is, whatever the two frames",
   for (const auto& [last, h] : {std::pair{0.006, 0.04}, {0.035, 0.008}, {0.02, 0.03}}) {
     const double scale = random.between(0.8, 1.2);
     falls_as_fast(student, Fall::draw(random, scale * last, scale * h));
+  }
+  for (const double h : bounds::h.asked()) {
+    const double other = random.between(0.01, 0.03);
+    falls_as_fast(student, Fall::draw(random, other, h));
+    falls_as_fast(student, Fall::draw(random, h, other));
+    falls_as_fast(student, Fall::draw(random, h, h));
   }
 }
