@@ -4,8 +4,10 @@
 #pragma once
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/describe.h"
 #include "judge/random.h"
 #include "judge/rounding.h"
@@ -18,12 +20,28 @@ struct Drag {
   double h = 0;
   Vec hand;
   double omega = 0, zeta = 0;
-  double strongest = 1e100;
+  double strongest = bounds::strongest.largest();
 
   static Drag draw(Random& random, double angle, double zeta) {
     const Start start = random.start();
     const double h = random.between(0.01, 0.04);
     return {{start.x, start.v}, h, random.vector(-3, 3), angle / h, zeta};
+  }
+
+  /// One for each bound and each special value of the step, of the damping and of the spring that
+  /// pulls.
+  static std::vector<Drag> at_the_bounds(Random& random) {
+    std::vector<Drag> drags;
+    const auto add = [&](double h, double omega, double zeta) {
+      drags.push_back(draw(random, 0, zeta));
+      drags.back().h = h;
+      drags.back().omega = omega;
+    };
+    for (const double h : bounds::h.asked())
+      add(h, random.between(0.5, 4) / h, random.between(0.1, 1.6));
+    for (const double zeta : bounds::zeta.asked()) add(0.02, random.between(25, 200), zeta);
+    add(0.01, bounds::omega.largest(), random.between(0.1, 1.6));
+    return drags;
   }
 
   State by(Student& student) const {

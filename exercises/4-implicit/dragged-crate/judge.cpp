@@ -65,9 +65,13 @@ TEST_CASE("with a strong hand the slope at the end leads back to the start",
           "[4-implicit/dragged-crate][3 points]") {
   Student student;
   Random random;
-  for (int n = 0; n < 3; ++n) {
+  std::vector<Drag> drags;
+  for (int n = 0; n < 3; ++n)
+    drags.push_back(Drag::draw(random, random.between(0.5, 4), random.between(0.1, 1.6)));
+  for (const Drag& drag : Drag::at_the_bounds(random)) drags.push_back(drag);
+  for (const Drag& drag : drags) {
     meets_its_lines(
-        student, Drag::draw(random, random.between(0.5, 4), random.between(0.1, 1.6)),
+        student, drag,
         "one step after which x = x_old + h v and v = v_old + h a, all new on the right",
         "Every x and v of the acceleration is a new one. Put the new x into it before you "
         "collect.");
