@@ -29,8 +29,11 @@ struct Chain {
 
   /// How stiff the springs are beside the step: h^2 k up to this.
   static Chain draw(Random& random, std::size_t count, double stiff) {
+    return draw(random, count, stiff, random.between(0.01, 0.04));
+  }
+  static Chain draw(Random& random, std::size_t count, double stiff, double h) {
     Chain chain;
-    chain.h = random.between(0.01, 0.04);
+    chain.h = h;
     for (std::size_t i = 0; i < count; ++i) {
       chain.start.x.push_back(random.between(-0.3, 0.3));
       chain.start.v.push_back(random.between(-1, 1));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
@@ -42,9 +43,13 @@ TEST_CASE("short chains end where the slope of the end leads back to the start",
           "[4-implicit/chain-of-beads][4 points]") {
   Student student;
   Random random;
-  for (const int count : {2, 3, random.whole(4, 6)}) {
-    meets_its_lines(student,
-                    Chain::draw(random, static_cast<std::size_t>(count), random.between(1, 10)),
+  std::vector<Chain> chains;
+  for (const int count : {2, 3, random.whole(4, 6)})
+    chains.push_back(Chain::draw(random, static_cast<std::size_t>(count), random.between(1, 10)));
+  for (const double h : bounds::h.asked())
+    chains.push_back(Chain::draw(random, 3, random.between(1, 10), h));
+  for (const Chain& chain : chains) {
+    meets_its_lines(student, chain,
                     "Write the matrix for two beads on paper, with k of its own for each spring. "
                     "The last bead has one spring, all others two.");
   }
@@ -102,9 +107,10 @@ TEST_CASE("a hundred thousand beads take a step in the time that there is",
           "[4-implicit/chain-of-beads][3 points]") {
   Student student;
   Random random;
+  constexpr auto most = static_cast<std::size_t>(bounds::beads.largest());
   // A copy of a column for each bead is quick enough once or twice.
   for (int n = 0; n < 8; ++n) {
-    meets_its_lines(student, Chain::draw(random, 100000, random.between(1000, 2500)),
+    meets_its_lines(student, Chain::draw(random, most, random.between(1000, 2500)),
                     "Elimination touches one row below each row. Do you visit others, or iterate "
                     "until it looks right?");
   }
