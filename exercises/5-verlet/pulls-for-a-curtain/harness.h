@@ -1,9 +1,23 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
+#include "bounds.h"
+
+namespace bounds {
+
+constexpr harness::Bounds links{"links", 20, 40}, frame{"frame", 1.0 / 144, 1.0 / 24},
+    most{"most", 0.01, 1}, move{"move", 0.01, 3.6}, pull{"pull", 0.1, 0.3};
+
+}  // namespace bounds
+
+#ifdef GRADING
 
 const harness::Wanted<double(int links, double frame, const Plan& how)> wanted_stretch = stretch;
+const harness::Within within_stretch{wanted_stretch, {bounds::links, bounds::frame, harness::any}};
+
 const harness::Wanted<Plan(int links, double frame, double most, double move, double pull)> wanted =
     plan;
+const harness::Within within_wanted{
+    wanted, {bounds::links, bounds::frame, bounds::most, bounds::move, bounds::pull}};
 
 void answer(harness::Call& call) {
   const int links = call.whole_number();
@@ -17,3 +31,5 @@ void answer(harness::Call& call) {
   call.answer(best.substeps);
   call.answer(best.iterations);
 }
+
+#endif

@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "curtain.h"
+#include "harness.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
@@ -24,6 +25,23 @@ Curtain draw(Random& random, double frame, double least, double most) {
                   random.between(0.1, 0.3)};
   curtain.move = curtain.pull * random.between(least, most);
   return curtain;
+}
+
+// One for each bound of each number.
+std::vector<Curtain> at_the_bounds(Random& random) {
+  std::vector<Curtain> curtains;
+  const auto add = [&](const harness::Bounds& bounds, const auto& set) {
+    for (const double bound : bounds.asked()) {
+      curtains.push_back(draw(random, 1.0 / 60, 0.5, 8));
+      set(curtains.back(), bound);
+    }
+  };
+  add(bounds::links, [](Curtain& c, double links) { c.links = static_cast<int>(links); });
+  add(bounds::frame, [](Curtain& c, double frame) { c.frame = frame; });
+  add(bounds::most, [](Curtain& c, double most) { c.most = most; });
+  add(bounds::move, [](Curtain& c, double move) { c.move = move; });
+  add(bounds::pull, [](Curtain& c, double pull) { c.pull = pull; });
+  return curtains;
 }
 
 // So many that a judge can count them, and at least one: else there is nothing to hang up.
@@ -122,9 +140,17 @@ void check_plan(Student& student, const Curtain& curtain) {
 TEST_CASE("the stretch is foretold within a seventh", "[5-verlet/pulls-for-a-curtain][2 points]") {
   Random random;
   Student student;
-  for (int n = 0; n < scenes; ++n) {
-    const int links = random.whole(20, 40);
-    const double frame = 1.0 / random.whole(30, 144);
+  struct Rope {
+    int links;
+    double frame;
+  };
+  std::vector<Rope> ropes;
+  for (int n = 0; n < scenes; ++n)
+    ropes.push_back({random.whole(20, 40), 1.0 / random.whole(30, 144)});
+  for (const double frame : bounds::frame.asked()) ropes.push_back({random.whole(20, 40), frame});
+  for (const double links : bounds::links.asked())
+    ropes.push_back({static_cast<int>(links), 1.0 / random.whole(30, 144)});
+  for (const auto& [links, frame] : ropes) {
     const Split split{random.whole(4, 10), random.whole(1, links / 4)};
     const double measured = hung_up(links, frame, split);
     const double got =
@@ -171,4 +197,5 @@ TEST_CASE("at every frame rate the curtain holds at the least price",
   Random random;
   Student student;
   for (const double rate : {24, 30, 90, 120}) check_plan(student, draw(random, 1 / rate, 0.5, 8));
+  for (const Curtain& curtain : at_the_bounds(random)) check_plan(student, curtain);
 }
