@@ -111,11 +111,14 @@ struct Way {
   double (*price)(const Curtain&, const Split&) = by_price;
   int too_few = 0;                              ///< substeps
   int (*iterations)(const Curtain&) = nullptr;  ///< if they are not tried
+  bool to_the_nearest = false;                  ///< whole number, and not up
 
   /// The cheapest with so many iterations.
   Split with(const Curtain& of, int so_many) const {
     Split split{1, so_many};
     while (stretch(of, split) > of.most) ++split.substeps;
+    const double below = split.substeps - 0.5;
+    if (to_the_nearest && stretch(of, {1, so_many}) < of.most * below * below) --split.substeps;
     split.substeps = std::max(1, split.substeps - too_few);
     return split;
   }
@@ -173,6 +176,13 @@ inline const std::vector<Way> mistakes{
     {"this is one substep short: was a root cut off, and not rounded up?", by_rule, by_price, 1},
     {"move / pull iterations would be best if substeps need not be whole: try the others, too",
      by_rule, by_price, 0, by_derivative},
+};
+
+/// Some plans of these are right by luck.
+inline const std::vector<Way> often_right{
+    {"", step_once},
+    {"", by_rule, by_price, 1},
+    {"", by_rule, by_price, 0, nullptr, true},
 };
 
 /// What can be said of a single plan that is too dear, or does not hold.
