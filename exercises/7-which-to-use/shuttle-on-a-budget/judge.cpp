@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "format_values.h"
+#include "harness.h"
 #include "judge/describe.h"
 #include "judge/orbit_energy.h"
 #include "judge/session.h"
@@ -27,11 +28,14 @@ struct Flight {
   double mu, flatness, seconds;
   Waves moons;
 
-  static Flight draw(Random& random) {
+  static Flight draw(Random& random, double turns) {
     const Orbit orbit = Orbit::draw(random, random.between(0.78, 0.82));
     const double flatness = random.between(0.001, 0.003);
-    const double seconds = random.between(1.4, 1.6) * orbit.period();
-    return {orbit.start, orbit.mu, flatness, seconds, {random, 0.02 * orbit.mu, 2, orbit.period()}};
+    return {orbit.start,
+            orbit.mu,
+            flatness,
+            turns * orbit.period(),
+            {random, 0.02 * orbit.mu, 2, orbit.period()}};
   }
 
   Vec operator()(const Vec& x, const Vec&, double t) const {
@@ -148,7 +152,9 @@ void lands_within(const Bound& bound, const std::string& hint) {
   Student student;
   Random random;
   std::vector<Landing> all;
-  for (int n = 0; n < flights; ++n) all.emplace_back(Flight::draw(random), student);
+  const int drawn = flights - static_cast<int>(bounds::turns.asked().size());
+  for (const double turns : random.all_of(bounds::turns, drawn))
+    all.emplace_back(Flight::draw(random, turns), student);
   const Landing landing = telling(all, bound);
   const double most = bound.of(landing);
   const std::string spent = std::to_string(landing.count()) + " evaluations";
