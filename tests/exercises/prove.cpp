@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -90,9 +91,16 @@ bool is_right(const Grade& grade, const std::filesystem::path& file, int seeds) 
   return false;
 }
 
+// Whether it has no function of numbers, or says harness::any of each of them.
+bool says_that_there_are_none(const grade::Exercise& exercise) {
+  std::ifstream file(exercise.folder / "harness.h");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return text.find("harness::Wanted<") == text.npos || text.find("harness::any") != text.npos;
+}
+
 // What the solution's drivers said of the arguments that they were given, see watch.h: each
 // bound and each special value that the exercise's harness.h names was asked, and nothing beyond.
-bool asks_all(const std::string& printed) {
+bool asks_all(const grade::Exercise& exercise, const std::string& printed) {
   std::map<std::string, bool> asked;
   bool good = true;
   std::istringstream lines(printed);
@@ -109,6 +117,10 @@ bool asks_all(const std::string& printed) {
   for (const auto& [which, was] : asked) {
     if (was) continue;
     std::printf("WRONG  %s is never asked\n", which.c_str());
+    good = false;
+  }
+  if (asked.empty() && !says_that_there_are_none(exercise)) {
+    std::printf("WRONG  harness.h says of no argument what may be asked, nor harness::any\n");
     good = false;
   }
   return good;
@@ -245,7 +257,7 @@ int prove(const grade::Exercise& exercise, const Trial& trial) {
       return driver.grade(file, seed, {}, only);
     };
     alone(exercise.folder / "solution.h", 1, "");
-    good = asks_all(judge::session().printed) && good;
+    good = asks_all(exercise, judge::session().printed) && good;
     good = prove(alone, exercise, trial.seeds, right, wrong) && good;
   }
   if (trial.caged == Caged::none) return good ? 0 : 1;

@@ -5,7 +5,9 @@
 #define WATCH_H
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
+#include <memory>
 #include <type_traits>
 
 #include "bounds.h"
@@ -72,6 +74,26 @@ class Watch {
   bool heard_ = false;
   std::array<bool, 8> asked_{};
   double outside_ = NAN;
+};
+
+/// Of all arguments of a function; copies of it share them.
+template <class... Arguments>
+class Watches {
+ public:
+  template <std::size_t count>
+  void of(const Bounds (&bounds)[count], int line) const {
+    for (std::size_t i = 0; i < count; ++i) (*all_)[i].of(bounds[i], line);
+  }
+
+  template <class... Passed>
+  void hear(const Passed&... passed) const {
+    std::size_t i = 0;
+    ((*all_)[i++].hear(passed), ...);
+  }
+
+ private:
+  using All = std::array<Watch, sizeof...(Arguments)>;
+  std::shared_ptr<All> all_ = std::make_shared<All>();
 };
 
 }  // namespace harness

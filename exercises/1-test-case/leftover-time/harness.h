@@ -2,19 +2,22 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds length{"length", 0, 2}, pace{"pace", 0, 4, 1}, h{"h", 1e-3, 0.1};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 // What is saved is what the student's own steps have left.
-const harness::Wanted<int(double& saved, double length, double pace, double h)> wanted_steps{
-    steps_due, {harness::any, bounds::length, bounds::pace, bounds::h}};
-const harness::Wanted<double(double saved, double h)> wanted_blend{blend,
-                                                                   {harness::any, bounds::h}};
+const harness::Wanted<int(double& saved, double length, double pace, double h)> wanted_steps =
+    steps_due;
+const harness::Within within_steps{
+    wanted_steps, {harness::any, harness_bounds::length, harness_bounds::pace, harness_bounds::h}};
+
+const harness::Wanted<double(double saved, double h)> wanted_blend = blend;
+const harness::Within within_blend{wanted_blend, {harness::any, harness_bounds::h}};
 
 // The step, then the frames, each with its pace; for each of them the steps due, the blend, and
 // what is saved.

@@ -139,11 +139,11 @@ std::vector<Frame> equal(int count, double length) {
 // fast as may be.
 std::vector<Frame> of_many_paces(Random& random) {
   std::vector<Frame> frames;
-  for (const double pace : {1.0, random.between(0.1, 0.4), bounds::pace.smallest(),
+  for (const double pace : {1.0, random.between(0.1, 0.4), harness_bounds::pace.smallest(),
                             random.between(1.5, 3), random.between(0.1, 0.4)}) {
     for (int n = 0; n < 60; ++n) frames.push_back({random.between(0.004, 0.02), pace});
   }
-  frames.push_back({random.between(0.004, 0.02), bounds::pace.largest()});
+  frames.push_back({random.between(0.004, 0.02), harness_bounds::pace.largest()});
   return frames;
 }
 
@@ -192,12 +192,12 @@ TEST_CASE("on a slow screen several steps are due in a frame, and the rest is ke
   keeps_time(student, binary, equal(20, binary * random.whole(2, 5)), all,
              "that last just so many steps",
              "Time for just one step more is there, and nothing is left over then. Is it due?");
-  for (const double step : bounds::h.asked())
+  for (const double step : harness_bounds::h.asked())
     keeps_time(student, step,
-               {{bounds::length.largest()},
+               {{harness_bounds::length.largest()},
                 {0.3 * step},
-                {bounds::length.smallest()},
-                {bounds::length.largest() - 0.1 * step}},
+                {harness_bounds::length.smallest()},
+                {harness_bounds::length.largest() - 0.1 * step}},
                all, "of which one is a long hitch, and another takes no time at all",
                "A step may be long or short, and a frame, too: the same sums hold.");
 }

@@ -2,17 +2,20 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds runner{"runner", 0, 12}, a{"a", 0, 30}, time{"time", 0.05, 60, 1};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<Vec(const Vec& from, const Vec& target, const Vec& runner, const Vec& a,
                           double time)>
-    wanted{throw_velocity, {harness::any, harness::any, bounds::runner, bounds::a, bounds::time}};
+    wanted = throw_velocity;
+const harness::Within within{
+    wanted,
+    {harness::any, harness::any, harness_bounds::runner, harness_bounds::a, harness_bounds::time}};
 
 void answer(harness::Call& call) {
   const Vec from = call.vector(), target = call.vector(), runner = call.vector(), a = call.vector();

@@ -191,14 +191,14 @@ TEST_CASE("a wind from any side is allowed for", "[1-test-case/throw-to-runner][
     return with;
   };
   for (int n = 0; n < 3; ++n) meets(student, drawn(), hint);
-  for (const double time : bounds::time.asked()) {
+  for (const double time : harness_bounds::time.asked()) {
     Throw with = drawn();
     with.time = time;
     meets(student, with, "Short or long, a flight is one exact step.");
   }
   const Vec side = unit(random);
-  for (const double pull : bounds::a.asked())
+  for (const double pull : harness_bounds::a.asked())
     meets(student, pulled(drawn(), pull * side), "A pull may be strong, or none at all.");
-  for (const double speed : bounds::runner.asked())
+  for (const double speed : harness_bounds::runner.asked())
     meets(student, running(drawn(), speed * side), "A runner may be fast, or stand.");
 }

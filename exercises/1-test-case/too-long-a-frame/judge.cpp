@@ -126,18 +126,18 @@ std::vector<Machine> special_machines(Random& random) {
   std::vector<Machine> machines;
   const double share = random.between(0.3, 0.7);
   const auto drawn = [&] { return draw_machine(random, share); };
-  for (const double draw : bounds::draw.asked()) {
+  for (const double draw : harness_bounds::draw.asked()) {
     machines.push_back(drawn());
     machines.back().draw = draw;
   }
-  for (const double cost : bounds::cost.asked()) {
+  for (const double cost : harness_bounds::cost.asked()) {
     machines.push_back(drawn());
     machines.back().cost = cost;
-    if (cost == bounds::sixty_fourth) machines.back().h = cost;
+    if (cost == harness_bounds::sixty_fourth) machines.back().h = cost;
   }
-  for (const double h : bounds::h.asked())
+  for (const double h : harness_bounds::h.asked())
     machines.push_back({random.between(0.3, 1.2) * h, share * h, h, 5});
-  for (const double most : bounds::most.asked()) {
+  for (const double most : harness_bounds::most.asked()) {
     machines.push_back(drawn());
     machines.back().most = static_cast<int>(most);
   }
@@ -175,12 +175,13 @@ void spends_all(Student& student, Random& random) {
     const int whole = random.whole(low, high);
     return whole + random.between(0.55, 0.95);
   };
-  for (const double h : bounds::h.asked()) spends(student, {0, 0, h, 7}, 0, steps(11, 20));
-  for (const double most : bounds::most.asked()) {
+  for (const double h : harness_bounds::h.asked()) spends(student, {0, 0, h, 7}, 0, steps(11, 20));
+  for (const double most : harness_bounds::most.asked()) {
     const double h = 1 / random.between(100, 200);
     spends(student, {0, 0, h, static_cast<int>(most)}, 0, most + steps(2, 9));
   }
-  const double most_saved = bounds::saved.largest(), h = most_saved / random.between(0.82, 0.95);
+  const double most_saved = harness_bounds::saved.largest(),
+               h = most_saved / random.between(0.82, 0.95);
   spends(student, {0, 0, h, 5}, most_saved, steps(2, 5));
 }
 
@@ -190,11 +191,11 @@ void spends_special(Student& student, Random& random) {
   const std::string hint = "A step is due when all of its time is there, and not before.";
   Machine machine = draw_machine(random, 1);
   const double part = random.between(0.55, 0.95) * machine.h;
-  spends(student, machine, part, bounds::length.smallest(), hint);
-  const double longest = bounds::length.largest();
+  spends(student, machine, part, harness_bounds::length.smallest(), hint);
+  const double longest = harness_bounds::length.largest();
   machine.h = longest / (200 + random.between(0.55, 0.95));
   spends(student, machine, 0, longest, hint);
-  machine.h = bounds::sixty_fourth;
+  machine.h = harness_bounds::sixty_fourth;
   for (const int steps : {1, machine.most, machine.most + 1})
     spends(student, machine, 0, steps * machine.h, hint);
 }

@@ -138,11 +138,11 @@ TEST_CASE("the order comes from two errors, whatever their steps",
     two_runs(student, {h1, size * std::pow(h1, p), h2, size * std::pow(h2, p)});
   }
   // The coarser of two runs at the ends of its bounds, and then the finer one.
-  for (const auto& [h1, error1] : ends(bounds::h1, bounds::error1)) {
+  for (const auto& [h1, error1] : ends(harness_bounds::h1, harness_bounds::error1)) {
     const double ratio = random.between(9, 10), p = random.between(1.1, 3);
     two_runs(student, {h1, error1, h1 / ratio, error1 / std::pow(ratio, p)});
   }
-  for (const auto& [h2, error2] : ends(bounds::h2, bounds::error2)) {
+  for (const auto& [h2, error2] : ends(harness_bounds::h2, harness_bounds::error2)) {
     const double ratio = error2 < 1 ? random.between(10, 100) : random.between(1.1, 2);
     const double p = error2 < 1 ? random.between(4, 4.3) : random.between(0.8, 3);
     two_runs(student, {ratio * h2, std::pow(ratio, p) * error2, h2, error2});
@@ -157,9 +157,10 @@ TEST_CASE("the step is as long as the wanted error allows", "[1-test-case/two-er
     const double error = random.between(0.001, 0.5), wanted = error * random.between(0.02, 0.5);
     allows(student, wanted, h, error, p);
   }
-  for (const double p : random.all_of(bounds::p, 1))
-    for (const double wanted : {bounds::wanted.smallest(), bounds::wanted.largest()})
-      for (const auto& [h, error] : ends(bounds::h, bounds::error))
+  for (const double p : random.all_of(harness_bounds::p, 1))
+    for (const double wanted :
+         {harness_bounds::wanted.smallest(), harness_bounds::wanted.largest()})
+      for (const auto& [h, error] : ends(harness_bounds::h, harness_bounds::error))
         allows(student, wanted, h, error, p);
 }
 
@@ -177,11 +178,11 @@ TEST_CASE("a run takes as few whole steps as it can", "[1-test-case/two-errors][
     return whole + random.between(0.1, 0.9);
   };
   const int some = random.whole(2, 7);
-  for (const double duration : bounds::duration.asked())
+  for (const double duration : harness_bounds::duration.asked())
     counts(student, duration, duration / steps(700, 2000), some);
-  for (const double per_step : bounds::per_step.asked())
+  for (const double per_step : harness_bounds::per_step.asked())
     counts(student, 1, 1 / steps(20, 200), static_cast<int>(per_step));
-  const double shortest = bounds::h.smallest(), longest = bounds::h.largest();
+  const double shortest = harness_bounds::h.smallest(), longest = harness_bounds::h.largest();
   counts(student, steps(2000, 5000) * shortest, shortest, some);
   counts(student, random.between(0.2, 0.8) * longest, longest, some);
   // Steps that divide the run without rounding, and one that is all of it.

@@ -2,18 +2,21 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds part{"part", 0.001, 0.99}, fastest{"fastest", 0.1, 1e6},
     frame{"frame", 0, 2, 1.0 / 60};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<Vec(const Vec& camera, const Vec& target, double part, double fastest,
                           double frame)>
-    wanted{follow, {harness::any, harness::any, bounds::part, bounds::fastest, bounds::frame}};
+    wanted = follow;
+const harness::Within within{wanted,
+                             {harness::any, harness::any, harness_bounds::part,
+                              harness_bounds::fastest, harness_bounds::frame}};
 
 void answer(harness::Call& call) {
   const Vec camera = call.vector(), target = call.vector();

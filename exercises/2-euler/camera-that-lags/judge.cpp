@@ -177,10 +177,10 @@ TEST_CASE("a frame of any length takes the camera as far as frames of a sixtieth
     const Shot shot = draw(random, random.between(0.05, 0.3), {1 / rate});
     follows(student, shot, "one frame, at " + number(rate, 4) + " frames a second", hint);
   }
-  for (const double part : bounds::part.asked())
+  for (const double part : harness_bounds::part.asked())
     follows(student, draw(random, part, {1.0 / 60, random.between(0.004, 0.05)}),
             "two frames, with a part of " + number(part), hint);
-  for (const double frame : bounds::frame.asked())
+  for (const double frame : harness_bounds::frame.asked())
     follows(student, draw(random, random.between(0.05, 0.3), {frame}),
             "one frame of " + number(frame, 3) + " s", hint);
   Shot close = draw(random, random.between(0.05, 0.3), {1 / random.between(100, 240)});
@@ -247,7 +247,7 @@ TEST_CASE("far away it flies at its highest speed, and where it slows down no cu
   Random random;
   const std::string hint =
       "As long as the lag would have it move faster, it moves straight at its target at `fastest`.";
-  for (const double fastest : bounds::fastest.asked()) {
+  for (const double fastest : harness_bounds::fastest.asked()) {
     Shot far = draw(random, random.between(0.3, 0.6), uneven(random, 10));
     far.lag.fastest = fastest;
     far.target = far.camera + (far_in_seconds * fastest) * Vec{0.6, -0.64, 0.48};

@@ -2,17 +2,18 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds growth{"growth", 0.001, 4};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<void(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration)>
     wanted_step = step;
-const harness::Wanted<int(double growth)> wanted_steps{steps_per_turn, {bounds::growth}};
+const harness::Wanted<int(double growth)> wanted_steps = steps_per_turn;
+const harness::Within within_steps{wanted_steps, {harness_bounds::growth}};
 
 void answer(harness::Call& call) {
   if (call.function() == 0) {

@@ -41,7 +41,8 @@ std::vector<drone::Turn> drawn(Random& random) {
   std::vector<drone::Turn> turns{drone::Turn::draw(random, 12, 15)};
   for (const double least : {30.0, 100.0, 1000.0, 9000.0})
     turns.push_back(drone::Turn::draw(random, least, 2 * least));
-  for (const double growth : bounds::growth.asked()) turns.push_back(drone::Turn::of(growth));
+  for (const double growth : harness_bounds::growth.asked())
+    turns.push_back(drone::Turn::of(growth));
   return turns;
 }
 

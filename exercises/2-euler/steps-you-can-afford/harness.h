@@ -2,19 +2,20 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds duration{"duration", 0.8, 2};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 // What is wanted is the error of a number of steps, which the judge draws.
 const harness::Wanted<int(const Vec& x, const Vec& v, double duration, double wanted,
                           const Acceleration& acceleration)>
-    wanted{steps_needed,
-           {harness::any, harness::any, bounds::duration, harness::any, harness::any}};
+    wanted = steps_needed;
+const harness::Within within{
+    wanted, {harness::any, harness::any, harness_bounds::duration, harness::any, harness::any}};
 
 // A run of one step: h is the duration, and t the wanted error.
 void answer(harness::Call& call) {

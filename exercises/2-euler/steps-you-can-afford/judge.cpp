@@ -224,7 +224,7 @@ TEST_CASE("the thing ends within the wanted error, in less than three times the 
           "[2-euler/steps-you-can-afford][4 points]") {
   Student student;
   Random random;
-  for (const double duration : random.all_of(bounds::duration, 2)) {
+  for (const double duration : random.all_of(harness_bounds::duration, 2)) {
     affords(student, random, error,
             "Trust two runs only if the finer has about as many steps as your answer, and leave a "
             "margin.",
@@ -240,7 +240,7 @@ TEST_CASE("the steps are the fewest that will do, or up to a tenth more",
     affords(student, random, steps,
             "The error is in proportion to the step. From one error that you know, which number of "
             "steps has the wanted one?",
-            random.between(bounds::duration));
+            random.between(harness_bounds::duration));
   }
 }
 
@@ -250,5 +250,5 @@ TEST_CASE("finding out steps that will do costs no more than four runs",
   Random random;
   affords(student, random, price,
           "Stop doubling as soon as the answer is in sight. You need not run it to know it.",
-          random.between(bounds::duration));
+          random.between(harness_bounds::duration));
 }

@@ -35,8 +35,8 @@ Leash damped(double k, double zeta, double m) {
 // Each stiffness and each mass that may be asked, with such a damper.
 std::vector<Leash> all_damped(double zeta) {
   std::vector<Leash> leashes;
-  for (const double k : bounds::k.asked())
-    for (const double m : bounds::m.asked()) leashes.push_back(damped(k, zeta, m));
+  for (const double k : harness_bounds::k.asked())
+    for (const double m : harness_bounds::m.asked()) leashes.push_back(damped(k, zeta, m));
   return leashes;
 }
 
@@ -170,6 +170,6 @@ TEST_CASE("a leash like a wall keeps its digits", "[2-euler/stiffest-leash][2 po
   for (int n = 3; n <= 7; ++n)
     holds_until(student, draw(random, std::pow(10, n) * random.between(1, 9)), 1, hint);
   Leash hardest = draw(random, 1);
-  hardest.c = bounds::c.largest();
+  hardest.c = harness_bounds::c.largest();
   holds_until(student, hardest, 1, hint);
 }

@@ -141,7 +141,7 @@ TEST_CASE("a short table after Dormand and Prince's finds nothing of it left",
   Student student;
   Random random;
   std::vector<Table> tables{draw(random, 2), dormand_prince(), draw(random, 3)};
-  for (const double rows : bounds::rows.asked())
+  for (const double rows : harness_bounds::rows.asked())
     tables.push_back(draw(random, static_cast<std::size_t>(rows)));
   for (const Table& table : tables) {
     const Given given(student, table);

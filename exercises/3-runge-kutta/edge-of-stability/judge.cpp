@@ -127,8 +127,8 @@ TEST_CASE("a step stretches every motion as the polynomial of RK4 does",
     const double size = random.between(0.5, 4), angle = random.between(1.7, 3);
     motions.push_back(std::polar(size, n % 2 == 0 ? angle : -angle));
   }
-  for (const double re : bounds::re.asked())
-    for (const double im : bounds::im.asked()) motions.emplace_back(re, im);
+  for (const double re : harness_bounds::re.asked())
+    for (const double im : harness_bounds::im.asked()) motions.emplace_back(re, im);
   for (const Complex& z : motions) {
     const double size = std::abs(z);
     is_exact("what a step of RK4 does to the size of a motion",
@@ -153,9 +153,9 @@ TEST_CASE("without damping the step may be as long as the chapter says",
   Student student;
   Random random;
   std::vector<double> omegas{random.between(2, 60), random.between(2, 60)};
-  for (const double omega : bounds::omega.asked()) omegas.push_back(omega);
+  for (const double omega : harness_bounds::omega.asked()) omegas.push_back(omega);
   for (const double omega : omegas) {
-    check_limit(student, omega, bounds::zeta.smallest(),
+    check_limit(student, omega, harness_bounds::zeta.smallest(),
                 "Without damping h lambda is imaginary. Does your search start where the step is "
                 "stable and end where it is not?");
   }
@@ -178,7 +178,7 @@ TEST_CASE("from critical damping on the faster of two motions sets the limit",
   Random random;
   // With less than 1.9 the slower motion has a limit that is seen, too.
   for (const double zeta :
-       {1.0, random.between(1.2, 1.9), random.between(1, 4), bounds::zeta.largest()}) {
+       {1.0, random.between(1.2, 1.9), random.between(1, 4), harness_bounds::zeta.largest()}) {
     check_limit(student, random.between(2, 60), zeta,
                 "Both answers for lambda are real now. Neither motion may grow, and one of them is "
                 "much faster than omega.");

@@ -101,7 +101,7 @@ TEST_CASE("a thing that only falls falls as far as it should",
   Student student;
   Random random;
   std::vector<double> alphas{random.between(0.6, 0.9)};
-  for (const double alpha : bounds::alpha.asked()) alphas.push_back(alpha);
+  for (const double alpha : harness_bounds::alpha.asked()) alphas.push_back(alpha);
   for (const double alpha : alphas) {
     look(student, alpha);
     falls(student, alpha, random);

@@ -2,27 +2,29 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds duration{"duration", 0.01, 40}, tolerance{"tolerance", 1e-7, 1e-3},
     tolerance_of_pass{"tolerance", 1e-7, 1e-5};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<void(Vec& x, Vec& v, double t, double duration, double tolerance,
                            const Acceleration& acceleration)>
-    wanted{fly,
-           {harness::any, harness::any, harness::any, bounds::duration, bounds::tolerance,
-            harness::any}};
+    wanted = fly;
+const harness::Within within{wanted,
+                             {harness::any, harness::any, harness::any, harness_bounds::duration,
+                              harness_bounds::tolerance, harness::any}};
 
 // How long a comet's flight is hangs on its orbit.
 const harness::Wanted<double(Vec x, Vec v, double t, double duration, double tolerance,
                              const Acceleration& acceleration)>
-    wanted_nearest{nearest,
-                   {harness::any, harness::any, harness::any, harness::any,
-                    bounds::tolerance_of_pass, harness::any}};
+    wanted_nearest = nearest;
+const harness::Within within_nearest{wanted_nearest,
+                                     {harness::any, harness::any, harness::any, harness::any,
+                                      harness_bounds::tolerance_of_pass, harness::any}};
 
 constexpr int of_the_pass = 100;
 

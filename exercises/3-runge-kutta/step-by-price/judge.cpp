@@ -238,7 +238,7 @@ TEST_CASE("in a wind that changes it arrives at the time that was asked for",
           "[3-runge-kutta/step-by-price][2 points]") {
   Student student;
   Random random;
-  const double shortest = bounds::duration.smallest(), longest = 3;
+  const double shortest = harness_bounds::duration.smallest(), longest = 3;
   const std::vector<double> durations{random.between(shortest, 1),
                                       random.between(shortest, longest), longest, shortest};
   for (const double duration : durations) {
@@ -265,7 +265,7 @@ TEST_CASE("a coasting probe costs next to nothing", "[3-runge-kutta/step-by-pric
   Random random;
   Scene scene{"a probe that nothing pulls",
               random.start(),
-              bounds::duration.largest(),
+              harness_bounds::duration.largest(),
               [](const Vec&, const Vec&, double) { return Vec{}; },
               {}};
   scene.end = {scene.start.x + scene.duration * scene.start.v, scene.start.v};

@@ -129,8 +129,8 @@ TEST_CASE("a brake keeps what the factor says, with its sign",
           "[4-implicit/blend-of-slopes][2 points]") {
   Student student;
   Random random;
-  for (const double theta : random.all_of(bounds::theta, 1)) {
-    for (const double ch : decades(random, bounds::c_h)) {
+  for (const double theta : random.all_of(harness_bounds::theta, 1)) {
+    for (const double ch : decades(random, harness_bounds::c_h)) {
       is_exact("what one step leaves of a velocity on a brake",
                with("theta", theta) + ", " + with("c h", ch), ask(student, brake, theta, ch),
                factor(theta, -ch).real(), rounding((1 + ch) / (1 + theta * ch)),
@@ -145,8 +145,8 @@ TEST_CASE("an undamped spring keeps what the factor says",
           "[4-implicit/blend-of-slopes][2 points]") {
   Student student;
   Random random;
-  for (const double theta : random.all_of(bounds::theta, 1)) {
-    for (const double homega : decades(random, bounds::omega_h)) {
+  for (const double theta : random.all_of(harness_bounds::theta, 1)) {
+    for (const double homega : decades(random, harness_bounds::omega_h)) {
       const double expected = std::abs(factor(theta, Rate(0, homega)));
       is_exact(
           "what one step leaves of the swing of an undamped spring",
@@ -168,10 +168,10 @@ TEST_CASE("just below the longest step a damped spring shrinks, just above it gr
   Student student;
   Random random;
   const double below = random.between(0.1, 0.9), above = random.between(1.2, 2.9);
-  const std::vector<double> omegas = random.all_of(bounds::omega, 1);
+  const std::vector<double> omegas = random.all_of(harness_bounds::omega, 1);
   for (const double theta : {random.between(0.05, 0.4), random.between(0.6, 0.9), 0.0, 0.5, 1.0}) {
     for (const double omega : omegas) {
-      for (const double zeta : {below, above, 0.0, 1.0, bounds::zeta.largest()})
+      for (const double zeta : {below, above, 0.0, 1.0, harness_bounds::zeta.largest()})
         holds_until(student, {theta, omega, zeta});
     }
   }
@@ -182,7 +182,7 @@ TEST_CASE("the least theta brakes to a stop and no further",
   Student student;
   Random random;
   // Where the factor of a share of one half is still positive, up to c h = 2, no more is needed.
-  for (const double ch : decades(random, bounds::c_h)) {
+  for (const double ch : decades(random, harness_bounds::c_h)) {
     is_exact("the least theta, from one half on, that does not turn a brake round", with("c h", ch),
              ask(student, least, ch), ch > 2 ? (ch - 1) / ch : 0.5, rounding(1),
              "Where is the numerator of R zero? And which theta may the dial not go below?",

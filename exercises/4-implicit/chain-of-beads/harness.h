@@ -2,19 +2,20 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds beads{"beads", 1, 100000, 2}, h{"h", 0.001, 0.1};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<void(std::vector<double>& x, std::vector<double>& v, double h,
                            const std::vector<double>& k)>
     wanted = step;
-const harness::Within within_wanted{wanted,
-                                    {bounds::beads, bounds::beads, bounds::h, bounds::beads}};
+const harness::Within within_wanted{
+    wanted,
+    {harness_bounds::beads, harness_bounds::beads, harness_bounds::h, harness_bounds::beads}};
 
 void answer(harness::Call& call) {
   const auto count = static_cast<std::size_t>(call.number());

@@ -46,7 +46,7 @@ TEST_CASE("short chains end where the slope of the end leads back to the start",
   std::vector<Chain> chains;
   for (const int count : {2, 3, random.whole(4, 6)})
     chains.push_back(Chain::draw(random, static_cast<std::size_t>(count), random.between(1, 10)));
-  for (const double h : bounds::h.asked())
+  for (const double h : harness_bounds::h.asked())
     chains.push_back(Chain::draw(random, 3, random.between(1, 10), h));
   for (const Chain& chain : chains) {
     meets_its_lines(student, chain,
@@ -107,7 +107,7 @@ TEST_CASE("a hundred thousand beads take a step in the time that there is",
           "[4-implicit/chain-of-beads][3 points]") {
   Student student;
   Random random;
-  constexpr auto most = static_cast<std::size_t>(bounds::beads.largest());
+  constexpr auto most = static_cast<std::size_t>(harness_bounds::beads.largest());
   // A copy of a column for each bead is quick enough once or twice.
   for (int n = 0; n < 8; ++n) {
     meets_its_lines(student, Chain::draw(random, most, random.between(1000, 2500)),

@@ -20,7 +20,7 @@ struct Drag {
   double h = 0;
   Vec hand;
   double omega = 0, zeta = 0;
-  double strongest = bounds::strongest.largest();
+  double strongest = harness_bounds::strongest.largest();
 
   static Drag draw(Random& random, double angle, double zeta) {
     const Start start = random.start();
@@ -37,10 +37,10 @@ struct Drag {
       drags.back().h = h;
       drags.back().omega = omega;
     };
-    for (const double h : bounds::h.asked())
+    for (const double h : harness_bounds::h.asked())
       add(h, random.between(0.5, 4) / h, random.between(0.1, 1.6));
-    for (const double zeta : bounds::zeta.asked()) add(0.02, random.between(25, 200), zeta);
-    add(0.01, bounds::omega.largest(), random.between(0.1, 1.6));
+    for (const double zeta : harness_bounds::zeta.asked()) add(0.02, random.between(25, 200), zeta);
+    add(0.01, harness_bounds::omega.largest(), random.between(0.1, 1.6));
     return drags;
   }
 

@@ -2,21 +2,22 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds h{"h", 0.001, 0.1}, omega{"omega", 0, 1e7}, zeta{"zeta", 0, 10, 1},
     strongest{"strongest", 0, 1e100};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<void(Vec& x, Vec& v, double h, const Vec& hand, double omega, double zeta,
                            double strongest)>
     wanted = step;
-const harness::Within within_wanted{wanted,
-                                    {harness::any, harness::any, bounds::h, harness::any,
-                                     bounds::omega, bounds::zeta, bounds::strongest}};
+const harness::Within within_wanted{
+    wanted,
+    {harness::any, harness::any, harness_bounds::h, harness::any, harness_bounds::omega,
+     harness_bounds::zeta, harness_bounds::strongest}};
 
 void answer(harness::Call& call) {
   Vec x = call.vector(), v = call.vector();

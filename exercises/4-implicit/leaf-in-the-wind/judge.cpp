@@ -95,7 +95,7 @@ void asks_once(const Drift& drift) {
 
 // Both bounds, and four between them.
 std::vector<double> all_drags(Random& random) {
-  std::vector<double> all(bounds::c.asked().begin(), bounds::c.asked().end());
+  std::vector<double> all(harness_bounds::c.asked().begin(), harness_bounds::c.asked().end());
   while (all.size() < 6) all.push_back(random.whole(150, 300));
   return all;
 }
@@ -198,5 +198,5 @@ TEST_CASE("a thrown leaf stops where it should, and is never thrown back",
   Student student;
   Random random;
   stops(student, random, random.whole(150, 300));
-  for (const double c : bounds::c.asked()) stops(student, random, c);
+  for (const double c : harness_bounds::c.asked()) stops(student, random, c);
 }

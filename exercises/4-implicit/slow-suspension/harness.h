@@ -2,22 +2,23 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds h{"h", -0.1, 0.1, 0}, omega{"omega", 0.1, 1000}, zeta{"zeta", 0, 10, 1},
     told_h{"h", 1e-5, 0.1};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<void(double& x, double& v, double h, double omega, double zeta)> wanted =
     step;
 const harness::Within within_wanted{
-    wanted, {harness::any, harness::any, bounds::h, bounds::omega, bounds::zeta}};
+    wanted,
+    {harness::any, harness::any, harness_bounds::h, harness_bounds::omega, harness_bounds::zeta}};
 
 const harness::Wanted<double(double omega, double h)> wanted_told = told;
-const harness::Within within_told{wanted_told, {bounds::omega, bounds::told_h}};
+const harness::Within within_told{wanted_told, {harness_bounds::omega, harness_bounds::told_h}};
 
 void answer(harness::Call& call) {
   if (call.function() == 1) {

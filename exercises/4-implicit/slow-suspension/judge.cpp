@@ -142,11 +142,12 @@ TEST_CASE("told another omega, the trapezoid rule swings at the one that is want
     const double h = random.between(0.01, 0.04);
     all.push_back({angle / h, h});
   }
-  for (const double h : bounds::told_h.asked())
-    all.push_back({std::min(random.between(1, 2.9) / h, bounds::omega.largest()), h});
-  for (const double omega : bounds::omega.asked())
-    all.push_back({omega, std::min(random.between(1, 2.9) / omega, bounds::told_h.largest())});
-  all.push_back({bounds::omega.smallest(), bounds::told_h.smallest()});
+  for (const double h : harness_bounds::told_h.asked())
+    all.push_back({std::min(random.between(1, 2.9) / h, harness_bounds::omega.largest()), h});
+  for (const double omega : harness_bounds::omega.asked())
+    all.push_back(
+        {omega, std::min(random.between(1, 2.9) / omega, harness_bounds::told_h.largest())});
+  all.push_back({harness_bounds::omega.smallest(), harness_bounds::told_h.smallest()});
   for (const auto& [omega, h] : all) {
     const double wanted = omega * h;
     const double told = student.call(1, {omega, h}, 1)[0];

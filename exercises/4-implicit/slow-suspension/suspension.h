@@ -42,12 +42,12 @@ struct Suspension {
           {{random.between(0.1, 0.3), omega * random.between(0.1, 0.3)}, h, omega, zeta, 5});
     };
     const auto light = [&] { return random.between(0.1, 0.5); };
-    for (const double h : bounds::h.asked()) add(h, random.between(5, 30), light());
-    for (const double omega : bounds::omega.asked()) {
+    for (const double h : harness_bounds::h.asked()) add(h, random.between(5, 30), light());
+    for (const double omega : harness_bounds::omega.asked()) {
       add(-random.between(0.01, 0.04), omega, light());
-      add(bounds::h.largest(), omega, light());
+      add(harness_bounds::h.largest(), omega, light());
     }
-    for (const double zeta : bounds::zeta.asked())
+    for (const double zeta : harness_bounds::zeta.asked())
       add(random.between(0.01, 0.04), random.between(20, 80), zeta);
     return scenes;
   }

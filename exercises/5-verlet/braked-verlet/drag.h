@@ -29,11 +29,11 @@ struct Line {
   /// The same with each bound of the drag, and with each of the step.
   std::vector<Line> at_the_bounds() const {
     std::vector<Line> lines;
-    for (const double drag : bounds::c.asked()) {
+    for (const double drag : harness_bounds::c.asked()) {
       lines.push_back(*this);
       lines.back().c = drag;
     }
-    for (const double step : bounds::h.asked()) {
+    for (const double step : harness_bounds::h.asked()) {
       lines.push_back(*this);
       lines.back().h = step;
     }

@@ -2,18 +2,18 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds c{"c", 0, 100}, h{"h", 0.001, 1};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<Vec(const Vec& x, const Vec& x_previous, const Vec& a, double c, double h)>
     wanted = next_place;
 const harness::Within within_wanted{
-    wanted, {harness::any, harness::any, harness::any, bounds::c, bounds::h}};
+    wanted, {harness::any, harness::any, harness::any, harness_bounds::c, harness_bounds::h}};
 
 // A damped spring, whose damper is handed over apart from its force.
 inline void swing(harness::Call& call) {

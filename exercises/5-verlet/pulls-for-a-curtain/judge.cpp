@@ -48,8 +48,9 @@ std::vector<Curtain> telling(Random& random, double least, double most) {
 // All numbers at the one end, and all at the other.
 std::vector<Curtain> at_the_bounds() {
   const auto all = [](double (harness::Bounds::*end)() const) {
-    return Curtain{static_cast<int>((bounds::links.*end)()), (bounds::frame.*end)(),
-                   (bounds::most.*end)(), (bounds::move.*end)(), (bounds::pull.*end)()};
+    return Curtain{static_cast<int>((harness_bounds::links.*end)()), (harness_bounds::frame.*end)(),
+                   (harness_bounds::most.*end)(), (harness_bounds::move.*end)(),
+                   (harness_bounds::pull.*end)()};
   };
   return {all(&harness::Bounds::smallest), all(&harness::Bounds::largest)};
 }

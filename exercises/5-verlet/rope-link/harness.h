@@ -2,21 +2,22 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds shortest{"shortest", 0, 100}, longest{"longest", 0.01, 100},
     inverse{"inverse", 0, 100, 1};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<void(Vec& a, Vec& b, double shortest, double longest, double inverse_a,
                            double inverse_b)>
     wanted = pull;
-const harness::Within within_wanted{wanted,
-                                    {harness::any, harness::any, bounds::shortest, bounds::longest,
-                                     bounds::inverse, bounds::inverse}};
+const harness::Within within_wanted{
+    wanted,
+    {harness::any, harness::any, harness_bounds::shortest, harness_bounds::longest,
+     harness_bounds::inverse, harness_bounds::inverse}};
 
 void answer(harness::Call& call) {
   Vec a = call.vector(), b = call.vector();

@@ -62,7 +62,7 @@ TEST_CASE("a link that is too long is drawn together to its longest, by the mass
       "The two ways add up to what is too much, and the end with twice the inverse mass goes twice "
       "as far.";
   check_link(student, Link::too_long(random), "a link that is too long", hint);
-  for (const double inverse : bounds::inverse.asked()) {
+  for (const double inverse : harness_bounds::inverse.asked()) {
     Link link = Link::too_long(random);
     link.inverse_a = inverse;
     check_link(student, link, "a link with inverse_a = " + grade::number(inverse), hint);

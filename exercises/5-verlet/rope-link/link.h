@@ -42,9 +42,10 @@ struct Link {
     const double now = random.between(1, 2);
     for (const double other : {now / 2, 2 * now})
       links.push_back(of_length(random, now, other, other));
-    for (const double longest : bounds::longest.asked())
-      links.push_back(of_length(random, now * longest, bounds::shortest.smallest(), longest));
-    const double most = bounds::shortest.largest();
+    for (const double longest : harness_bounds::longest.asked())
+      links.push_back(
+          of_length(random, now * longest, harness_bounds::shortest.smallest(), longest));
+    const double most = harness_bounds::shortest.largest();
     links.push_back(of_length(random, most / now / 2, most, most));
     return links;
   }

@@ -2,28 +2,30 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds h{"h", 0.001, 1}, floor{"floor", -100, 100, 0},
     restitution{"restitution", 0, 1};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<Vec(const Vec& x, const Vec& x_previous, const Vec& a, double h)> wanted =
     next_place;
-const harness::Within within_wanted{wanted, {harness::any, harness::any, harness::any, bounds::h}};
+const harness::Within within_wanted{wanted,
+                                    {harness::any, harness::any, harness::any, harness_bounds::h}};
 
 const harness::Wanted<Vec(const Vec& x, const Vec& v, const Vec& a, double h)> wanted_before =
     place_before;
 const harness::Within within_before{wanted_before,
-                                    {harness::any, harness::any, harness::any, bounds::h}};
+                                    {harness::any, harness::any, harness::any, harness_bounds::h}};
 
 const harness::Wanted<void(Vec& x, Vec& x_previous, double floor, double restitution)>
     wanted_bounce = bounce;
 const harness::Within within_bounce{
-    wanted_bounce, {harness::any, harness::any, bounds::floor, bounds::restitution}};
+    wanted_bounce,
+    {harness::any, harness::any, harness_bounds::floor, harness_bounds::restitution}};
 
 // The velocity that drag sees is the last distance over its time.
 inline void take_steps(harness::Call& call) {

@@ -113,11 +113,11 @@ TEST_CASE("a spark below the floor bounces, and no other does", "[5-verlet/two-p
     bounces(student, Spark::draw(random, below));
   }
   bounces(student, Spark::overtaken(random));
-  for (const double height : bounds::floor.asked()) {
+  for (const double height : harness_bounds::floor.asked()) {
     bounces(student, Spark::draw(random, 0.03).on(height));
     bounces(student, Spark::draw(random, -0.03).on(height));
   }
-  for (const double restitution : bounds::restitution.asked()) {
+  for (const double restitution : harness_bounds::restitution.asked()) {
     Spark spark = Spark::draw(random, 0.03);
     spark.restitution = restitution;
     bounces(student, spark);

@@ -27,7 +27,7 @@ struct Line {
   /// That one, and the same with the shortest step and with the longest.
   static std::vector<Line> draw_all() {
     std::vector<Line> lines{draw()};
-    for (const double h : bounds::h.asked()) {
+    for (const double h : harness_bounds::h.asked()) {
       lines.push_back(lines[0]);
       lines.back().h = h;
     }

@@ -2,11 +2,11 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds h{"h", 0.0005, 0.5};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
@@ -14,13 +14,15 @@ const harness::Wanted<void(Vec& x, Vec& x_previous, double t, double h, double h
                            const Acceleration& acceleration)>
     wanted = step;
 const harness::Within within_wanted{
-    wanted, {harness::any, harness::any, harness::any, bounds::h, bounds::h, harness::any}};
+    wanted,
+    {harness::any, harness::any, harness::any, harness_bounds::h, harness_bounds::h, harness::any}};
 
 const harness::Wanted<Vec(const Vec& x_previous, const Vec& x, const Vec& x_next, double h_previous,
                           double h)>
     wanted_velocity = velocity;
 const harness::Within within_velocity{
-    wanted_velocity, {harness::any, harness::any, harness::any, bounds::h, bounds::h}};
+    wanted_velocity,
+    {harness::any, harness::any, harness::any, harness_bounds::h, harness_bounds::h}};
 
 inline void tell_velocity(harness::Call& call) {
   const Vec x_previous = call.vector(), x = call.vector(), x_next = call.vector();

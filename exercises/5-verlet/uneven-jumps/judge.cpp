@@ -60,7 +60,7 @@ TEST_CASE("a throw passes through its true places, whatever the frames",
   const double last = random.between(0.004, 0.04);
   std::vector<double> frames = draw_frames(random, 30);
   // The shortest and the longest, and two alike.
-  frames.insert(frames.end(), bounds::h.asked().begin(), bounds::h.asked().end());
+  frames.insert(frames.end(), harness_bounds::h.asked().begin(), harness_bounds::h.asked().end());
   frames.insert(frames.end(), {0.02, 0.02});
   const Flight flight{
       {harness::Force::falling, {g, 0, 0}}, start.x, true_place(-last), start.t, last, frames};
@@ -131,7 +131,7 @@ TEST_CASE("a fall is as fast as it is, whatever the two frames",
     const double scale = random.between(0.8, 1.2);
     falls_as_fast(student, Fall::draw(random, scale * last, scale * h));
   }
-  for (const double h : bounds::h.asked()) {
+  for (const double h : harness_bounds::h.asked()) {
     const double other = random.between(0.01, 0.03);
     falls_as_fast(student, Fall::draw(random, other, h));
     falls_as_fast(student, Fall::draw(random, h, other));

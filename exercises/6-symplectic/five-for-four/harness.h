@@ -2,11 +2,11 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds h{"h", -0.5, 0.5};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
@@ -14,7 +14,8 @@ const harness::Wanted<void(Vec& x, Vec& v, Vec& a, double t, double h,
                            const Acceleration& acceleration)>
     wanted = step;
 const harness::Within within_wanted{
-    wanted, {harness::any, harness::any, harness::any, harness::any, bounds::h, harness::any}};
+    wanted,
+    {harness::any, harness::any, harness::any, harness::any, harness_bounds::h, harness::any}};
 
 void answer(harness::Call& call) {
   Vec a;

@@ -91,7 +91,7 @@ TEST_CASE("three steps are two parts forward, one back and two forward, at five 
   Student student;
   Random random;
   takes_three(student, random, random.between(0.3, 0.5));
-  for (const double h : bounds::h.asked()) takes_three(student, random, h);
+  for (const double h : harness_bounds::h.asked()) takes_three(student, random, h);
 }
 
 TEST_CASE("half the step leaves a sixteenth of the error",

@@ -2,23 +2,23 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds h{"h", 0.001, 0.7};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<void(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration)>
     wanted_step = step;
 const harness::Within within_step{
-    wanted_step, {harness::any, harness::any, harness::any, bounds::h, harness::any}};
+    wanted_step, {harness::any, harness::any, harness::any, harness_bounds::h, harness::any}};
 
 const harness::Wanted<void(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration)>
     wanted_undo = undo;
 const harness::Within within_undo{
-    wanted_undo, {harness::any, harness::any, harness::any, bounds::h, harness::any}};
+    wanted_undo, {harness::any, harness::any, harness::any, harness_bounds::h, harness::any}};
 
 // The judge runs back with -h; undo is told the start of the step that it takes back.
 inline void back(Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) {

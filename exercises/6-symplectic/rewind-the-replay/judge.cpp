@@ -148,7 +148,7 @@ TEST_CASE("five steps under a hidden force are those of symplectic Euler",
           "[6-symplectic/rewind-the-replay][3 points]") {
   Student student;
   takes(student, Replay(5));
-  for (const double h : bounds::h.asked()) takes(student, Replay(5, h));
+  for (const double h : harness_bounds::h.asked()) takes(student, Replay(5, h));
 }
 
 TEST_CASE("a spring swings on while h omega is less than two, and no longer",
@@ -165,7 +165,7 @@ TEST_CASE("undone steps lead back to the start of the replay",
           "[6-symplectic/rewind-the-replay][3 points]") {
   Student student;
   leads_back(student, Replay(20));
-  for (const double h : bounds::h.asked()) leads_back(student, Replay(5, h));
+  for (const double h : harness_bounds::h.asked()) leads_back(student, Replay(5, h));
 }
 
 TEST_CASE("an undo asks once, at the place and time where its step asked",

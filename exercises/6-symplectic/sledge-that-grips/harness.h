@@ -2,20 +2,21 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds h{"h", 0.001, 2000}, along{"along", 1, 1}, drag{"drag", 0, 150};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<void(Vec& x, Vec& v, double t, double h, const Vec& along, double c_along,
                            double c_across, const Acceleration& push)>
     wanted = step;
-const harness::Within within_wanted{wanted,
-                                    {harness::any, harness::any, harness::any, bounds::h,
-                                     bounds::along, bounds::drag, bounds::drag, harness::any}};
+const harness::Within within_wanted{
+    wanted,
+    {harness::any, harness::any, harness::any, harness_bounds::h, harness_bounds::along,
+     harness_bounds::drag, harness_bounds::drag, harness::any}};
 
 // A sledge, and how it is to be run; or a run on a spring, whose damping is given as drag.
 void answer(harness::Call& call) {

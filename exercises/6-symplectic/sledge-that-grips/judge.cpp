@@ -48,8 +48,8 @@ TEST_CASE("a few steps of a sledge are braked after the push, by division",
   };
   const auto some = [&] { return random.between(0.05, 0.3); };
   for (int n = 0; n < 2; ++n) takes(Sledge::draw(random), some(), 5);
-  for (const double h : bounds::h.asked()) takes(Sledge::draw(random), h, 1);
-  for (const double drag : bounds::drag.asked()) {
+  for (const double h : harness_bounds::h.asked()) takes(Sledge::draw(random), h, 1);
+  for (const double drag : harness_bounds::drag.asked()) {
     const Sledge drawn = Sledge::draw(random);
     takes({drawn.along, drag, drawn.c_across}, some(), 5);
     takes({drawn.along, drawn.c_along, drag}, some(), 5);

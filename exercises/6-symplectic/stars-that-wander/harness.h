@@ -2,18 +2,19 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds stars{"stars", 1, 64, 2}, h{"h", 0.001, 0.2};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<void(std::vector<Vec>& x, std::vector<Vec>& v, const std::vector<double>& mu,
                            double h)>
     wanted = step;
-const harness::Within within_wanted{wanted, {bounds::stars, harness::any, harness::any, bounds::h}};
+const harness::Within within_wanted{
+    wanted, {harness_bounds::stars, harness::any, harness::any, harness_bounds::h}};
 
 // Steps, size of a step, how many stars, and each star's x, v and mu; answers with all after each.
 void answer(harness::Call& call) {

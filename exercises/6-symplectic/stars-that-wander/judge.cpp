@@ -38,9 +38,9 @@ TEST_CASE("a few steps of hidden stars are those of symplectic Euler",
   Student student;
   Random random;
   takes(student, draw(random, random.whole(3, 5)), random.between(0.1, 0.2), 4);
-  for (const double h : bounds::h.asked()) takes(student, draw(random, 3), h, 4);
+  for (const double h : harness_bounds::h.asked()) takes(student, draw(random, 3), h, 4);
   // Many are close to each other, so that a step must be short.
-  for (const double count : bounds::stars.asked())
+  for (const double count : harness_bounds::stars.asked())
     takes(student, draw(random, static_cast<int>(count)), 0.01, 1);
 }
 

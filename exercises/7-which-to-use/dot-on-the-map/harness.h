@@ -2,11 +2,11 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds most{"most", 0.001, 1000};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
@@ -15,7 +15,7 @@ const harness::Wanted<double(const std::function<void(double& x, double& v)>& st
 const harness::Wanted<double(const std::function<void(double& x, double& v, double h)>& step,
                              double most)>
     wanted_longest = longest_step;
-const harness::Within within_longest{wanted_longest, {harness::any, bounds::most}};
+const harness::Within within_longest{wanted_longest, {harness::any, harness_bounds::most}};
 
 // A matrix, each entry a polynomial of degree 4 in h over one of degree 2; and a rest.
 struct Hidden {

@@ -100,6 +100,6 @@ TEST_CASE("the longest stable step of four methods is right to a millionth",
   Random random;
   const double w = random.between(2, 30);
   finds_longest(student, random, w, random.between(5, 6) / w);
-  for (const double most : bounds::most.asked())
+  for (const double most : harness_bounds::most.asked())
     finds_longest(student, random, random.between(5, 6) / most, most);
 }

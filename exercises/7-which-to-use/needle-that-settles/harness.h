@@ -2,18 +2,19 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds u{"u", -10, 10, 0}, omega{"omega", 0.5, 100}, h{"h", 1e-7, 1e9};
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 
 const harness::Wanted<void(double& x, double& v, double target, double u, double omega, double h)>
     wanted = settle;
-const harness::Within within_wanted{
-    wanted, {harness::any, harness::any, harness::any, bounds::u, bounds::omega, bounds::h}};
+const harness::Within within_wanted{wanted,
+                                    {harness::any, harness::any, harness::any, harness_bounds::u,
+                                     harness_bounds::omega, harness_bounds::h}};
 
 // Start, frequency, how many frames, and each frame's target, its velocity and its length; answers
 // after each.

@@ -154,12 +154,12 @@ void frames_of_any_length(Student& student, Random& random, Velocity u, Asked as
     const Beginning start = Beginning::draw_fast(random);
     check(start, random.between(1, 3), u(), z * random.between(0.9, 0.99) / start.omega);
   }
-  for (const double omega : bounds::omega.asked()) {
+  for (const double omega : harness_bounds::omega.asked()) {
     Beginning start = Beginning::draw_fast(random);
     start.omega = omega;
     check(start, random.between(1, 3), u(), random.between(0.5, 1) / omega);
   }
-  for (const double h : bounds::h.asked())
+  for (const double h : harness_bounds::h.asked())
     check(Beginning::draw_fast(random), random.between(1, 3), u(), h);
 }
 
@@ -175,7 +175,7 @@ TEST_CASE("one frame of any length ends at the place where tiny steps do",
        "How far does a needle trail that has followed its target for long? Measure the way from "
        "there.",
        place});
-  for (const double u : bounds::u.asked()) {
+  for (const double u : harness_bounds::u.asked()) {
     const Beginning start = Beginning::draw(random);
     check_frames(
         student, start, {{random.between(1, 3), u, 0.5 / start.omega}},

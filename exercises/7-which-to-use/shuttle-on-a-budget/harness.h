@@ -2,11 +2,11 @@
 #pragma once
 #include "bounds.h"
 
-namespace bounds {
+namespace harness_bounds {
 
 constexpr harness::Bounds turns{"turns", 1, 2};  // of an orbit, in a flight
 
-}  // namespace bounds
+}  // namespace harness_bounds
 
 #ifdef GRADING
 

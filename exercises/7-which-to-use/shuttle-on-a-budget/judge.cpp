@@ -152,8 +152,8 @@ void lands_within(const Bound& bound, const std::string& hint) {
   Student student;
   Random random;
   std::vector<Landing> all;
-  const int drawn = flights - static_cast<int>(bounds::turns.asked().size());
-  for (const double turns : random.all_of(bounds::turns, drawn))
+  const int drawn = flights - static_cast<int>(harness_bounds::turns.asked().size());
+  for (const double turns : random.all_of(harness_bounds::turns, drawn))
     all.emplace_back(Flight::draw(random, turns), student);
   const Landing landing = telling(all, bound);
   const double most = bound.of(landing);
