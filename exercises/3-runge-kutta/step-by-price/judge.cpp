@@ -191,6 +191,17 @@ double equal_steps(const Scene& scene, double off) {
   }
 }
 
+// From the origin, by powers of two: however long a first step is, nothing of it is rounded, and
+// its estimate is zero.
+Start without_rounding(Random& random) {
+  const auto power = [&] {
+    const double sign = 2.0 * random.whole(0, 1) - 1;
+    return std::ldexp(sign, random.whole(-2, 1));
+  };
+  const double x = power(), y = power(), z = power();
+  return {{}, {x, y, z}, 0};
+}
+
 }  // namespace
 
 TEST_CASE("a comet costs a fifth of what equal steps cost for the same error",
@@ -263,17 +274,20 @@ TEST_CASE("in a wind that changes it arrives at the time that was asked for",
 TEST_CASE("a coasting probe costs next to nothing", "[3-runge-kutta/step-by-price][1 point]") {
   Student student;
   Random random;
-  Scene scene{"a probe that nothing pulls",
-              random.start(),
-              harness_bounds::duration.largest(),
-              [](const Vec&, const Vec&, double) { return Vec{}; },
-              {}};
-  scene.end = {scene.start.x + scene.duration * scene.start.v, scene.start.v};
-  const Flight flight = fly(student, scene, 6);
-  check_flight(scene, flight, 12 * std::ceil(std::log2(scene.duration / 1e-6)),
-               "so many take a first step of a microsecond that doubles every twelve questions",
-               "Where the estimate is zero no step is too long, and there is nothing to divide by.",
-               coasts_in_short_steps(flight.path, scene.duration));
+  for (const Start& start : {random.start(), without_rounding(random)}) {
+    Scene scene{"a probe that nothing pulls",
+                start,
+                harness_bounds::duration.largest(),
+                [](const Vec&, const Vec&, double) { return Vec{}; },
+                {}};
+    scene.end = {start.x + scene.duration * start.v, start.v};
+    const Flight flight = fly(student, scene, 6);
+    check_flight(
+        scene, flight, 12 * std::ceil(std::log2(scene.duration / 1e-6)),
+        "so many take a first step of a microsecond that doubles every twelve questions",
+        "Where the estimate is zero no step is too long, and there is nothing to divide by.",
+        coasts_in_short_steps(flight.path, scene.duration));
+  }
 }
 
 // The burn is short: an embedded pair may take a start between two stages for 200 times less than

@@ -13,6 +13,8 @@ constexpr harness::Bounds turns{"turns", 1, 2};  // of an orbit, in a flight
 const harness::Wanted<void(Vec& x, Vec& v, double t, double seconds,
                            const Acceleration& acceleration)>
     wanted = fly;
+const harness::Within within{
+    wanted, {harness::any, harness::any, harness::any, harness::any, harness::any}};
 
 // One step of the judge's is a whole flight.
 void answer(harness::Call& call) {
