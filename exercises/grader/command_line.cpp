@@ -24,10 +24,19 @@ std::uint64_t number(const std::string& text, const std::string& option) {
   return value;
 }
 
+/// What somebody has written by hand: no pipe that never ends, and nothing of many megabytes.
+std::optional<std::string> small_file(const std::filesystem::path& file) {
+  constexpr std::uintmax_t most = 1 << 20;
+  std::error_code none;
+  const bool small = std::filesystem::is_regular_file(file, none) &&
+                     std::filesystem::file_size(file, none) <= most;
+  return small ? read_whole(file) : std::nullopt;
+}
+
 std::uint64_t seed(const Options& options) {
   if (!options.seed.empty()) return number(options.seed, "--seed");
   if (options.seed_file.empty()) return Request().seed;
-  std::optional<std::string> text = read_whole(options.seed_file);
+  std::optional<std::string> text = small_file(options.seed_file);
   if (!text) throw Usage("can't read the seed file '" + printable_name(options.seed_file) + "'");
   std::erase_if(*text, [](char c) { return c == '\n' || c == '\r' || c == ' '; });
   // The seed itself may be a secret: what the file holds is not printed.
@@ -72,7 +81,7 @@ Shard shard(const std::string& text) {
 
 /// A line for each exercise; what stands behind # is a remark.
 std::vector<Exercise> assigned(const std::string& file) {
-  const std::optional<std::string> text = read_whole(file);
+  const std::optional<std::string> text = small_file(file);
   if (!text)
     throw Usage("can't read the file of what was assigned, '" + printable_name(file) + "'");
   std::vector<Exercise> all;
@@ -142,6 +151,7 @@ Command read_command_line(int argc, char** argv) {
   const Options& options = *read;
   Command command;
   if (options.list || options.version) {
+    if (!options.submissions.empty()) throw Usage("--list and --version grade nothing");
     command.what = options.list ? Command::What::list : Command::What::version;
     command.listed = options.exercise;
   } else if (!options.run.empty()) {

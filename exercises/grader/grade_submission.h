@@ -21,7 +21,8 @@ struct Request {
   std::filesystem::path submission;  ///< the header, or a folder that holds it
   std::uint64_t seed = 1;            ///< from which all hidden inputs come; 1 is the public one
   cage::Sandbox sandbox = cage::Sandbox::bubblewrap;
-  cage::Limits compile_limits, run_limits;
+  cage::Limits compile_limits{.wall = 100},
+      run_limits;                      ///< a compiler waits for nothing but a turn
   int runs = 3;                        ///< with the same inputs, of which the worst counts
   std::vector<std::string> arguments;  ///< of the driver; that of a submission takes none
   std::string only;                    ///< the one test to run, by its name; all, if empty

@@ -51,7 +51,9 @@ int run(const Command& command) {
 
 int main(int argc, char** argv) {
   try {
-    return run(grade::read_command_line(argc, argv));
+    const int code = run(grade::read_command_line(argc, argv));
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    return grade::refuse(grade::Exit::try_again, "what it had to say could not be written");
   } catch (const grade::Usage& problem) {
     return grade::refuse(grade::Exit::bad_input, problem.what());
   } catch (const std::system_error& problem) {

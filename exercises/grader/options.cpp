@@ -2,6 +2,7 @@
 #include "options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "command_line.h"
 #include "report/escape.h"
@@ -76,6 +77,11 @@ std::optional<Options> read_options(int argc, char** argv) {
     return {};
   } catch (const CLI::Error& error) {
     throw Usage(printable_name(error.what()));
+  }
+  for (const CLI::Option* option : app.get_options()) {
+    const auto& values = option->results();
+    if (std::ranges::find(values, "") != values.end())
+      throw Usage(option->get_name() + " needs a value; '' is none");
   }
   return options;
 }

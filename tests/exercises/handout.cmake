@@ -60,6 +60,18 @@ foreach(name IN LISTS GRADED)
   endforeach()
 endforeach()
 
+# It runs a main of one's own, and names the line that reads beyond an array.
+file(WRITE ${WORK}/own.h "#pragma once
+#include \"given.h\"
+#ifndef GRADING
+int main() { std::vector<int> a(2); return a.data()[2]; }
+#endif
+")
+execute_process(COMMAND ${top}/build/exercises/grade --run ${WORK}/own.h ERROR_VARIABLE said)
+if(NOT said MATCHES "reads outside of the memory that it has, in line 4")
+  message(FATAL_ERROR "--run does not name the line that misuses memory, but says: ${said}")
+endif()
+
 # A copy grades by what lies in it, not by the folder that it was copied from.
 list(GET NAMES 0 first)
 set(copy ${WORK}/copy)

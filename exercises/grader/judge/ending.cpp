@@ -136,6 +136,11 @@ void note_ending(const cage::Ended& ended, Moment moment) {
       return note(Verdict::output_limit, "Your code printed more than " +
                                              grade::megabytes(session().limits.chatter) + ".");
     case How::never_started:
+      // The canary has run there just before, and nothing of the code has run that could say this.
+      if (ended.err.find("bwrap: execvp /driver: ") != ended.err.npos)
+        return note(Verdict::runtime_error,
+                    "The system does not start your program. Does your code define a section of "
+                    "its own, such as .interp?");
       return note(Verdict::grader_error, "The cage did not start: " + ended.err);
   }
 }

@@ -54,6 +54,10 @@ refuses(2, /can't write|cannot create/, '1-first/one', 'full.h', '--out', 'file/
 refuses(2, /--emit requires --out/, '1-first/one', 'full.h', '--emit', 'junit');
 refuses(2, /xml not in {gradescope,junit}/, '1-first/one', 'full.h', '--out', 'o', '--emit', 'xml');
 refuses(2, /chroot not in/, '1-first/one', 'full.h', '--sandbox', 'chroot');
+refuses(2, /--seed needs a value/, '1-first/one', 'full.h', '--seed', '');
+refuses(2, /--out needs a value/, '1-first/one', 'full.h', '--out', '');
+refuses(2, /can't read the seed file '\/dev\/zero'/, '1-first/one', 'full.h', '--seed-file', '/dev/zero');
+refuses(2, /grade nothing/, '--list', '--class', 'class', '--out', 'o');
 refuses(2, /--limits/, '1-first/one', 'full.h', '--limits', '1,2,3');
 refuses(2, /--jobs requires --class/, '1-first/one', 'full.h', '--jobs', '2');
 refuses(2, /--class requires --out/, '--class', 'class');
@@ -95,6 +99,14 @@ test('without --out it only prints; with it, it writes as well', () => {
   assert.deepEqual(readdirSync(at('out/a')).sort(), ['feedback.md', 'junit.xml', 'report.json', 'results.json']);
   assert.equal(JSON.parse(readFileSync(at('out/a/report.json'), 'utf8')).seed, '12');
   assert.ok(!existsSync(at('out/a/plots')));
+});
+
+test('a report that nobody could read is no success', () => {
+  const { status, stderr } = spawnSync('/bin/sh', ['-c', '"$0" 1-first/one full.h > /dev/full', GRADE], {
+    encoding: 'utf8',
+    cwd: folder,
+  });
+  assert.deepEqual([status, stderr], [75, 'grade: what it had to say could not be written\n']);
 });
 
 test('options may stand anywhere', () => {
