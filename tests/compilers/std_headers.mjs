@@ -14,8 +14,8 @@ compare: strong_ordering
 complex: complex abs arg polar conj norm real imag exp sqrt
 concepts: same_as floating_point
 cstddef: byte nullptr_t ptrdiff_t size_t to_integer
-cstdint: int32_t int64_t uint8_t uint16_t uint32_t uint64_t uintptr_t
-cstdio: FILE fclose fflush fopen fprintf fputs fread fwrite perror printf putchar puts remove rewind setvbuf snprintf sscanf tmpfile size_t
+cstdint: int32_t int64_t uint8_t uint16_t uint32_t uint64_t uintmax_t uintptr_t
+cstdio: FILE fclose ferror fflush fopen fprintf fputs fread fwrite perror printf putchar puts remove rewind setvbuf snprintf sscanf tmpfile size_t
 cstdlib: abort abs atoi exit free getenv malloc strtod strtol system size_t
 cstring: memcmp memcpy memset strcmp strerror strlen size_t
 ctime: gmtime size_t strftime time time_t

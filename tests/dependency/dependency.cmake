@@ -38,7 +38,7 @@ int main() {
   return x == 1 && v == -0.5 ? 0 : 1;
 }
 ")
-  run(${CMAKE_COMMAND} -S ${folder} -B ${folder}/build -DCMAKE_CXX_COMPILER=${GXX} ${ARGN})
+  run(${CMAKE_COMMAND} -G Ninja -S ${folder} -B ${folder}/build -DCMAKE_CXX_COMPILER=${GXX} ${ARGN})
   run(${CMAKE_COMMAND} --build ${folder}/build)
   run(${folder}/build/game)
   file(GLOB_RECURSE made RELATIVE ${folder}/build ${folder}/build/*.o)
@@ -52,6 +52,6 @@ project_that(fetched "include(FetchContent)
 FetchContent_Declare(one SOURCE_DIR \"${SOURCE}\")
 FetchContent_MakeAvailable(one)")
 
-run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/headers -DHEADERS_ALONE=ON -DCMAKE_CXX_COMPILER=${GXX})
+run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -B ${WORK}/headers -DHEADERS_ALONE=ON -DCMAKE_CXX_COMPILER=${GXX})
 run(${CMAKE_COMMAND} --install ${WORK}/headers --prefix ${WORK}/prefix)
 project_that(installed "find_package(one-step-at-a-time 0.9 REQUIRED)" -DCMAKE_PREFIX_PATH=${WORK}/prefix)
