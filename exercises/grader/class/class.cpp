@@ -91,8 +91,9 @@ int grade_roll(const Roll& roll, const Class& work) {
   const std::vector<Job> all = all_jobs(work, roll.students, exercises);
   std::vector<Job> jobs = all;
   std::erase_if(jobs, [](const Job& job) { return !job.asked; });
-  const std::vector<Job> part = jobs = part_of(jobs, work.shard);
-  print_linked(jobs);
+  const std::vector<Job> part = part_of(jobs, work.shard);
+  jobs = part;
+  print_linked(part);
   const std::size_t before = jobs.size();
   std::erase_if(jobs, [&](const Job& job) {
     const bool done = is_done(job, work.seed);
