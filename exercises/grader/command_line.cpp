@@ -25,13 +25,16 @@ std::uint64_t number(const std::string& text, const std::string& option) {
   return value;
 }
 
-/// What somebody has written by hand: no pipe that never ends, and nothing of many megabytes.
+/// What somebody has written by hand, perhaps where a link leads to: no pipe that never ends, and
+/// nothing of many megabytes.
 std::optional<std::string> small_file(const std::filesystem::path& file) {
-  constexpr std::uintmax_t most = 1 << 20;
+  constexpr std::size_t most = 1 << 20;
   std::error_code none;
-  const bool small = std::filesystem::is_regular_file(file, none) &&
-                     std::filesystem::file_size(file, none) <= most;
-  return small ? read_whole(file) : std::nullopt;
+  try {
+    return read_whole(std::filesystem::canonical(file, none), most);
+  } catch (const NotOwn&) {
+    return std::nullopt;
+  }
 }
 
 std::uint64_t seed(const Options& options) {

@@ -28,7 +28,6 @@ bool is_done(const Exercise& exercise) {
 }
 
 void note_done(const Exercise& exercise) {
-  if (is_done(exercise)) return;
   try {
     write_whole(done_file(), done_names() + exercise.name + "\n");
   } catch (const std::system_error&) {

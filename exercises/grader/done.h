@@ -8,9 +8,11 @@
 namespace grade {
 
 /// Whether it has ever had full marks here.
+/// @throws NotOwn  `done.txt` is none of ours
 bool is_done(const Exercise& exercise);
 
-/// Remembers that it has. Where the file can't be written, nothing is remembered.
+/// Remembers that it has, for the first time. Where the file can't be written, nothing is
+/// remembered.
 void note_done(const Exercise& exercise);
 
 }  // namespace grade

@@ -90,6 +90,7 @@ void print(const Report& report, bool all, const Place& place) {
 }  // namespace
 
 int grade_and_report(Command command) {
+  const bool done_before = !command.unchecked && is_done(command.request.exercise);
   // A class has folders of its own.
   if (command.out && !command.limits_given) keep_out_of_the_way(*command.out);
   if (command.out) keep_provisional(begun(command.request), *command.out, command.emits);
@@ -101,7 +102,7 @@ int grade_and_report(Command command) {
     if (command.out && !report.memory.empty()) keep(report, *command.out, command.emits, seen);
   }
   print(report, command.all, seen);
-  if (report.verdict == Verdict::accepted && !command.unchecked)
+  if (report.verdict == Verdict::accepted && !command.unchecked && !done_before)
     note_done(command.request.exercise);
   return exit_code(report, command.exit_by_verdict);
 }

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <span>
 #include <stdexcept>
 #include <system_error>
@@ -17,6 +15,7 @@
 #include "kit.h"
 #include "memory_check.h"
 #include "replace_all.h"
+#include "report/files.h"
 #include "submission.h"
 #include "time_limits.h"
 #include "version.h"
@@ -31,9 +30,8 @@ double seconds_since(Clock::time_point start) {
 }
 
 std::string read(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + path.string());
-  return {std::istreambuf_iterator<char>(file), {}};
+  if (const auto text = read_whole(path)) return *text;
+  throw std::runtime_error("cannot read " + path.string());
 }
 
 // What the sum of the tests says.

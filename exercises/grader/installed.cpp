@@ -2,9 +2,11 @@
 #include "installed.h"
 
 #include <filesystem>
-#include <fstream>
 #include <map>
+#include <sstream>
 #include <stdexcept>
+
+#include "report/files.h"
 
 namespace grade {
 namespace {
@@ -30,7 +32,7 @@ Installed read() {
       {"shown_to_compiler+", &all.shown_to_compiler},
       {"shown_to_checked+", &all.shown_to_checked}};
   const std::filesystem::path folder = home();
-  std::ifstream file(folder / "installed.txt");
+  std::istringstream file(read_whole(folder / "installed.txt").value_or(""));
   for (std::string word, value; std::getline(file, word, '=') && std::getline(file, value);) {
     if (const auto found = single.find(word); found != single.end()) *found->second = value;
     if (const auto found = many.find(word); found != many.end()) found->second->push_back(value);

@@ -19,7 +19,7 @@ struct Installed {
 };
 
 /// Read once, from beside the program, or from the build that it is part of.
-/// @throws std::runtime_error if it is in neither place
+/// @throws std::runtime_error if it is in neither place, or is no file
 const Installed& installed();
 
 }  // namespace grade

@@ -7,6 +7,7 @@
 #include "exit_codes.h"
 #include "grade_command.h"
 #include "printable.h"
+#include "report/files.h"
 #include "task.h"
 
 namespace {
@@ -55,6 +56,8 @@ int main(int argc, char** argv) {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
     return grade::refuse(grade::Exit::try_again, "what it had to say could not be written");
   } catch (const grade::Usage& problem) {
+    return grade::refuse(grade::Exit::bad_input, problem.what());
+  } catch (const grade::NotOwn& problem) {
     return grade::refuse(grade::Exit::bad_input, problem.what());
   } catch (const std::system_error& problem) {
     return grade::refuse(grade::exit_code(problem.code()), problem.what());

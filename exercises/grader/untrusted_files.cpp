@@ -44,12 +44,14 @@ std::vector<std::string> names_in(const Entry& folder) {
 }
 
 std::optional<std::string> read(const Entry& entry, std::size_t most) {
+  constexpr std::size_t piece = 1 << 16;
   const cage::File file = opened(entry, 0);
   if (!file) return std::nullopt;
-  std::string content(most, '\0');
+  std::string content;
   std::size_t size = 0;
   while (size < most) {
-    const ssize_t got = ::read(file.get(), content.data() + size, most - size);
+    content.resize(std::min(most, size + piece));
+    const ssize_t got = ::read(file.get(), content.data() + size, content.size() - size);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) return std::nullopt;
     if (got == 0) break;

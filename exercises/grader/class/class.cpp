@@ -14,12 +14,14 @@
 #include "exit_codes.h"
 #include "format_values.h"
 #include "report/escape.h"
+#include "report/files.h"
 #include "report/folder.h"
 #include "submission.h"
 
 namespace grade {
 namespace {
 
+constexpr const char* written[] = {"grades.csv", "report.csv", "summary.html"};
 constexpr const char* tables[] = {"grades.csv", "report.csv", "summary.html", Class::part_folder};
 
 /// A student of this name would stand where a table goes.
@@ -30,12 +32,30 @@ const Student* in_the_way(const std::vector<Student>& students) {
   return nullptr;
 }
 
-/// A table that would be lost, in a folder in which no grader has been; empty if there is none.
+/// What stands in place of a file or folder of the grader's, or a table that would be lost in a
+/// folder in which no grader has been; empty if there is none.
 std::string not_ours(const Class& work) {
-  if (std::filesystem::exists(Lock::file_in(work.results))) return "";
+  const std::filesystem::path lock = Lock::file_in(work.results), part = Class::part_folder;
+  if (no_file(lock)) return lock.filename();
+  if (no_folder(work.results / part)) return part;
+  for (const auto& folder : {std::filesystem::path(), part})
+    for (const char* table : written)
+      if (no_file(work.results / folder / table)) return folder / table;
+  if (std::filesystem::exists(lock)) return "";
   for (const char* table : tables)
     if (std::filesystem::exists(work.results / table)) return table;
   return "";
+}
+
+/// A link on the way to a submission's report, or in place of one of its files; empty if none is.
+std::filesystem::path not_ours(const Class& work, const Job& job) {
+  std::filesystem::path at = work.results;
+  for (const auto& name : std::filesystem::path(job.student.name) / job.exercise.name) {
+    at /= name;
+    if (std::filesystem::is_symlink(std::filesystem::symlink_status(at))) return at;
+  }
+  const std::string file = never_made(at);
+  return file.empty() ? "" : at / file;
 }
 
 /// The first few names, one in a line, and how many more there are.
@@ -89,6 +109,8 @@ int grade_roll(const Roll& roll, const Class& work) {
   }
   print_some("Belongs to no exercise", without_exercise(roll.students, grade::exercises()));
   const std::vector<Job> all = all_jobs(work, roll.students, exercises);
+  for (const Job& job : all)
+    if (const auto other = not_ours(work, job); !other.empty()) throw NotOwn(other);
   std::vector<Job> jobs = all;
   std::erase_if(jobs, [](const Job& job) { return !job.asked; });
   const std::vector<Job> part = part_of(jobs, work.shard);

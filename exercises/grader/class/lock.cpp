@@ -9,12 +9,15 @@
 #include <system_error>
 
 #include "report/escape.h"
+#include "report/files.h"
 
 namespace grade {
 
 Lock::Lock(const std::filesystem::path& results, bool shared)
     : file_(file_in(results)), made_(std::filesystem::create_directories(results)) {
-  open_ = cage::File(::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+  if (no_file(file_)) throw NotOwn(file_);
+  open_ = cage::File(
+      ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0600));
   held_ = open_ && ::flock(open_.get(), (shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0;
   if (!held_ && errno != EWOULDBLOCK)
     throw std::system_error(errno, std::generic_category(),

@@ -18,6 +18,7 @@ class Lock {
 
   /// Makes the folder.
   /// @throws std::system_error  it can't be written to
+  /// @throws NotOwn  a link or a pipe stands in the place of the file
   Lock(const std::filesystem::path& results, bool shared);
 
   /// Takes away a folder that it made and that nobody wrote to.

@@ -7,12 +7,11 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "cage/process.h"
 #include "report/escape.h"
+#include "untrusted_files.h"
 
 namespace grade {
 namespace {
@@ -37,6 +36,12 @@ bool write_all(int descriptor, std::string_view text) {
   return true;
 }
 
+bool is_another(const std::filesystem::path& path, std::filesystem::file_type wanted) {
+  std::error_code none;
+  const auto found = std::filesystem::symlink_status(path, none);
+  return std::filesystem::exists(found) && found.type() != wanted;
+}
+
 }  // namespace
 
 void write_whole(const std::filesystem::path& file, std::string_view text) {
@@ -51,11 +56,27 @@ void write_whole(const std::filesystem::path& file, std::string_view text) {
   throw problem;
 }
 
-std::optional<std::string> read_whole(const std::filesystem::path& file) {
-  std::error_code none;
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file, none)) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(in), {}};
+NotOwn::NotOwn(const std::filesystem::path& what)
+    : std::runtime_error("'" + printable_name(what.string()) +
+                         "' is not the grader's own: look at it, and take it away") {}
+
+std::optional<std::string> read_whole(const std::filesystem::path& file, std::size_t most) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const cage::File above(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  const auto found = above ? entry(above.get(), file.filename().string()) : std::nullopt;
+  if (!found) return std::nullopt;
+  if (!found->is_regular()) throw NotOwn(file);
+  auto content = read(*found, most + 1);
+  if (content && content->size() > most) throw NotOwn(file);
+  return content;
+}
+
+bool no_file(const std::filesystem::path& path) {
+  return is_another(path, std::filesystem::file_type::regular);
+}
+
+bool no_folder(const std::filesystem::path& path) {
+  return is_another(path, std::filesystem::file_type::directory);
 }
 
 }  // namespace grade

@@ -12,6 +12,9 @@
 namespace grade {
 namespace {
 
+constexpr const char* files[] = {"report.json", "feedback.md", "results.json", "junit.xml"};
+constexpr const char* plots = "plots";
+
 void write_or_remove(bool wanted, const std::filesystem::path& file, const std::string& text) {
   if (wanted) {
     write_whole(file, text);
@@ -28,9 +31,16 @@ void write_rest(const Report& report, const std::filesystem::path& folder,
 
 }  // namespace
 
+std::string never_made(const std::filesystem::path& folder) {
+  for (const char* name : files)
+    if (no_file(folder / name)) return name;
+  return no_folder(folder / plots) ? plots : "";
+}
+
 std::string in_the_way(const std::filesystem::path& folder) {
+  if (const std::string other = never_made(folder); !other.empty()) return other;
   if (const auto text = read_whole(folder / "report.json"); text && report_from(*text)) return "";
-  for (const char* name : {"report.json", "feedback.md", "results.json", "junit.xml"})
+  for (const char* name : files)
     if (std::filesystem::exists(folder / name)) return name;
   const auto drawn = plots_in(folder);
   return drawn.empty() ? "" : std::filesystem::relative(drawn.front(), folder).string();

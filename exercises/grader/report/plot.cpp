@@ -57,6 +57,7 @@ std::optional<std::string> svg(const Plot& plot) {
 
 std::vector<std::filesystem::path> plots_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> found;
+  if (no_folder(folder / "plots")) return found;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "plots", none)) {
     const std::string file = entry.path().filename().string();
@@ -73,6 +74,7 @@ void draw(Report& report, const std::filesystem::path& folder) {
       const std::optional<std::string> picture = svg(finding.plot);
       if (!picture) continue;
       const std::string file = "plots/test-" + std::to_string(i + 1) + ".svg";
+      if (no_folder(folder / "plots")) throw NotOwn(folder / "plots");
       std::filesystem::create_directory(folder / "plots");
       write_whole(folder / file, *picture);
       finding.plot.file = file;

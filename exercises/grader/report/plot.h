@@ -28,6 +28,7 @@ std::vector<std::filesystem::path> plots_in(const std::filesystem::path& folder)
 /// Draws what the failed tests have to show into `folder`/plots, in place of what an earlier
 /// grading drew there, and notes where.
 /// @throws std::system_error  it could not be written
+/// @throws NotOwn  a link, or no folder, stands there
 void draw(Report& report, const std::filesystem::path& folder);
 
 }  // namespace grade

@@ -1,6 +1,19 @@
 // Classes, graded by the stand-in:   node class.test.mjs STAND_IN
 import assert from 'node:assert/strict';
-import { chmodSync, existsSync, linkSync, mkdirSync, renameSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import {
+  chmodSync,
+  cpSync,
+  existsSync,
+  linkSync,
+  mkdirSync,
+  readdirSync,
+  renameSync,
+  rmSync,
+  statSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
@@ -271,6 +284,45 @@ test('of many stray files a few are named', () => {
   assert.equal(named.length, 11);
   assert.equal(named[10], 'Belongs to no exercise: 290 more');
 });
+
+// What stands in the results in place of something of the grader's.
+for (const [name, make] of [
+  ['a pipe as a report', room => pipe(room.path('results/ada/1-first/one/report.json'))],
+  ['a pipe as feedback', room => pipe(room.path('results/ada/1-first/one/feedback.md'))],
+  ['a pipe as a table', room => pipe(room.path('results/grades.csv'))],
+  ['a pipe as the lock', room => pipe(room.path('results/.lock'))],
+  ['an endless device', room => link(room, '/dev/zero', 'ada/1-first/one/report.json')],
+  ['a linked report', room => link(room, room.path('elsewhere/report.json'), 'ada/1-first/one/report.json')],
+  ['linked plots', room => link(room, room.path('elsewhere'), 'ada/1-first/one/plots')],
+  ['a linked lock', room => link(room, room.path('elsewhere/lock'), '.lock')],
+  ['a linked student', room => link(room, room.path('elsewhere'), 'ada')],
+  ['a linked chapter', room => link(room, room.path('elsewhere'), 'ada/1-first')],
+  ['a linked part', room => link(room, room.path('elsewhere'), 'part')],
+]) {
+  test(`${name} is not the grader's own, and stays as it is`, () => {
+    const room = classroom({ 'ada/1-first/one': '// score 10' });
+    const elsewhere = room.path('elsewhere');
+    mkdirSync(elsewhere);
+    for (const name of ['lock', 'test-1.svg']) writeFileSync(join(elsewhere, name), 'not to be touched');
+    assert.equal(room.grade().status, 0);
+    cpSync(room.path('results/ada/1-first/one/report.json'), join(elsewhere, 'report.json'));
+    make(room);
+    const { status, stderr, graded } = room.grade(['--seed', '7']);
+    assert.match(stderr, /^grade: [^\n]* not the grader's own[^\n]*\n$/);
+    assert.deepEqual([status, graded], [2, []]);
+    assert.deepEqual(readdirSync(elsewhere).sort(), ['lock', 'report.json', 'test-1.svg']);
+  });
+}
+
+function pipe(path) {
+  rmSync(path, { force: true });
+  execFileSync('mkfifo', [path]);
+}
+
+function link(room, to, name) {
+  rmSync(room.path(`results/${name}`), { recursive: true, force: true });
+  symlinkSync(to, room.path(`results/${name}`));
+}
 
 test('a grader that fails at its own solution of one exercise grades nobody', () => {
   const room = classroom(three);

@@ -35,7 +35,11 @@ export function classroom(handedIn) {
     // Grades, and says what was graded in this run.
     grade(more = [], settings = {}) {
       rmSync(path('log'), { force: true });
-      const run = spawnSync(GRADE, room.arguments(more), { encoding: 'utf8', env: room.environment(settings) });
+      const run = spawnSync(GRADE, room.arguments(more), {
+        encoding: 'utf8',
+        env: room.environment(settings),
+        timeout: 60000,
+      });
       const log = existsSync(path('log')) ? readFileSync(path('log'), 'utf8') : '';
       return { ...run, graded: log.split('\n').filter(Boolean).sort() };
     },

@@ -1,7 +1,16 @@
 // Bad input and exit codes of the command line, in front of the stand-in:   node command_line.test.mjs STAND_IN
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import {
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { GRADE, scratch } from './classroom.mjs';
@@ -24,7 +33,8 @@ mkdirSync(at('empty'));
 mkdirSync(at('nothing/ada'), { recursive: true });
 mkdirSync(at('grades/grades.csv'), { recursive: true });
 
-const run = (...words) => spawnSync(GRADE, words, { encoding: 'utf8', cwd: folder });
+const run = (...words) => spawnSync(GRADE, words, { encoding: 'utf8', cwd: folder, timeout: 20000 });
+const pipe = path => execFileSync('mkfifo', [path]);
 
 function refuses(code, says, ...words) {
   test(`refuses ${words.join(' ')}`, () => {
@@ -129,6 +139,62 @@ test('a file of yours in the folder that --out names is not lost', () => {
   assert.match(stderr, /^grade: 'mine' holds a feedback\.md that is not the grader's own; name another folder/);
   assert.deepEqual(readdirSync(at('mine')), ['feedback.md']);
   for (const _ of ['new', 'its own']) assert.equal(run('1-first/one', 'some.h', '--out', 'out/b').status, 0);
+});
+
+test("what is no file of the grader's, or is a link, is not read and stays", () => {
+  for (const [name, make] of [
+    ['report.json', pipe],
+    ['feedback.md', pipe],
+    ['report.json', path => symlinkSync('/dev/zero', path)],
+    ['report.json', path => symlinkSync(at('own/report.json'), path)],
+    ['feedback.md', path => symlinkSync(at('full.h'), path)],
+    ['plots', path => symlinkSync(at('own'), path)],
+  ]) {
+    for (const first of [true, false]) {
+      rmSync(at('odd'), { recursive: true, force: true });
+      rmSync(at('own'), { recursive: true, force: true });
+      run('1-first/one', 'some.h', '--out', 'own');
+      mkdirSync(at('odd'));
+      if (!first) run('1-first/one', 'some.h', '--out', 'odd');
+      rmSync(at(`odd/${name}`), { force: true });
+      make(at(`odd/${name}`));
+      const before = readdirSync(at('odd'));
+      const { status, stderr } = run('1-first/one', 'full.h', '--out', 'odd');
+      assert.match(stderr, new RegExp(`^grade: 'odd' holds a ${name} that is not the grader's own[^\n]*\n$`));
+      assert.equal(status, 2);
+      assert.deepEqual(readdirSync(at('odd')), before);
+    }
+  }
+});
+
+test('what the grader keeps beside itself is read only if it is a file', () => {
+  const own = at('own-grader');
+  mkdirSync(own);
+  copyFileSync(GRADE, join(own, 'grade'));
+  const grade = (...words) => spawnSync(join(own, 'grade'), words, { encoding: 'utf8', cwd: folder, timeout: 20000 });
+  for (const [name, words] of [
+    ['done.txt', ['1-first/one', 'full.h']],
+    ['installed.txt', ['1-first/one', 'full.h']],
+  ]) {
+    for (const make of [pipe, path => symlinkSync('/dev/zero', path)]) {
+      for (const old of ['done.txt', 'installed.txt']) rmSync(join(own, old), { force: true });
+      writeFileSync(join(own, 'installed.txt'), 'exercises=.\nkit=.\n');
+      rmSync(join(own, name), { force: true });
+      make(join(own, name));
+      const { status, stderr } = grade(...words);
+      assert.match(stderr, new RegExp(`^grade: '[^\n]*${name}' is not the grader's own[^\n]*\n$`));
+      assert.equal(status, 2);
+    }
+  }
+});
+
+test('a text of an exercise that is a pipe holds up no list', () => {
+  const here = at('here');
+  mkdirSync(here);
+  pipe(join(here, 'task.md'));
+  const { status, stderr } = spawnSync(GRADE, ['--list'], { encoding: 'utf8', cwd: here, timeout: 20000 });
+  assert.match(stderr, /^grade: 'task.md' is not the grader's own[^\n]*\n$/);
+  assert.equal(status, 2);
 });
 
 test('what had full marks is done', () => {

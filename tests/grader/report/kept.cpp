@@ -32,7 +32,20 @@ TEST_CASE("a file is whole or not there") {
   CHECK_THROWS_AS(write_whole(folder.path / "none" / "c", "x"), std::system_error);
   CHECK(folder.files() == std::set<std::string>{"a", "b"});
   CHECK(read_whole(folder.path / "a") == "two");
-  CHECK_FALSE(read_whole(folder.path / "b"));
+  CHECK_THROWS_AS(read_whole(folder.path / "b"), NotOwn);
+  CHECK_FALSE(read_whole(folder.path / "none"));
+}
+
+TEST_CASE("what is no plain file, or too long to be the grader's own, is not read") {
+  const Folder folder;
+  write_whole(folder.path / "file", "12345");
+  CHECK(read_whole(folder.path / "file", 5) == "12345");
+  CHECK_THROWS_AS(read_whole(folder.path / "file", 4), NotOwn);
+  std::filesystem::create_symlink("file", folder.path / "link");
+  std::filesystem::create_symlink("none", folder.path / "leads nowhere");
+  REQUIRE(mkfifo((folder.path / "pipe").c_str(), 0600) == 0);
+  for (const char* name : {"link", "leads nowhere", "pipe"})
+    CHECK_THROWS_AS(read_whole(folder.path / name), NotOwn);
   CHECK_FALSE(read_whole(folder.path / "none"));
 }
 
