@@ -29,17 +29,18 @@ foreach(header IN LISTS harness)
     DEPENDS ${header} VERBATIM)
   list(APPEND copied ${KIT}/harness/${name})
 endforeach()
-# The compiler takes the one of the two that was compiled with the flags at hand.
+# The compiler takes the one of the two that was compiled with the flags at hand. A submission can read all of it while it is
+# compiled, so it names the files as the cage does, and no folder of this machine.
+set(as_in_the_cage ${CMAKE_COMMAND} -E chdir ${KIT} ${GXX} -ffile-prefix-map=${KIT}=/job)
 foreach(build IN ITEMS STUDENT CHECKED)
   add_custom_command(OUTPUT ${KIT}/harness/given.h.gch/${build}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${KIT}/harness/given.h.gch
-    COMMAND ${GXX} ${${build}_FLAGS} -DGRADING -x c++-header ${KIT}/harness/given.h
-            -o ${KIT}/harness/given.h.gch/${build}
+    COMMAND ${as_in_the_cage} ${${build}_FLAGS} -DGRADING -x c++-header harness/given.h -o harness/given.h.gch/${build}
     DEPENDS ${copied} VERBATIM COMMENT "Compiling what every exercise is given")
 endforeach()
 add_custom_command(OUTPUT ${KIT}/harness/harness.o
-  COMMAND ${GXX} ${STUDENT_FLAGS} -c ${CMAKE_CURRENT_LIST_DIR}/harness/main.cpp
-          -o ${KIT}/harness/harness.o
+  COMMAND ${as_in_the_cage} ${STUDENT_FLAGS} -ffile-prefix-map=${CMAKE_CURRENT_LIST_DIR}/= -c
+          ${CMAKE_CURRENT_LIST_DIR}/harness/main.cpp -o harness/harness.o
   DEPENDS ${copied} ${CMAKE_CURRENT_LIST_DIR}/harness/main.cpp VERBATIM COMMENT "Compiling the harness")
 set(HARNESS ${KIT}/harness/given.h.gch/STUDENT ${KIT}/harness/given.h.gch/CHECKED ${KIT}/harness/harness.o)
 

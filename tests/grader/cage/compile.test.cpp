@@ -249,6 +249,24 @@ TEST_CASE("A compiler without end is stopped") {
        {"ran out of memory"}});
 }
 
+TEST_CASE("The kit and the grader name no folder of whoever built them") {
+  std::vector<std::filesystem::path> files;
+  for (const auto& next : std::filesystem::recursive_directory_iterator(kit_folder()))
+    if (next.is_regular_file()) files.push_back(next.path());
+#ifdef GRADE  // which another user may not be able to read
+  if (::access(GRADE, R_OK) == 0) files.emplace_back(GRADE);
+#endif
+  REQUIRE(files.size() > 10);
+  for (const auto& file : files) {
+    INFO(file);
+    std::ifstream stream(file, std::ios::binary);
+    const std::string content{std::istreambuf_iterator<char>(stream), {}};
+    REQUIRE(!content.empty());
+    for (const char* folder : {SOURCE_FOLDER "/", BUILD_FOLDER "/"})
+      CHECK(content.find(folder) == content.npos);
+  }
+}
+
 TEST_CASE("A compiler that takes too long is stopped") {
   cage::Limits limits = usual();
   limits.processor = 1;
