@@ -12,10 +12,11 @@ namespace grade {
 /// The kit in a folder, and the compiler that it was made with.
 inline cage::Kit kit_in(const std::string& folder) {
   const Installed& own = installed();
-  return {folder + "/harness",   folder,
-          folder + "/canary",    own.compiler,
-          own.student_flags,     own.checked_flags,
-          own.shown_to_compiler, own.shown_to_checked};
+  return {folder + "/harness", folder,
+          folder + "/canary",  folder + "/limited",
+          own.compiler,        own.student_flags,
+          own.checked_flags,   own.shown_to_compiler,
+          own.shown_to_checked};
 }
 
 }  // namespace grade

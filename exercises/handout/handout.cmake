@@ -26,7 +26,7 @@ set(grader ${SOURCE}/exercises/grader)
 file(COPY ${grader}/kit.cmake ${grader}/compiler.cmake ${grader}/bwrap.apparmor ${grader}/harness
   DESTINATION ${top}/exercises/grader)
 set(kit ${BUILD}/exercises/grader/kit)
-file(COPY ${BUILD}/exercises/grade ${kit}/canary ${kit}/run.bpf ${kit}/check.bpf ${kit}/compile.bpf
+file(COPY ${BUILD}/exercises/grade ${kit}/canary ${kit}/limited ${kit}/run.bpf ${kit}/check.bpf ${kit}/compile.bpf
   DESTINATION ${top}/exercises/grader/compiled)
 include(${SOURCE}/exercises/handout/licences.cmake)
 put_licences(${top}/exercises/grader/compiled/licences)

@@ -17,7 +17,7 @@ function(put_licences folder)
   file(COPY ${texts} DESTINATION ${folder})
   file(WRITE ${folder}/README.md "# What is in these programs
 
-`grade` and `canary` are programs of *One Step at a Time*, whose own part is under MIT-0. They are linked statically, so that they run where these
+`grade`, `canary` and `limited` are programs of *One Step at a Time*, whose own part is under MIT-0. They are linked statically, so that they run where these
 libraries are missing or are others:
 
 ${list}

@@ -116,7 +116,10 @@ Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& l
   command.insert(command.end(), arguments.begin(), arguments.end());
   if (sandbox == Sandbox::none) return Process(command, {{driver.get(), 8}}, limits);
   const File filter = part(fs::path(kit.filters) / (checked ? "check.bpf" : "run.bpf"));
-  return Process(command, {{driver.get(), 8}, {filter.get(), 9}}, limits);
+  std::vector<std::pair<int, int>> files = {{driver.get(), 8}, {filter.get(), 9}};
+  const File limited = checked ? part(kit.limited) : File();
+  if (checked) files.emplace_back(limited.get(), 10);
+  return Process(command, files, limits);
 }
 
 }  // namespace cage

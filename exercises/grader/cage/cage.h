@@ -21,6 +21,7 @@ struct Kit {
   std::string harness;        ///< folder with the precompiled given.h, call.h and harness.o
   std::string filters;        ///< folder with run.bpf and compile.bpf
   std::string canary;         ///< the canary, a static program
+  std::string limited;        ///< the program that starts a checked driver, static too
   std::string compiler = {};  ///< what the kit was compiled with, and submissions are
   std::vector<std::string> flags = {};          ///< for the compiler
   std::vector<std::string> checked_flags = {};  ///< the same, with a checker of memory

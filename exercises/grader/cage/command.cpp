@@ -41,6 +41,9 @@ const Words bubblewrap = {"bwrap",
                           "--json-status-fd",
                           "4"};
 
+/// Of a compiler, and of a program with a checker of memory, which has a thread of its own.
+constexpr const char* most_processes = "24";
+
 /// In steps, each with its own exit code; $0 is the compiler, behind it stand its flags, and in
 /// the environment what differs from build to build. What the object defines strongly, and main,
 /// are printed for the grader to look at; the driver goes out on descriptor 3.
@@ -123,8 +126,11 @@ Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits) {
   for (const std::string& library : kit.libraries) add(words, {"--ro-bind", library, library});
   // There the checker asks for the program's name: without it, a report names no lines.
   add(words, {"--symlink", "/driver", "/proc/self/exe"});
-  add(words, {"--perms", "0555", "--ro-bind-data", "8", "/driver", "--remount-ro", "/", "--chdir",
-              "/", "--seccomp", "9", "--", "/driver"});
+  add(words, {"--perms", "0555", "--ro-bind-data", "8", "/driver"});
+  add(words, {"--perms", "0555", "--ro-bind-data", "10", "/limited"});
+  add(words, {"--remount-ro", "/", "--chdir", "/", "--seccomp", "9", "--"});
+  // The count of processes is set inside, where it is this cage's alone. Threads count as well.
+  add(words, {"/limited", most_processes, "/driver"});
   return words;
 }
 
@@ -141,9 +147,10 @@ Words compile_command(const Kit& kit, const Words& harness, const std::string& h
   add(words, {"--perms", "0444", "--ro-bind-data", "6", "/job/glue.cpp"});
   add(words, {"--perms", "0444", "--ro-bind-data", "7", "/job/exercise/harness.h"});
   add(words, {"--perms", "0444", "--ro-bind-data", "8", "/job/" + header});
-  // The count of processes is set inside, where it is this cage's alone.
-  add(words, {"--remount-ro", "/", "--chdir", "/job", "--seccomp", "9", "--", "prlimit",
-              "--nproc=24", "--", "/bin/sh", "-c", compile_script, kit.compiler});
+  // Here, too, the count is set inside.
+  add(words, {"--remount-ro", "/", "--chdir", "/job", "--seccomp", "9", "--", "prlimit"});
+  words.push_back(std::string("--nproc=") + most_processes);
+  add(words, {"--", "/bin/sh", "-c", compile_script, kit.compiler});
   add(words, flags(kit, build));
   return words;
 }

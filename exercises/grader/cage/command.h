@@ -24,7 +24,8 @@ Words leash(Sandbox sandbox, const Limits& limits, int open_files);
 /// Starts the driver on descriptor 8 under the filter on descriptor 9.
 Words run_command(Sandbox sandbox, const Limits& limits);
 
-/// The same for a driver with a checker of memory, which finds its libraries.
+/// The same for a driver with a checker of memory, which finds its libraries; descriptor 10 is the
+/// program that limits it.
 Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits);
 
 /// Compiles in the cage: the header on descriptor 8, harness.h on 7, the glue on 6, the filter

@@ -56,7 +56,8 @@ std::optional<std::string> unsafe(const Kit& kit) {
   const File canary(::open(kit.canary.c_str(), O_RDONLY | O_CLOEXEC));
   const std::string object = std::filesystem::absolute(kit.harness) / "harness.o";
   if (!canary) return not_whole(kit.canary);
-  if (::access(object.c_str(), R_OK) != 0) return not_whole(object);
+  for (const std::string& needed : {object, kit.limited})
+    if (::access(needed.c_str(), R_OK) != 0) return not_whole(needed);
 
   Process process = run(Sandbox::bubblewrap, kit, canary, {});
   const std::string answer = process.receive_all(256);

@@ -92,6 +92,7 @@ TEST_CASE("The kit may lie where nobody but its owner gets to, as in root's home
   closed.harness = own + "/harness";
   closed.filters = own;
   closed.canary = own + "/canary";
+  closed.limited = own + "/limited";
   CHECK(cage::unsafe(closed) == std::nullopt);
   for (const Sandbox sandbox : {Sandbox::bubblewrap, Sandbox::none}) {
     const Compiled compiled = grade::compile(good, "drift.h", asks, sandbox, closed, usual());

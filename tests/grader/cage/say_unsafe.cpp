@@ -8,5 +8,6 @@
 int main(int count, char** arguments) {
   if (count != 2) return 2;
   const std::string folder = arguments[1];
-  std::cout << cage::unsafe({folder + "/harness", folder, folder + "/canary"}).value_or("safe");
+  const cage::Kit kit = {folder + "/harness", folder, folder + "/canary", folder + "/limited"};
+  std::cout << cage::unsafe(kit).value_or("safe");
 }

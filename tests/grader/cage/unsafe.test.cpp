@@ -96,6 +96,9 @@ TEST_CASE("A kit that is not whole is named") {
   broken = kit();
   broken.harness = "/no/such/harness";
   CHECK_THAT(cage::unsafe(broken).value_or(""), ContainsSubstring("/no/such/harness"));
+  broken = kit();
+  broken.limited = "/no/such/limited";
+  CHECK_THAT(cage::unsafe(broken).value_or(""), ContainsSubstring("/no/such/limited"));
 }
 
 TEST_CASE("Without user namespaces the grader says how to turn them on") {
