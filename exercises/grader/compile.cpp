@@ -31,6 +31,7 @@ constexpr std::pair<const char*, const char*> limits_met[] = {
     {"operation count exceeds limit", "steps of a computation at compile time"},
     {"evaluation depth exceeds maximum", "depth of a computation at compile time"},
     {"instantiation depth exceeds maximum", "depth of templates"},
+    {"macros nested too deeply", "depth of assembler macros"},
     {"nested depth", "depth of #include"}};
 
 std::string what_ran_out(const std::vector<Diagnostic>& all) {
@@ -94,6 +95,10 @@ std::string of_c(const std::vector<std::string>& names) {
 const std::string remove_main =
     "remove main(), or put it between #ifndef GRADING and #endif: the grader brings its own";
 
+const std::string bytecode =
+    "it holds bytecode for the linker to compile (.gnu.lto_ or .llvmbc), which is not taken: write "
+    "it in C++";
+
 /// What the linker misses; all its other words name files of ours.
 std::string link_message(const std::string& said) {
   constexpr std::string_view undefined = "undefined reference to `";
@@ -153,6 +158,7 @@ Compiled compile(const std::string& text, const std::string& header, const std::
   if (ended.code == cage::not_compiled) return not_compiled(ended, header);
   // What runs by its own main meets no other file.
   const Symbols found = build == cage::Build::own ? Symbols() : symbols(ended.out);
+  if (ended.code == cage::has_bytecode) return failed(ended, Verdict::rejected, bytecode);
   if (found.main) return failed(ended, Verdict::rejected, remove_main);
   if (!found.foreign.empty()) return failed(ended, Verdict::link_error, of_c(found.foreign));
   if (ended.code == cage::not_linked) return not_linked(ended);

@@ -11,8 +11,17 @@ namespace grade {
 
 namespace {
 
-constexpr std::string_view kinds_of_message[] = {"error", "fatal error", "warning",
-                                                 "note",  "Error",       "Warning"};
+/// With a capital letter they are the assembler's.
+constexpr std::string_view kinds_of_message[] = {"error",
+                                                 "fatal error",
+                                                 "internal compiler error",
+                                                 "sorry, unimplemented",
+                                                 "warning",
+                                                 "note",
+                                                 "Error",
+                                                 "Fatal error",
+                                                 "Internal error",
+                                                 "Warning"};
 
 std::vector<std::string_view> lines(std::string_view text) {
   std::vector<std::string_view> all;
@@ -65,7 +74,8 @@ bool split(std::string_view line, Diagnostic& into) {
 
 /// `g++` itself may be `/usr/bin/x86_64-linux-gnu-g++-14`.
 bool is_tool(std::string_view name) {
-  name.remove_prefix(name.rfind('/') + 1);  // none: all of it stays
+  if (name == "{standard input}") return true;  // as the assembler speaks of all that it read
+  name.remove_prefix(name.rfind('/') + 1);      // none: all of it stays
   if (name.find(' ') != name.npos) return false;
   if (name == "g++" || name.find("-g++") != name.npos) return true;
   constexpr std::string_view others[] = {"cc1plus", "as", "ld", "collect2"};

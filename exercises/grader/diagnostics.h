@@ -15,7 +15,7 @@ struct Diagnostic {
   std::string text;
   std::vector<std::string> before;   ///< "In function ...", "In instantiation of ..."
   std::vector<std::string> excerpt;  ///< lines of the source
-  bool is_error() const { return kind == "error" || kind == "fatal error"; }
+  bool is_error() const { return kind.ends_with("error") || kind == "sorry, unimplemented"; }
 };
 
 /// All messages, in the compiler's order.

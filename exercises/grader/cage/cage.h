@@ -35,7 +35,7 @@ struct Kit {
 enum class Build { scored, checked, own };
 
 /// Exit codes of a compilation that failed: in which step.
-enum CompileExit { not_compiled = 10, not_linked = 11 };
+enum CompileExit { not_compiled = 10, not_linked = 11, has_bytecode = 12 };
 
 /// Starts a compilation of `submission`, under the name `header`, with the glue of
 /// `harness_header`; the driver comes on descriptor 3 behind the word READY. On its standard output

@@ -46,14 +46,16 @@ constexpr const char* most_processes = "24";
 
 /// In steps, each with its own exit code; $0 is the compiler, behind it stand its flags, and in
 /// the environment what differs from build to build. What the object defines strongly, and main,
-/// are printed for the grader to look at; the driver goes out on descriptor 3.
+/// are printed for the grader to look at; the driver goes out on descriptor 3. What the linker
+/// would have compiled once more, and nm would have read in place of the object, is not taken.
 const std::string compile_script = R"(printf READY >&3
-"$0" "$@" -fmax-errors=5 -ftemplate-backtrace-limit=3 \
+"$0" "$@" -fno-lto -fmax-errors=5 -ftemplate-backtrace-limit=3 \
   -fdiagnostics-color=never -pipe $DEFINED -Iharness \
   -c glue.cpp -o driver.o 3>&- || exit 10
+if grep -aqF -e .gnu.lto_ -e .llvmbc driver.o 3>&-; then exit 12; fi
 nm -C -g --defined-only driver.o 3>&- |
   grep -aE '^[0-9a-f]+ ([ABCDGRST] |[A-Za-z] main$)' 3>&-
-"$0" $LINK driver.o $HARNESS -o driver 3>&- || exit 11
+"$0" $LINK -fno-lto -fno-use-linker-plugin driver.o $HARNESS -o driver 3>&- || exit 11
 exec cat driver >&3)";
 
 /// The script's variables.

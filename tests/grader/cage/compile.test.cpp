@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "around.h"
+#include "diagnostics.h"
 #include "signature.h"
 
 using cage::Sandbox;
@@ -248,6 +249,31 @@ TEST_CASE("A compiler without end is stopped") {
        "#define G F F F F F F F F F F\n#define H G G G G G G G G G G\nH H H H H H H H H H\n",
        Verdict::compile_limit,
        {"ran out of memory"}});
+}
+
+TEST_CASE("Whatever stops the assembler is said") {
+  check({"asm(\".macro m a\\n m \\\\a+1\\n m \\\\a+2\\n.endm\\n m 0\");\n" + good,
+         Verdict::compile_limit,
+         {"depth of assembler macros"}});
+  check({"asm(\".rept 100000000\\n.quad 1\\n.endr\");\n" + good,
+         Verdict::compile_limit,
+         {"ran out of memory"}});
+  const auto all = grade::diagnostics(
+      "{standard input}:5: Fatal error: one\n{standard input}: Internal error: two\n"
+      "a.h:1:2: internal compiler error: three\na.h:1:2: sorry, unimplemented: four\n");
+  REQUIRE(all.size() == 4);
+  CHECK_THAT(grade::errors(all, "a.h"),
+             ContainsSubstring("fatal error: one") && ContainsSubstring("internal error: two") &&
+                 ContainsSubstring("three") && ContainsSubstring("four"));
+}
+
+// What stands in such a section is compiled by the linker, with options that stand there as well.
+TEST_CASE("Bytecode for the linker is refused") {
+  for (const char* section : {".gnu.lto_.opts", ".gnu.lto_main.1", ".llvmbc"})
+    check({std::string("asm(\".pushsection ") + section +
+               R"(,\"e\",@progbits\n.string \"'-fno-pie'\"\n.popsection");)" + "\n" + good,
+           Verdict::rejected,
+           {"bytecode", "write it in C++"}});
 }
 
 TEST_CASE("The kit and the grader name no folder of whoever built them") {
