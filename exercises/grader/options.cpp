@@ -50,7 +50,8 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--assigned", options.assigned,
                  "File with a line for each exercise that all have to hand in")
       ->needs(whole_class);
-  app.add_option("--jobs", options.jobs, "Submissions at a time")->needs(whole_class);
+  app.add_option("--jobs", options.jobs, "Submissions at a time, of a student one")
+      ->needs(whole_class);
   app.add_option("--shard", options.shard, "i/n: only each n-th submission, from the i-th")
       ->needs(whole_class);
   app.add_flag("--all", options.all, "Show each test that failed in full");

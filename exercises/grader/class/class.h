@@ -25,7 +25,7 @@ struct Class {
   std::vector<Exercise> assigned;   ///< that all have to hand in; none: all that anybody did count
   std::uint64_t seed = 1;
   std::filesystem::path seed_file;  ///< from which the seed came; empty if it was given openly
-  std::size_t jobs = 1;             ///< submissions at a time
+  std::size_t jobs = 1;             ///< submissions at a time, of a student one
   Shard shard;
   std::set<Emit> emits;
 

@@ -41,7 +41,8 @@ std::vector<ChildProcess> children(const std::vector<Job>& jobs, const Class& wo
   std::vector<ChildProcess> all;
   for (const Job& job : jobs) {
     const Request& request = requests.at(job.exercise.name);
-    all.push_back({arguments(job, work, write_limits(request)), deadline(request)});
+    all.push_back(
+        {job.student.name, arguments(job, work, write_limits(request)), deadline(request)});
   }
   return all;
 }

@@ -7,7 +7,11 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <numeric>
+#include <optional>
+#include <set>
 #include <system_error>
 
 #include "cage/process_tree.h"
@@ -50,6 +54,35 @@ Running start(const std::vector<ChildProcess>& children, std::size_t index) {
           std::chrono::steady_clock::now() + children[index].limit};
 }
 
+/// Those that wait for their turn, which comes in their order, but never while their owner's one
+/// before runs.
+class Queue {
+ public:
+  explicit Queue(const std::vector<ChildProcess>& children)
+      : children_(children), waiting_(children.size()) {
+    std::iota(waiting_.begin(), waiting_.end(), std::size_t{0});
+  }
+  bool empty() const { return waiting_.empty(); }
+
+  /// Takes out the next that may run; nothing if none may before another has ended.
+  std::optional<std::size_t> next() {
+    const auto found = std::ranges::find_if(
+        waiting_, [&](std::size_t i) { return !busy_.contains(children_[i].owner); });
+    if (found == waiting_.end()) return std::nullopt;
+    const std::size_t index = *found;
+    waiting_.erase(found);
+    busy_.insert(children_[index].owner);
+    return index;
+  }
+
+  void ended(std::size_t index) { busy_.erase(children_[index].owner); }
+
+ private:
+  const std::vector<ChildProcess>& children_;
+  std::vector<std::size_t> waiting_;
+  std::set<std::string> busy_;
+};
+
 }  // namespace
 
 void run_all(const std::vector<ChildProcess>& children, std::size_t at_a_time,
@@ -57,11 +90,18 @@ void run_all(const std::vector<ChildProcess>& children, std::size_t at_a_time,
   cage::adopt_orphans();
   const Interruption interruption;
   RunningChildren running;
-  for (std::size_t next = 0; next < children.size() || running.size() > 0;) {
-    while (next < children.size() && running.size() < at_a_time)
-      running.add(start(children, next++));
+  Queue queue(children);
+  while (!queue.empty() || running.size() > 0) {
+    while (running.size() < at_a_time) {
+      const std::optional<std::size_t> next = queue.next();
+      if (!next) break;
+      running.add(start(children, *next));
+    }
     running.wait(interruption);
-    for (const auto& [task, late] : running.ended()) ended(task, late);
+    for (const auto& [task, late] : running.ended()) {
+      queue.ended(task);
+      ended(task, late);
+    }
   }
 }
 

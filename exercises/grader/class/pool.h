@@ -12,6 +12,7 @@
 namespace grade {
 
 struct ChildProcess {
+  std::string owner;                   ///< one of an owner's runs at a time, so that others go on
   std::vector<std::string> arguments;  ///< the program's name first
   std::chrono::milliseconds limit;     ///< on the clock; then it is killed with its process group
 };
@@ -21,8 +22,9 @@ struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("stopped; the same command goes on from here") {}
 };
 
-/// Runs all of them, each in a process group of its own that dies with this process. May be called
-/// only where nothing else starts processes.
+/// Runs all of them in this order, but for those that wait for their owner's one before, each in a
+/// process group of its own that dies with this process. May be called only where nothing else
+/// starts processes.
 /// @param ended  is told which of them ended, and whether it was killed at its limit
 /// @throws Interrupted  at SIGINT, SIGTERM or SIGHUP, when none runs any more
 void run_all(const std::vector<ChildProcess>& children, std::size_t at_a_time,

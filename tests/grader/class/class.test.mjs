@@ -1,12 +1,13 @@
 // Classes, graded by the stand-in:   node class.test.mjs STAND_IN
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import {
   chmodSync,
   cpSync,
   existsSync,
   linkSync,
   mkdirSync,
+  readFileSync,
   readdirSync,
   renameSync,
   rmSync,
@@ -17,7 +18,7 @@ import {
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
-import { classroom, rows } from './classroom.mjs';
+import { GRADE, classroom, rows } from './classroom.mjs';
 
 const three = {
   'ada/1-first/one': '// score 10',
@@ -283,6 +284,34 @@ test('of many stray files a few are named', () => {
     .filter(line => line.startsWith('Belongs to no exercise: '));
   assert.equal(named.length, 11);
   assert.equal(named[10], 'Belongs to no exercise: 290 more');
+});
+
+const slowest = {
+  'ada/1-first/one': '// slow',
+  'ada/1-first/two': '// slow',
+  'ada/2-second/three': '// score 10',
+  'bob/1-first/one': '// score 4',
+  'cy/1-first/one': '// score 4',
+};
+const started = room => readFileSync(room.path('log'), 'utf8').split('\n').filter(Boolean);
+
+test('whoever hands in much that is slow waits alone', () => {
+  const room = classroom(slowest);
+  assert.equal(room.grade([], { STAND_IN_SECONDS: '2' }).status, 0);
+  const order = started(room);
+  assert.ok(order.indexOf('cy 1-first/one') < order.indexOf('ada 1-first/two'), order.join(', '));
+  assert.equal(order.length, 5);
+  assert.deepEqual(rows(room.read('grades.csv')).slice(1), ['ada,10,10,10,30,30', 'bob,4,,,4,10', 'cy,4,,,4,10']);
+});
+
+test('one job takes them in the order of their names', () => {
+  const room = classroom(slowest);
+  const words = ['--class', room.submissions, '--out', room.results, '--jobs', '1'];
+  assert.equal(spawnSync(GRADE, words, { env: room.environment({ STAND_IN_SECONDS: '0' }) }).status, 0);
+  assert.deepEqual(
+    started(room),
+    Object.keys(slowest).map(name => name.replace('/', ' ')),
+  );
 });
 
 // What stands in the results in place of something of the grader's.
