@@ -107,7 +107,8 @@ int grade_roll(const Roll& roll, const Class& work) {
                                         grade::exercises().front().name +
                                         ".h or like another that --list names");
   }
-  print_some("Belongs to no exercise", without_exercise(roll.students, grade::exercises()));
+  for (const std::string& name : without_exercise(roll.students, grade::exercises()))
+    std::printf("Belongs to no exercise: %s\n", printable_name(name).c_str());
   const std::vector<Job> all = all_jobs(work, roll.students, exercises);
   for (const Job& job : all)
     if (const auto other = not_ours(work, job); !other.empty()) throw NotOwn(other);

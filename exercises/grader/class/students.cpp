@@ -29,6 +29,27 @@ void add_unknown(std::vector<std::string>& found, const Student& student,
   }
 }
 
+std::vector<std::string> unknown(const Student& student, const std::vector<Exercise>& exercises) {
+  std::vector<std::string> found;
+  add_unknown(found, student, "", exercises);
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(student.folder, unreadable)) {
+    if (is_folder(entry)) add_unknown(found, student, entry.path().filename(), exercises);
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+// So that nobody's many hide another's one.
+std::vector<std::string> first_few(std::vector<std::string> names, const std::string& student) {
+  constexpr std::size_t most = 3;
+  if (names.size() <= most) return names;
+  const std::size_t more = names.size() - most;
+  names.resize(most);
+  names.push_back(student + ": " + std::to_string(more) + " more");
+  return names;
+}
+
 }  // namespace
 
 bool has(const Student& student, const Exercise& exercise) {
@@ -70,13 +91,9 @@ std::vector<std::string> without_exercise(const std::vector<Student>& students,
                                           const std::vector<Exercise>& exercises) {
   std::vector<std::string> found;
   for (const Student& student : students) {
-    add_unknown(found, student, "", exercises);
-    std::error_code unreadable;
-    for (const auto& entry : std::filesystem::directory_iterator(student.folder, unreadable)) {
-      if (is_folder(entry)) add_unknown(found, student, entry.path().filename(), exercises);
-    }
+    const std::vector<std::string> some = first_few(unknown(student, exercises), student.name);
+    found.insert(found.end(), some.begin(), some.end());
   }
-  std::ranges::sort(found);
   return found;
 }
 

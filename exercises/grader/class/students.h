@@ -35,7 +35,7 @@ std::vector<Exercise> handed_in(const std::vector<Student>& students,
                                 const std::vector<Exercise>& exercises);
 
 /// Headers in the place of an exercise that there is not: `ada/2-euler/orbit-drfit.h`, or
-/// `ada/orbit-drfit.h`.
+/// `ada/orbit-drfit.h`. Of many of one student come the first few, and how many more there are.
 std::vector<std::string> without_exercise(const std::vector<Student>& students,
                                           const std::vector<Exercise>& exercises);
 
