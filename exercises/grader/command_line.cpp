@@ -16,39 +16,42 @@
 namespace grade {
 namespace {
 
-std::uint64_t number(const std::string& text, const std::string& option) {
+/// Nothing if it is no whole number, or none below 2^64.
+std::optional<std::uint64_t> number(const std::string& text) {
   std::uint64_t value = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (problem != std::errc() || end != text.data() + text.size()) {
-    throw Usage(option + " takes a whole number below 2^64, not '" + printable_name(text) + "'");
-  }
+  if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
 }
 
-/// What somebody has written by hand, perhaps where a link leads to: no pipe that never ends, and
-/// nothing of many megabytes.
+/// What somebody has written by hand, perhaps where a link leads to, and perhaps with the mark that
+/// some editors begin a file with: no pipe that never ends, and nothing of many megabytes.
 std::optional<std::string> small_file(const std::filesystem::path& file) {
   constexpr std::size_t most = 1 << 20;
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   std::error_code none;
   try {
-    return read_whole(std::filesystem::canonical(file, none), most);
+    auto text = read_whole(std::filesystem::canonical(file, none), most);
+    if (text && text->starts_with(byte_order_mark)) text->erase(0, byte_order_mark.size());
+    return text;
   } catch (const NotOwn&) {
     return std::nullopt;
   }
 }
 
 std::uint64_t seed(const Options& options) {
-  if (!options.seed.empty()) return number(options.seed, "--seed");
+  if (!options.seed.empty()) {
+    if (const auto given = number(options.seed)) return *given;
+    throw Usage("--seed takes a whole number below 2^64, not '" + printable_name(options.seed) +
+                "'");
+  }
   if (options.seed_file.empty()) return Request().seed;
   std::optional<std::string> text = small_file(options.seed_file);
   if (!text) throw Usage("can't read the seed file '" + printable_name(options.seed_file) + "'");
   std::erase_if(*text, [](char c) { return c == '\n' || c == '\r' || c == ' '; });
   // The seed itself may be a secret: what the file holds is not printed.
-  try {
-    return number(*text, "");
-  } catch (const Usage&) {
-    throw Usage("the seed file must hold a whole number below 2^64 and nothing else");
-  }
+  if (const auto held = number(*text)) return *held;
+  throw Usage("the seed file must hold a whole number below 2^64 and nothing else");
 }
 
 Exercise exercise_named(const std::string& name) {
@@ -66,17 +69,24 @@ std::set<Emit> emits(const Options& options) {
 }
 
 std::filesystem::path folder(const std::string& name) {
-  if (std::filesystem::exists(name) && !std::filesystem::is_directory(name)) {
-    throw Usage("--out '" + printable_name(name) + "' is a file; name a folder");
-  }
-  return name;
+  std::filesystem::path there = std::filesystem::absolute(name);
+  std::error_code none;
+  const auto missing = [&] {
+    const auto found = std::filesystem::status(there, none);
+    return !std::filesystem::exists(found) && there.has_relative_path();
+  };
+  while (missing()) there = there.parent_path();
+  if (std::filesystem::is_directory(there, none)) return name;
+  const bool above = there != std::filesystem::absolute(name);
+  throw Usage("--out '" + printable_name(name) + "' is " + (above ? "below " : "") +
+              "a file; name a folder");
 }
 
 Shard shard(const std::string& text) {
   if (text.empty()) return {};
   const std::size_t slash = std::min(text.find('/'), text.size() - 1);
-  const Shard shard{number(text.substr(0, slash), "--shard"),
-                    number(text.substr(slash + 1), "--shard")};
+  const Shard shard{number(text.substr(0, slash)).value_or(0),
+                    number(text.substr(slash + 1)).value_or(0)};
   if (shard.part < 1 || shard.part > shard.of) {
     throw Usage("--shard takes i/n with i from 1 to n, not '" + printable_name(text) + "'");
   }
@@ -108,6 +118,15 @@ bool lies_within(const std::filesystem::path& inner, const std::filesystem::path
   return differ.in1 == above.end() || differ.in1->empty();
 }
 
+std::size_t jobs(const std::string& text) {
+  constexpr std::uint64_t most = 1000;
+  if (text.empty()) return std::max(1U, std::thread::hardware_concurrency());
+  const std::uint64_t asked = number(text).value_or(0);
+  if (asked >= 1 && asked <= most) return asked;
+  throw Usage("--jobs takes a whole number from 1 to " + std::to_string(most) + ", not '" +
+              printable_name(text) + "'");
+}
+
 void add_class(Command& command, const Options& options) {
   if (!options.exercise.empty()) throw Usage("--class takes no EXERCISE; choose with --exercise");
   if (options.sandbox == "none") throw Usage("a class is graded in the sandbox only");
@@ -122,9 +141,7 @@ void add_class(Command& command, const Options& options) {
   }
   work.seed = seed(options);
   work.seed_file = options.seed_file;
-  work.jobs = options.jobs.empty() ? std::max(1U, std::thread::hardware_concurrency())
-                                   : number(options.jobs, "--jobs");
-  if (work.jobs < 1) throw Usage("--jobs must be at least 1");
+  work.jobs = jobs(options.jobs);
   work.shard = shard(options.shard);
   work.emits = emits(options);
 }

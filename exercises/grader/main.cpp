@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT-0
 // Grades a submission, or those of a class.
 #include <cstdio>
+#include <filesystem>
 #include <system_error>
 
 #include "command_line.h"
 #include "exit_codes.h"
 #include "grade_command.h"
 #include "printable.h"
+#include "report/escape.h"
 #include "report/files.h"
 #include "task.h"
 
@@ -59,6 +61,10 @@ int main(int argc, char** argv) {
     return grade::refuse(grade::Exit::bad_input, problem.what());
   } catch (const grade::NotOwn& problem) {
     return grade::refuse(grade::Exit::bad_input, problem.what());
+  } catch (const std::filesystem::filesystem_error& problem) {
+    return grade::refuse(grade::exit_code(problem.code()),
+                         "'" + grade::printable_name(problem.path1().string()) +
+                             "' cannot be used: " + problem.code().message());
   } catch (const std::system_error& problem) {
     return grade::refuse(grade::exit_code(problem.code()), problem.what());
   } catch (const std::exception& problem) {

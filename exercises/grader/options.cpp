@@ -18,7 +18,8 @@ constexpr const char* codes =
     "A class hands in FOLDER/STUDENT/CHAPTER/EXERCISE.h. Graded again, it skips what is done.\n"
     "Exit codes: 0 graded, whatever the verdict, or run by --run, and 1 where that did not come to "
     "a\n"
-    "  good end; 2 bad input; 3 the submission cannot be read;\n"
+    "  good end; 2 bad input; 3 the submission is not there or may not be read, while a pipe or\n"
+    "  another thing that is no file is REJECTED;\n"
     "  42 the grader failed and will again; 75 it failed, try again.\n"
     "Examples: grade 2-euler/orbit-drift my_euler.h\n"
     "          grade --class submissions/ --seed-file seed.txt --jobs 2 --out results/";

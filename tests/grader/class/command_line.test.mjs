@@ -60,7 +60,9 @@ refuses(2, /can't read the seed file 'none'/, '1-first/one', 'full.h', '--seed-f
 refuses(2, /seed file must hold a whole number/, '1-first/one', 'full.h', '--seed-file', 'words');
 refuses(2, /excludes/, '1-first/one', 'full.h', '--seed-file', 'seed', '--seed', '1');
 refuses(2, /'file' is a file; name a folder/, '1-first/one', 'full.h', '--out', 'file');
-refuses(2, /can't write|cannot create/, '1-first/one', 'full.h', '--out', 'file/below');
+refuses(2, /'file\/below' is below a file; name a folder/, '1-first/one', 'full.h', '--out', 'file/below');
+refuses(2, /'file\/be\/low' is below a file/, '--class', 'class', '--out', 'file/be/low');
+refuses(2, /cannot be used: File name too long/, '1-first/one', 'full.h', '--out', 'n'.repeat(300));
 refuses(2, /--emit requires --out/, '1-first/one', 'full.h', '--emit', 'junit');
 refuses(2, /xml not in {gradescope,junit}/, '1-first/one', 'full.h', '--out', 'o', '--emit', 'xml');
 refuses(2, /chroot not in/, '1-first/one', 'full.h', '--sandbox', 'chroot');
@@ -72,8 +74,8 @@ refuses(2, /--limits/, '1-first/one', 'full.h', '--limits', '1,2,3');
 refuses(2, /--jobs requires --class/, '1-first/one', 'full.h', '--jobs', '2');
 refuses(2, /--class requires --out/, '--class', 'class');
 refuses(2, /sandbox only/, '--class', 'class', '--out', 'o', '--sandbox', 'none');
-refuses(2, /--jobs must be at least 1/, '--class', 'class', '--out', 'o', '--jobs', '0');
-refuses(2, /--jobs takes a whole number/, '--class', 'class', '--out', 'o', '--jobs', '-1');
+for (const jobs of ['0', '-1', '1001', 'two', '99999999999999999999'])
+  refuses(2, /--jobs takes a whole number from 1 to 1000, not '/, '--class', 'class', '--out', 'o', '--jobs', jobs);
 refuses(2, /can't read the file of what was assigned/, '--class', 'class', '--out', 'o', '--assigned', 'none');
 refuses(2, /names no exercise/, '--class', 'class', '--out', 'o', '--assigned', 'file');
 refuses(2, /did you mean/, '--class', 'class', '--out', 'o', '--assigned', 'words');
@@ -195,6 +197,36 @@ test('a text of an exercise that is a pipe holds up no list', () => {
   const { status, stderr } = spawnSync(GRADE, ['--list'], { encoding: 'utf8', cwd: here, timeout: 20000 });
   assert.match(stderr, /^grade: 'task.md' is not the grader's own[^\n]*\n$/);
   assert.equal(status, 2);
+});
+
+test('files written by hand may begin with the mark of some editors', () => {
+  writeFileSync(at('marked'), '\ufeff1-first/one\r\n');
+  writeFileSync(at('marked-seed'), '\ufeff12\r\n');
+  mkdirSync(at('marked-class/ada/1-first'), { recursive: true });
+  writeFileSync(at('marked-class/ada/1-first/one.h'), '// score 10');
+  const words = [
+    '--class',
+    'marked-class',
+    '--out',
+    'marked-out',
+    '--assigned',
+    'marked',
+    '--seed-file',
+    'marked-seed',
+  ];
+  const { status, stderr } = run(...words);
+  assert.equal(status, 0, stderr);
+  assert.equal(JSON.parse(readFileSync(at('marked-out/ada/1-first/one/report.json'), 'utf8')).seed, '12');
+});
+
+test('a pipe or a device in place of a submission is rejected, as the help says', () => {
+  const seen = run('1-first/one', '/dev/zero');
+  assert.equal(seen.status, 0);
+  assert.match(seen.stdout, /REJECTED/);
+  assert.match(
+    run('--help').stdout.replace(/\s+/g, ' '),
+    /3 the submission is not there or may not be read, while a pipe/,
+  );
 });
 
 test('what had full marks is done', () => {
