@@ -1,5 +1,5 @@
 # The look of every figure in the book. gnuplot runs this file, then the figure's own script, then
-# axes.gp. Before it, the build sets NAME, DATA, OUT, WIDTH, HEIGHT and NARROW (1 for a phone).
+# axes.gp. Before it, the build sets NAME, DATA, METHODS, OUT, WIDTH, HEIGHT and NARROW (1 for a phone).
 #
 # Colours are stand-ins: the weaver turns #000001 to #000011 into the style sheet's --plot-1 to
 # --plot-17, so that a figure follows the page from light to dark. Black becomes the text's colour.
@@ -18,32 +18,15 @@ place_in(list, name, n) = strstrt(list, sprintf("\t%d:%s\t", n, name)) ? n : str
 refuse(message) = (system("echo '".NAME.": ".message."' >&2"), no_such_name(0))
 
 # The styles of lines. A method's goes by the name that it has in code/measure/methods: `ls style("Heun")`, or `ls HEUN`;
-# one method has one colour in all figures. Its kin have the family's colour, another dash and symbol.
+# one method has one colour in all figures. Its kin have the family's colour, another dash and symbol. The build writes METHODS
+# of the looks that stand there, and CONTENDERS, the names of those that run against each other.
 STYLES = "\t"
 LINES = 0
 line_style(id, look) = sprintf("LINES = LINES + 1; %s = LINES; set style line LINES %s", id, look)
 method(name, id, look) = sprintf("%s; STYLES = STYLES.LINES.\":%s\\t\"", line_style(id, look), name)
 style(name) = place_in(STYLES, name, 1) ? place_in(STYLES, name, 1) : refuse("figure.gp has no style for \"".name."\"")
 
-eval method("Euler", "EULER", "lc rgb '#000001' lw 2.2 pt 7 ps 0.6")
-eval method("symplectic Euler", "SYMPLECTIC_EULER", "lc rgb '#000002' lw 2.2 pt 5 ps 0.55")
-eval method("velocity Verlet", "VELOCITY_VERLET", "lc rgb '#000003' lw 2.2 pt 9 ps 0.7")
-eval method("RK4", "RK4", "lc rgb '#000004' lw 2.2 pt 13 ps 0.75")
-eval method("backward Euler", "BACKWARD_EULER", "lc rgb '#000005' lw 2.2 pt 15 ps 0.6")
-eval method("midpoint", "MIDPOINT", "lc rgb '#000006' lw 2.2 pt 11 ps 0.7")
-eval method("Heun", "HEUN", "lc rgb '#000006' lw 2.2 dt (6,4) pt 10 ps 0.8")
-eval method("Störmer–Verlet", "STORMER_VERLET", "lc rgb '#000003' lw 2.2 dt (6,4) pt 8 ps 0.8")
-eval method("leapfrog", "LEAPFROG", "lc rgb '#000003' lw 2.2 dt (2,3) pt 1 ps 0.8")
-eval method("Yoshida 4", "YOSHIDA4", "lc rgb '#00000a' lw 2.2 pt 2 ps 0.8")
-eval method("BDF2", "BDF2", "lc rgb '#00000c' lw 2.2 pt 12 ps 0.8")
-eval method("trapezoid", "TRAPEZOID", "lc rgb '#00000b' lw 2.2 dt (6,4) pt 14 ps 0.7")
-eval method("Dormand-Prince", "DOPRI5", "lc rgb '#000004' lw 2.2 dt (6,4) pt 12 ps 0.8")
-eval method("predicted Euler", "PREDICTED_EULER", "lc rgb '#000005' lw 2.2 dt (2,3) pt 3 ps 0.8")
-eval method("constant acceleration", "CONSTANT_ACCELERATION", "lc rgb '#000001' lw 2.2 dt (6,4) pt 5 ps 0.55")
-eval method("symplectic Euler, drag divided", "LINEAR_DAMPING_IMPLICIT_LAST", "lc rgb '#000002' lw 2.2 dt (6,4) pt 4 ps 0.55")
-eval method("backward Euler on a spring", "BACKWARD_EULER_SPRING", "lc rgb '#000005' lw 2.2 dt (6,4) pt 14 ps 0.6")
-eval method("exact step of a spring", "SPRING_EXACT", "lc rgb '#000007' lw 1.4 pt 6 ps 0.6")
-eval method("exact step of a spring, folded", "SPRING_FOLDED", "lc rgb '#000007' lw 1.4 dt (6,4) pt 7 ps 0.6")
+load METHODS
 # What is no method.
 eval line_style("EXACT", "lc rgb '#000007' lw 1.4 dt (7,5) pt 6 ps 0.6")  # what the motion really is
 eval line_style("LIMIT", "lc rgb '#000008' lw 1.6 dt (3,4) pt 7 ps 0.6")  # where something ends
@@ -83,10 +66,12 @@ val(name) = column(col(name))
 txt(name) = strcol(col(name))
 # A number of a table by its row, counted from 1 below the header, for an arrow or the like.
 cell(table, row, name) = (file(table), number_in(system(sprintf("awk -F, 'NR == %d { print $%d }' '%s%s.csv'", row + 1, col(name), DATA, table)), row))
+rows(table) = int(system(sprintf("awk 'END { print NR - 1 }' '%s%s.csv'", DATA, table)))
 number_in(text, row) = strlen(text) ? real(text) : refuse(sprintf("%s.csv has no row %d", TABLE, row))
 
-# What stands in a column of text, each once, in the rows that have a word in another: for a loop such as
+# What stands in a column of text, each once; and in the rows that have a word in another: for a loop such as
 # `plot for [m in names("work", "method", "thing", "leaf")] ...`
+each(table, name) = (file(table), system(sprintf("awk -F, 'NR > 1 && !seen[$%d]++ { printf \"\\047%%s\\047 \", $%d }' '%s%s.csv'", col(name), col(name), DATA, table)))
 names(table, name, key, word) = (file(table), system(sprintf("awk -F, -v key='%s' 'NR > 1 && $%d == key && !seen[$%d]++ { printf \"\\047%%s\\047 \", $%d }' '%s%s.csv'", word, col(key), col(name), col(name), DATA, table)))
 
 # What the chapter's program recorded: number("apex") is the text that \number{apex} is on the page, "1.27 m", and

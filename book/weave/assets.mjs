@@ -6,6 +6,7 @@ import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { copyFilms } from './films.mjs';
 import { LIVE_SCRIPTS, colourRules } from './live.mjs';
+import { readLooks } from './method-looks.mjs';
 import { isMark } from './snippets.mjs';
 
 const require = createRequire(import.meta.url);
@@ -43,7 +44,8 @@ function copyLive({ config, live }, folder) {
   copyFileSync(join(uplot, 'uPlot.iife.min.js'), join(folder, 'uplot.js'));
   copyFileSync(join(uplot, 'uPlot.min.css'), join(folder, 'uplot.css'));
   copyFileSync(join(uplot, '../LICENSE'), join(folder, 'uplot-LICENSE.txt'));
-  const colours = colourRules(readFileSync(join(theme, 'figure.gp'), 'utf8'));
+  const script = readFileSync(join(theme, 'figure.gp'), 'utf8');
+  const colours = colourRules(readLooks(join(config.methods, 'methods.csv')), script);
   writeFileSync(join(folder, 'live.css'), colours + readFileSync(join(livePage, 'live.css'), 'utf8'));
   writeFileSync(
     join(folder, 'compiled.js'),

@@ -132,10 +132,12 @@ function codeHtml(book, { name, label, path, tag }) {
   return `<div class="listing" data-method="${name}" hidden><p><b>${escapeHtml(smarten(label))}</b> <a class="file" href="${sourceHref(path)}#L${lines[0].number}">${escapeHtml(path)}</a></p><pre><code>${html}</code></pre></div>`;
 }
 
-// The colours of figure.gp under the names that the figures use: EULER's becomes --euler.
-export function colourRules(script) {
+// The colours of the methods, and those of figure.gp, under the names that the figures use: EULER's becomes --euler.
+export function colourRules(looks, script) {
+  const others = [...script.matchAll(/^eval line_style\("(\w+)", "lc rgb '#0000([0-9a-f]{2})'/gm)];
   const rules = [
-    ...script.matchAll(/^eval (?:method\("[^"]*", |line_style\()"(\w+)", "lc rgb '#0000([0-9a-f]{2})'/gm),
-  ].map(([, name, colour]) => `--${name.toLowerCase().replace(/_/g, '-')}:var(--plot-${parseInt(colour, 16)})`);
+    ...looks.map(({ id, colour }) => [id, colour]),
+    ...others.map(([, name, colour]) => [name, parseInt(colour, 16)]),
+  ].map(([name, colour]) => `--${name.toLowerCase().replace(/_/g, '-')}:var(--plot-${colour})`);
   return `:root{${rules.join(';')}}\n`;
 }

@@ -9,7 +9,10 @@ set ytics ("10^{-2}" 1e-2, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{
 unset mxtics
 unset mytics
 set lmargin NARROW ? 7.5 : 8
-methods = "Euler 'symplectic Euler' 'velocity Verlet' 'Yoshida 4' midpoint RK4 Dormand-Prince 'backward Euler' trapezoid"
+# Those whose line would hide another's are left out.
+left_out = "'leapfrog' 'Störmer–Verlet' 'Heun' 'predicted Euler' 'BDF2'"
+methods = ""
+do for [m in each("work-energy", "method")] { if (!strstrt(left_out, "'".m."'")) { methods = methods."'".m."' " } }
 of(m) = txt("method") eq m ? val("evaluations per second") : NaN
 at(m, rate) = val("steps per second") == rate ? of(m) : NaN
 plot for [m in methods] file("work-energy") using (of(m)):col("energy error") with linespoints ls style(m), \

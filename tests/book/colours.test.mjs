@@ -10,7 +10,7 @@ import {
 } from 'culori';
 import { readPalette } from './palette.mjs';
 
-const { methods, others, schemes, value } = readPalette(process.argv[3]);
+const { methods, others, schemes, value } = readPalette(process.argv[3], process.argv[2]);
 
 const EYES = {
   'all cones': colour => colour,

@@ -19,6 +19,7 @@ function draw(script, data, out, { name, size: [width, height, narrow] }) {
     GNUPLOT: 'gnuplot',
     NAME: name,
     DATA: data,
+    METHODS: join(chapters, 'methods.gp'),
     OUT: out,
     WIDTH: width,
     HEIGHT: height,

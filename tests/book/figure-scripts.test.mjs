@@ -25,20 +25,6 @@ for (const script of scripts) {
     assert.deepEqual(numbersInLabels(read(script)), []));
 }
 
-test('the styles of methods go by the names that these have in code/measure/methods', () => {
-  const headers = readdirSync(join(source, 'code/measure/methods'))
-    .filter(file => file.endsWith('.h'))
-    .map(file => read(`code/measure/methods/${file}`));
-  const names = headers.flatMap(text => [...text.matchAll(/\bname = "([^"]+)"/g)].map(([, name]) => name));
-  assert.ok(names.length > 20, `${names.length} methods found`);
-  const styled = [...read('book/theme/figure.gp').matchAll(/^eval method\("([^"]+)"/gm)].map(([, name]) => name);
-  assert.ok(styled.length > 10, `${styled.length} styles found`);
-  assert.deepEqual(
-    styled.filter(name => !names.includes(name)),
-    [],
-  );
-});
-
 test('a column by its number is found', () => {
   const faults = {
     'plot file("a") using 1:2 with lines': ['using 1', 'using 2'],

@@ -54,7 +54,7 @@ test('who wants no motion sees the last picture, and may play it', async () => {
 });
 
 test('a film has the colours that the book has', async () => {
-  const { methods, others, value } = readPalette(source);
+  const { methods, others, value } = readPalette(source, build);
   const names = Object.fromEntries([
     ...[...methods, { ...others.EXACT, name: 'true' }, { ...others.CONTEXT, name: 'scenery' }].map(style => [
       style.name,

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "integrate/linear_damping.h"
+#include "measure/methods/traits.h"
 
 namespace measure {
 
@@ -47,6 +48,7 @@ struct LinearDampingImplicitLast {
   static constexpr std::string_view name = "symplectic Euler, drag divided",
                                     function = "linear_damping_implicit_last",
                                     header = "linear_damping.h";
+  static constexpr FigureStyle style{2, Dash::dashed, 4, 0.55};
 
   /// One step.
   void operator()(auto& x, auto& v, auto t, auto h, const auto& scene) const {

@@ -21,6 +21,7 @@ struct Euler : Orders<1> {
   static constexpr int free_fall = 45;
   static constexpr bool symplectic = false, reversible = false, central = false;
   static constexpr bool goes_back = true, contender = true;
+  static constexpr FigureStyle style{1, Dash::solid, 7, 0.6};
 
   /// One step.
   constexpr void operator()(auto& x, auto& v, auto t, auto h, auto&& acceleration) const {
@@ -38,6 +39,7 @@ struct ConstantAcceleration : Orders<1> {
   static constexpr int free_fall = 50;
   static constexpr bool symplectic = false, reversible = false, central = false;
   static constexpr bool goes_back = true, contender = false;
+  static constexpr FigureStyle style{1, Dash::dashed, 5, 0.55};
 
   /// One step.
   constexpr void operator()(auto& x, auto& v, auto t, auto h, auto&& acceleration) const {
@@ -54,6 +56,7 @@ struct SymplecticEuler : Orders<1> {
   static constexpr int free_fall = 55;
   static constexpr bool symplectic = true, reversible = false, central = true;
   static constexpr bool goes_back = true, contender = true;
+  static constexpr FigureStyle style{2, Dash::solid, 5, 0.55};
 
   /// One step.
   constexpr void operator()(auto& x, auto& v, auto t, auto h, auto&& acceleration) const {

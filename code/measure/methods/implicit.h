@@ -32,6 +32,7 @@ struct BackwardEuler : Orders<1> {
   static constexpr int free_fall = 55;
   static constexpr bool symplectic = false, reversible = false, central = false;
   static constexpr bool goes_back = false, contender = true;
+  static constexpr FigureStyle style{5, Dash::solid, 15, 0.6};
 
   /// One step.
   void operator()(auto& x, auto& v, auto t, auto h, const auto& scene) const {
@@ -67,6 +68,7 @@ struct Trapezoid : Orders<2> {
   static constexpr int free_fall = 50;
   static constexpr bool symplectic = false, reversible = false, central = false;
   static constexpr bool goes_back = true, contender = true;
+  static constexpr FigureStyle style{11, Dash::dashed, 14, 0.7};
 
   /// One step.
   void operator()(auto& x, auto& v, auto t, auto h, const auto& scene) const {
@@ -100,6 +102,7 @@ struct Bdf2 : Orders<2>, KeepsLastState {
   static constexpr double drag_limit = always, spring_limit = always;
   static constexpr bool symplectic = false, reversible = false, central = false;
   static constexpr bool goes_back = false, contender = true;
+  static constexpr FigureStyle style{12, Dash::solid, 12, 0.8};
 
   /// One step, as long as the one before it.
   template <class Kept, class Real, class Scene>

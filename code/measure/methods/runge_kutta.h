@@ -23,6 +23,7 @@ struct Midpoint : Orders<2> {
   static constexpr int free_fall = 50;
   static constexpr bool symplectic = false, reversible = false, central = false;
   static constexpr bool goes_back = true, contender = true;
+  static constexpr FigureStyle style{6, Dash::solid, 11, 0.7};
 
   /// One step.
   constexpr void operator()(auto& x, auto& v, auto t, auto h, auto&& acceleration) const {
@@ -38,6 +39,7 @@ struct Heun : Orders<2> {
   static constexpr int free_fall = 50;
   static constexpr bool symplectic = false, reversible = false, central = false;
   static constexpr bool goes_back = true, contender = true;
+  static constexpr FigureStyle style{6, Dash::dashed, 10, 0.8};
 
   /// One step.
   constexpr void operator()(auto& x, auto& v, auto t, auto h, auto&& acceleration) const {
@@ -53,6 +55,7 @@ struct Rk4 : Orders<4> {
   static constexpr int free_fall = 50;
   static constexpr bool symplectic = false, reversible = false, central = false;
   static constexpr bool goes_back = true, contender = true;
+  static constexpr FigureStyle style{4, Dash::solid, 13, 0.75};
 
   /// One step.
   constexpr void operator()(auto& x, auto& v, auto t, auto h, auto&& acceleration) const {
@@ -69,6 +72,7 @@ struct Dopri5 : Orders<5>, KeepsAcceleration {
   static constexpr int free_fall = 50;
   static constexpr bool symplectic = false, reversible = false, central = false;
   static constexpr bool goes_back = true, contender = true;
+  static constexpr FigureStyle style{4, Dash::dashed, 12, 0.8};
 
   /// One step.
   template <class Kept, class Real, class Scene>
@@ -95,6 +99,7 @@ struct PredictedEuler : Orders<1>, Corrected<1> {
   static constexpr int free_fall = 55;
   static constexpr bool symplectic = false, reversible = false, central = false;
   static constexpr bool goes_back = true, contender = true;
+  static constexpr FigureStyle style{5, Dash::dotted, 3, 0.8};
 };
 
 inline constexpr Midpoint midpoint;  ///< to hand on

@@ -8,6 +8,7 @@
 #include "integrate/backward_euler_spring.h"
 #include "integrate/rk4_linear.h"
 #include "integrate/spring_exact.h"
+#include "measure/methods/traits.h"
 
 namespace measure {
 
@@ -16,6 +17,7 @@ struct BackwardEulerSpring {
   static constexpr std::string_view name = "backward Euler on a spring",
                                     function = "backward_euler_spring",
                                     header = "backward_euler_spring.h";
+  static constexpr FigureStyle style{5, Dash::dashed, 14, 0.6};
 
   /// One step.
   void operator()(auto& x, auto& v, auto, auto h, const auto& spring) const {
@@ -39,6 +41,7 @@ struct Rk4Linear {
 struct SpringExact {
   static constexpr std::string_view name = "exact step of a spring", function = "spring_exact",
                                     header = "spring_exact.h";
+  static constexpr FigureStyle style{7, Dash::solid, 6, 0.6, 1.4};
 
   /// One step.
   void operator()(auto& x, auto& v, auto, auto h, const auto& spring) const {
@@ -50,6 +53,7 @@ struct SpringExact {
 struct SpringFolded {
   static constexpr std::string_view name = "exact step of a spring, folded",
                                     function = "spring_folded", header = "spring_exact.h";
+  static constexpr FigureStyle style{7, Dash::dashed, 7, 0.6, 1.4};
 
   /// One step.
   void operator()(auto& x, auto& v, auto, auto h, const auto& spring) const {

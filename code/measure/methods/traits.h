@@ -16,6 +16,7 @@
 //   goes_back    whether it takes negative steps at all
 //   contender    whether the chapters run it against the others; not if it is a variant of one that
 //                they do
+//   style        how figures show it, if they do: they have to show a contender
 #pragma once
 #include <limits>
 #include <string_view>
@@ -36,6 +37,23 @@ struct Orders {
   static constexpr int drag_order = Drag;           ///< of the position under drag
   static constexpr int drag_velocity_order = Drag;  ///< of the velocity under drag
 };
+
+/// The lines of the book's figures.
+enum class Dash { solid, dashed, dotted };
+
+/// How the book shows a method, in all figures alike. Its kin have the family's colour, another
+/// dash and another symbol.
+struct FigureStyle {
+  int colour;          ///< of the style sheet's, `--plot-1` and so on
+  Dash dash;           ///< of the line
+  int symbol;          ///< gnuplot's `pointtype`
+  double size;         ///< of the symbol, gnuplot's `pointsize`
+  double width = 2.2;  ///< of the line, gnuplot's `linewidth`
+};
+
+/// What figures show; not all methods are.
+template <class Method>
+concept IsDrawn = requires { Method::style; };
 
 /// What says all that is asked of a method.
 template <class Method>
@@ -84,6 +102,9 @@ constexpr bool require_all_traits() {
   static_assert(
       requires { Method::contender; },
       "a method in code/measure/methods doesn't say whether it is a `contender`");
+  static_assert(!Method::contender || IsDrawn<Method>,
+                "a method in code/measure/methods is a `contender`, which figures show, and has no "
+                "`style`");
   return require_names<Method>();
 }
 

@@ -40,6 +40,7 @@ struct Leapfrog : Orders<2, 2, 1> {
   static constexpr int free_fall = 50;
   static constexpr bool symplectic = true, reversible = true, central = true;
   static constexpr bool goes_back = true, contender = true;
+  static constexpr FigureStyle style{3, Dash::dotted, 1, 0.8};
 
   /// What it keeps at the start.
   template <class Vec, class Real, class Scene>
@@ -83,6 +84,7 @@ struct StormerVerlet : Orders<2, 1>, KeepsTwoPositions {
   static constexpr int free_fall = 50;
   static constexpr bool symplectic = true, reversible = true, central = true;
   static constexpr bool goes_back = true, contender = true;
+  static constexpr FigureStyle style{3, Dash::dashed, 8, 0.8};
 
   /// One step.
   template <class Kept, class Real, class Scene>
@@ -174,6 +176,7 @@ struct VelocityVerlet : Orders<2>, KeepsAcceleration {
   static constexpr int free_fall = 50;
   static constexpr bool symplectic = true, reversible = true, central = true;
   static constexpr bool goes_back = true, contender = true;
+  static constexpr FigureStyle style{3, Dash::solid, 9, 0.7};
 
   /// One step.
   template <class Kept, class Real, class Scene>
@@ -191,6 +194,7 @@ struct Yoshida4 : Orders<4, 4, 2>, KeepsAcceleration {
   static constexpr int free_fall = 50;
   static constexpr bool symplectic = true, reversible = true, central = true;
   static constexpr bool goes_back = true, contender = true;
+  static constexpr FigureStyle style{10, Dash::solid, 2, 0.8};
 
   /// One step.
   template <class Kept, class Real, class Scene>
