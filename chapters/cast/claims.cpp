@@ -6,6 +6,9 @@
 #include <cmath>
 
 #include "../cast_of_many.h"
+#include "../play/drone.h"
+#include "../play/hatch.h"
+#include "../play/jumper.h"
 #include "measure/methods.h"
 #include "measure/run.h"
 
@@ -100,4 +103,28 @@ TEST_CASE("Its own weight stretches the rope of springs by a hundredth") {
     stretched += below * rope_of_springs.mass * rope_of_springs.g / rope_of_springs.k;
   }
   CHECK_THAT(stretched / rope_of_springs.length, WithinRel(0.01, 1e-9));
+}
+
+TEST_CASE("The drone, the hatch and the jump of the films are those of the cast") {
+  const auto at = drone.start();
+  const play::Drone filmed;
+  CHECK(filmed.x.x == at.x.x());
+  CHECK(filmed.x.y == at.x.y());
+  CHECK(filmed.v.x == at.v.x());
+  CHECK_THAT(filmed.v.y, WithinRel(at.v.y(), 1e-12));
+  CHECK_THAT(play::Drone::pull({1, 0}, {}, 0).x, WithinRel(-drone.omega * drone.omega, 1e-11));
+  play::Hand hand;
+  hand.turn(1);
+  CHECK_THAT(hand.tip.x, WithinAbs(std::cos(drone.omega * frame), 1e-14));
+  CHECK_THAT(hand.tip.y, WithinAbs(std::sin(drone.omega * frame), 1e-14));
+
+  CHECK(play::Hatch::omega == hatch.omega);
+  CHECK(play::Hatch::zeta == hatch.zeta);
+  CHECK(play::Hatch{}.x.y == hatch.x0);
+  CHECK(play::Hatch{}.v.y == hatch.start().v);
+
+  const play::Jumper jumper;
+  CHECK(jumper.v.x == jump.start_velocity.x());
+  CHECK(jumper.v.y == jump.start_velocity.y());
+  CHECK(play::Jumper::gravity({}, {}, 0).y == jump(jump.start().x, jump.start().v, 0.0).y());
 }
