@@ -35,13 +35,14 @@ compiled=exercises/grader/compiled/grade  # students get it so
 libeigen3-dev: vectors and linear systems
 catch2: C++ tests, version 3
 libcli11-dev: command lines, of the chooser of methods and of the grader
-libseccomp-dev nlohmann-json3-dev: the grader"
+libseccomp-dev nlohmann-json3-dev: the grader
+nodejs: to make the mistakes that the grader knows"
 [ "$*" = grader ] || needs+="
 clang-19 libclang-rt-19-dev: the second compiler, and its sanitizers
 clang-format-19: to lay the sources out
 libglm-dev: to try the snippets on another library's vectors
 doxygen: prose to HTML, reference of the code
-nodejs npm ca-certificates: to weave the book
+npm ca-certificates: to weave the book
 $chromium: to test the book in a browser
 lld-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32: live figures, C++ for the browser
 git: to test a clean checkout"

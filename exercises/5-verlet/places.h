@@ -9,7 +9,6 @@
 
 #include "format_values.h"
 #include "judge/describe.h"
-#include "judge/diagnose.h"
 #include "judge/session.h"
 #include "judge/tests.h"
 
@@ -55,26 +54,12 @@ inline grade::Curve curve(const Places& places, const std::vector<double>& times
   return curve;
 }
 
-inline std::vector<std::string> recognised(const std::vector<Vec>& yours,
-                                           const std::vector<Vec>& expected,
-                                           const std::vector<Places>& mistakes,
-                                           const Tolerance& tolerance) {
+inline std::vector<std::string> not_finite(const std::vector<Vec>& yours) {
   for (std::size_t n = 0; n < yours.size(); ++n) {
-    if (std::isfinite(length(yours[n]))) continue;
-    return {"the first place that is not a finite number is number " + std::to_string(n + 1)};
+    if (!std::isfinite(length(yours[n])))
+      return {"the first place that is not a finite number is number " + std::to_string(n + 1)};
   }
-  for (const Places& known : mistakes) {
-    if (alike(yours, known.x, tolerance)) return {"this is " + known.name};
-  }
-  // A float is off from the first place on; what it is off by grows, but not to be seen.
-  const auto off = [&](std::size_t n) {
-    return length(yours[n] - expected[n]) / length(expected[n]);
-  };
-  if (!like_a_float(off(0), 1e-10)) return {};
-  for (std::size_t n = 1; n < yours.size(); ++n) {
-    if (off(n) > 1e-4) return {};
-  }
-  return {"right to seven digits and no further: a float, or a constant with an f?"};
+  return {};
 }
 
 /// What a message calls place n.
@@ -84,9 +69,7 @@ inline std::string name_of(const Asked& asked, std::size_t n, std::size_t count)
 }
 
 /// The places are where they should be, each of them.
-/// @param mistakes  paths that people arrive at, to recognise a student's by
-inline void are_places(const Asked& asked, const std::vector<Vec>& yours, const Places& expected,
-                       const std::vector<Places>& mistakes) {
+inline void are_places(const Asked& asked, const std::vector<Vec>& yours, const Places& expected) {
   std::size_t n = 0;
   while (n < yours.size() && length(yours[n] - expected.x[n]) <= asked.tolerance.value) ++n;
   grade::Finding finding;
@@ -101,7 +84,7 @@ inline void are_places(const Asked& asked, const std::vector<Vec>& yours, const 
   finding.got = which + describe(yours[n], 12);
   finding.error = grade::number(length(yours[n] - expected.x[n]), 3);
   finding.hint = asked.hint;
-  finding.diagnoses = recognised(yours, expected.x, mistakes, asked.tolerance);
+  finding.diagnoses = not_finite(yours);
   finding.diagnoses.insert(finding.diagnoses.end(), asked.remarks.begin(), asked.remarks.end());
   if (!asked.times.empty()) {
     finding.plot = {"Where it goes",

@@ -17,10 +17,10 @@ file(GLOB_RECURSE grader ${EXERCISES}/grader/*.h ${EXERCISES}/grader/*.cpp)
 list(SORT grader)
 set(lines)
 foreach(name IN LISTS NAMES)
-  # What the tests are made of: also headers that they share with others of the chapter.
+  # What the tests are made of: also headers that they share with others of the chapter; and what they know.
   cmake_path(GET name PARENT_PATH chapter)
-  file(GLOB tests ${EXERCISES}/${chapter}/*.h ${EXERCISES}/${name}/*.h ${EXERCISES}/${name}/judge.cpp)
-  list(FILTER tests EXCLUDE REGEX "/(starter|solution)\\.h$")
+  file(GLOB tests ${EXERCISES}/${chapter}/*.h ${EXERCISES}/${name}/*.h ${EXERCISES}/${name}/judge.cpp ${EXERCISES}/${name}/wrong/*)
+  list(FILTER tests EXCLUDE REGEX "/starter\\.h$")
   list(SORT tests)
   hash_of(hash ${grader} ${tests})
   string(APPEND lines "    {\"${name}\", \"${VERSION}-${hash}\"},\n")

@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
-const program = fileURLToPath(new URL('../apply_edit.mjs', import.meta.url));
+const program = fileURLToPath(new URL('../../exercises/apply_edit.mjs', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'edit-'));
 const at = name => join(folder, name);
 writeFileSync(

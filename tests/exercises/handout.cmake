@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT-0
 # What students get holds all that they need and nothing that they should find out.
-# cmake -DSOURCE=repository -DBUILD=build -DGXX=g++ -DNAMES=exercises -DGRADED=those-graded -DWORK=folder -P handout.cmake
+# cmake -DSOURCE=repository -DBUILD=build -DGXX=g++ -DNODE=node -DNAMES=exercises -DGRADED=those-graded -DWORK=folder -P handout.cmake
 set(zip ${WORK}/one-step-at-a-time.zip)
 file(REMOVE_RECURSE ${WORK})
 execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE=${SOURCE} -DBUILD=${BUILD} -DGXX=${GXX} -DOUT=${zip}
@@ -30,6 +30,13 @@ foreach(file IN LISTS all)
     message(SEND_ERROR "the handout has ${file}")
   endif()
 endforeach()
+
+# The grader knows the solutions and the mistakes, compiled only.
+execute_process(COMMAND ${NODE} ${CMAKE_CURRENT_LIST_DIR}/compiled_only.mjs ${top}/exercises/grader ${SOURCE}/exercises
+  RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(SEND_ERROR "the handout shows what students should find out")
+endif()
 
 # An editor that reads compile_flags.txt finds nothing wrong with a fresh starter, here and where it comes from.
 function(is_clean folder name)

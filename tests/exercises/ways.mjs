@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: MIT-0
 // node ways.mjs OUT HARNESS HEADER...: writes the source of one driver that holds all these submissions of an exercise, each
 // with the exercise's harness in a namespace of its own. The driver's argument says which of them it is: the header's path.
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
-
-// What a submission includes is included above: within a namespace it would be another library.
-const bare = text => text.replace(/^#(pragma once|include .*)$/gm, '');
-const included = text => text.match(/^#include <.*>$/gm) ?? [];
+import { includedBy, inNamespace } from '../../exercises/known.mjs';
 
 export function driverOf(harness, headers) {
-  const read = path => readFileSync(path, 'utf8');
-  const texts = headers.map(read);
-  const glue = bare(read(harness));
-  const above = [...new Set(['#include "given.h"', ...[...texts, read(harness)].flatMap(included)])];
-  const ways = texts.map(
-    (text, i) => `namespace way_${i} {\n#line 1 "${headers[i]}"\n${bare(text)}\n#line 1 "${harness}"\n${glue}\n}\n`,
-  );
+  const ways = headers.map((header, i) => inNamespace(`way_${i}`, header, harness));
   const table = headers.map((path, i) => `    {"${path}", way_${i}::answer},\n`);
-  return `${above.join('\n')}
+  return `${includedBy(harness, headers)}
 #include <cstdlib>
 #include <string_view>
 #include <utility>

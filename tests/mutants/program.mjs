@@ -8,7 +8,7 @@
 // A test's name begins with the version's, by versions.mjs. OUT.d says what OUT was made of, for Ninja.
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, dirname, resolve } from 'node:path';
-import { edited } from '../apply_edit.mjs';
+import { edited } from '../../exercises/apply_edit.mjs';
 import { versionsOf } from './versions.mjs';
 
 const [code, headerFile, sourceFile, outFile, ...edits] = process.argv.slice(2);

@@ -4,8 +4,8 @@
 
 namespace harness_bounds {
 
-constexpr harness::Bounds part{"part", 0.001, 0.99}, fastest{"fastest", 0.1, 1e6},
-    frame{"frame", 0, 2, 1.0 / 60};
+constexpr harness::Bounds camera{"camera", 0, 1000}, target{"target", 0, 1000},
+    part{"part", 0.001, 0.99}, fastest{"fastest", 0.1, 1e6}, frame{"frame", 0, 2, 1.0 / 60};
 
 }  // namespace harness_bounds
 
@@ -15,7 +15,7 @@ const harness::Wanted<Vec(const Vec& camera, const Vec& target, double part, dou
                           double frame)>
     wanted = follow;
 const harness::Within within{wanted,
-                             {harness::any, harness::any, harness_bounds::part,
+                             {harness_bounds::camera, harness_bounds::target, harness_bounds::part,
                               harness_bounds::fastest, harness_bounds::frame}};
 
 void answer(harness::Call& call) {

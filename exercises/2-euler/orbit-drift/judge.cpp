@@ -5,7 +5,7 @@
 #include "harness.h"
 #include "judge/session.h"
 #include "judge/tests.h"
-#include "turn.h"
+#include "scene.h"
 
 using namespace judge;
 
@@ -46,13 +46,34 @@ std::vector<drone::Turn> drawn(Random& random) {
   return turns;
 }
 
+// Of all sizes, each beside another that wants a step more; now and then just within.
+std::vector<drone::Turn> of_all_sizes(Random& random) {
+  constexpr int pairs = 100;
+  constexpr double nearest = 0.01;
+  const double fewest = drone::Turn::of(harness_bounds::growth.largest()).fewest;
+  const double most = drone::Turn::of(harness_bounds::growth.smallest()).fewest;
+  std::vector<drone::Turn> turns;
+  for (int n = 0; n < pairs; ++n) {
+    const double drawn = std::exp(random.between(std::log(fewest + 1), std::log(most - 1)));
+    for (const int more : {0, 1}) {
+      const double share = random.octaves(nearest, 0.5);
+      turns.push_back(drone::Turn::between(static_cast<int>(drawn) + more,
+                                           random.whole(0, 1) == 1 ? share : 1 - share));
+    }
+  }
+  return turns;
+}
+
 // A turn in so many steps stays within the growth, and one in a smaller number does not.
 // @param fewer  that number, given the student's
 template <class Fewer>
-void keeps_within(Student& student, Random& random, const std::string& spared, Fewer fewer,
-                  const std::string& hint) {
-  for (const drone::Turn& turn : drawn(random)) {
-    const int got = static_cast<int>(student.call(steps_per_turn, {turn.growth}, 1)[0]);
+void keeps_within(Student& student, const std::vector<drone::Turn>& turns,
+                  const std::string& spared, Fewer fewer, const std::string& hint) {
+  const auto ask = [](Student& who, const drone::Turn& turn) {
+    return static_cast<int>(who.call(steps_per_turn, {turn.growth}, 1)[0]);
+  };
+  for (const drone::Turn& turn : turns) {
+    const int got = ask(student, turn);
     const bool within = drone::growth(got) <= turn.growth;
     grade::Finding finding;
     finding.held = within && got <= drone::most_steps && drone::growth(fewer(got)) > turn.growth;
@@ -67,7 +88,7 @@ void keeps_within(Student& student, Random& random, const std::string& spared, F
     finding.tolerance_from = "the growth is chosen so that rounding cannot decide";
     if (!finding.held) {
       finding.hint = hint;
-      finding.diagnoses = drone::recognise(turn, got);
+      finding.diagnoses = drone::what_is_wrong(turn, got);
       if (got > 0) finding.plot = plot(turn, got);
     }
     check(finding);
@@ -78,8 +99,9 @@ void keeps_within(Student& student, Random& random, const std::string& spared, F
 
 TEST_CASE("five steps under a hidden force are Euler's", "[2-euler/orbit-drift][2 points]") {
   Student student;
-  is_method(student, euler, "Both lines of the formula use the state at the start of the step.",
-            step);
+  const std::string hint = "Both lines of the formula use the state at the start of the step.";
+  is_method(student, euler, hint, step);
+  is_method_everywhere(student, euler, hint, step);
 }
 
 TEST_CASE("the acceleration is asked for once a step, at its start",
@@ -102,15 +124,25 @@ TEST_CASE("in so many steps a turn grows no further than it may, and not in half
   Student student;
   Random random;
   keeps_within(
-      student, random, "half of the steps", [](int steps) { return steps / 2; },
+      student, drawn(random), "half of the steps", [](int steps) { return steps / 2; },
       "By what does one step multiply the distance? By what do all steps of a turn?");
 }
 
-TEST_CASE("no step of the turn can be spared", "[2-euler/orbit-drift][3 points]") {
+TEST_CASE("no step of the turn can be spared", "[2-euler/orbit-drift][2 points]") {
   Student student;
   Random random;
   keeps_within(
-      student, random, "one step fewer", [](int steps) { return steps - 1; },
+      student, drawn(random), "one step fewer", [](int steps) { return steps - 1; },
       "Try it: fly the turn in your number of steps, and in one fewer. The first must be within "
       "the growth, and the second beyond it.");
+}
+
+TEST_CASE("any growth is kept in the fewest steps, and one that is nearly the same in its own",
+          "[2-euler/orbit-drift][1 point]") {
+  Student student;
+  Random random;
+  keeps_within(
+      student, of_all_sizes(random), "one step fewer", [](int steps) { return steps - 1; },
+      "The same must hold for any growth. Is there one from which on a line of yours does "
+      "something of its own?");
 }

@@ -4,7 +4,7 @@
 
 namespace harness_bounds {
 
-constexpr harness::Bounds duration{"duration", 0.8, 2};
+constexpr harness::Bounds x{"x", 0, 20}, v{"v", 0, 8}, duration{"duration", 0.8, 2};
 
 }  // namespace harness_bounds
 
@@ -15,7 +15,8 @@ const harness::Wanted<int(const Vec& x, const Vec& v, double duration, double wa
                           const Acceleration& acceleration)>
     wanted = steps_needed;
 const harness::Within within{
-    wanted, {harness::any, harness::any, harness_bounds::duration, harness::any, harness::any}};
+    wanted,
+    {harness_bounds::x, harness_bounds::v, harness_bounds::duration, harness::any, harness::any}};
 
 // A run of one step: h is the duration, and t the wanted error.
 void answer(harness::Call& call) {

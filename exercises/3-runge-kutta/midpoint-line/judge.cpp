@@ -32,6 +32,27 @@ Method looks_ahead(double alpha) {
                 });
 }
 
+// Slopes that are summed up with weights of their own.
+Method with_share(double alpha) {
+  return method("the step that looks " + of_a_step(alpha),
+                [alpha](Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) {
+                  const Vec a = acceleration(x, v, t), v_ahead = v + alpha * h * a;
+                  const Vec a_ahead = acceleration(x + alpha * h * v, v_ahead, t + alpha * h);
+                  const double second = 1 / (2 * alpha);
+                  x += h * ((1 - second) * v + second * v_ahead);
+                  v += h * ((1 - second) * a + second * a_ahead);
+                });
+}
+
+// Any share, one in three of them near to one that is special.
+double any_share(Random& random) {
+  const double drawn = random.anywhere(harness_bounds::alpha);
+  if (random.whole(0, 2) > 0) return drawn;
+  const double away = random.octaves(1e-5, 0.1);
+  const double near[] = {0.5 - away, 0.5 + away, 1 - away};
+  return near[random.whole(0, 2)];
+}
+
 // A fall without drag: each component is a parabola in time, which order two follows exactly.
 void falls(Student& student, double alpha, Random& random) {
   const Start start = random.start();
@@ -56,6 +77,37 @@ void falls(Student& student, double alpha, Random& random) {
   check(finding);
 }
 
+// One step with each of two shares by turns, all of the same length, of one body.
+void takes_turns(Student& student, Random& random) {
+  const double shares[] = {any_share(random), any_share(random)};
+  const Start start = random.start();
+  const double h = random.octaves(1e-4, 0.25);
+  const harness::Force force = random.wild();
+  for (const double alpha : {shares[0], shares[1], shares[0]}) {
+    const auto step = [&](Student& who) {
+      look(who, alpha);
+      return who.run(start, h, 1, 1, force, 1).states.back();
+    };
+    const State got = step(student);
+    const State right = run(with_share(alpha), start, h, 1, 1, force).states.back();
+    const Tolerance tolerance = rounding(1, 1 + distance(right, State{}));
+    grade::Finding finding = off_by(distance(got, right), tolerance);
+    finding.asked = "a step that looks " + of_a_step(alpha) + ", by turns with one that looks " +
+                    of_a_step(alpha == shares[0] ? shares[1] : shares[0]) + ", " + describe(force);
+    finding.input = describe(start) + ", h = " + number(h, 17);
+    finding.expected = describe(right);
+    finding.got = describe(got);
+    if (!finding.held) {
+      finding.hint = "Every share has weights of its own, however near it is to another.";
+      Student fresh;
+      if (distance(step(fresh), right) <= tolerance.value)
+        finding.diagnoses = {
+            "in a program that has just begun this step is right: what is remembered?"};
+    }
+    check(finding);
+  }
+}
+
 void order_two(Student& student, double alpha) {
   look(student, alpha);
   has_order(
@@ -69,7 +121,7 @@ void order_two(Student& student, double alpha) {
 }  // namespace
 
 TEST_CASE("with half a step it is the midpoint method, with a whole one Heun's",
-          "[3-runge-kutta/midpoint-line][3 points]") {
+          "[3-runge-kutta/midpoint-line][2 points]") {
   Student student;
   look(student, 0.5);
   is_method(student, midpoint, "With one half, the second slope alone counts.", 1);
@@ -94,6 +146,23 @@ TEST_CASE("half the step divides the error by four, whatever the share",
   Random random;
   order_two(student, random.between(0.25, 0.4));
   order_two(student, random.between(0.6, 0.9));
+}
+
+TEST_CASE("each share has its step, from anywhere, however long it is",
+          "[3-runge-kutta/midpoint-line][1 point]") {
+  Student student;
+  Random random;
+  constexpr int pairs = 150, shares = 4;
+  for (int n = 0; n < pairs; ++n) takes_turns(student, random);
+  for (int n = 0; n < shares; ++n) {
+    const double alpha = any_share(random);
+    look(student, alpha);
+    is_method_everywhere(student, with_share(alpha),
+                         "Every share has weights of its own, however near it is to another. Which "
+                         "share or which step is so small or so large here that a line of yours "
+                         "does something else?",
+                         1);
+  }
 }
 
 TEST_CASE("a thing that only falls falls as far as it should",

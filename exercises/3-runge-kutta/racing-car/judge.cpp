@@ -14,11 +14,19 @@ const Method three_eighths = method_of({"Kutta's three-eighths rule",
 
 }  // namespace
 
-TEST_CASE("five steps under a hidden force are Kutta's", "[3-runge-kutta/racing-car][3 points]") {
+TEST_CASE("five steps under a hidden force are Kutta's", "[3-runge-kutta/racing-car][2 points]") {
   Student student;
   is_method(student, three_eighths,
             "Write the four stages side by side: which slopes lead to each, and is it looked at "
             "where they lead?");
+}
+
+TEST_CASE("so is a step of any car, from anywhere, however long it is",
+          "[3-runge-kutta/racing-car][1 point]") {
+  Student student;
+  is_method_everywhere(student, three_eighths,
+                       "Which step is so short, or which car so slow or so fast, that a line of "
+                       "yours does something of its own?");
 }
 
 TEST_CASE("each of the four questions is asked where the rule asks it",

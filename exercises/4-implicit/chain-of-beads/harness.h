@@ -4,7 +4,8 @@
 
 namespace harness_bounds {
 
-constexpr harness::Bounds beads{"beads", 1, 100000, 2}, h{"h", 0.001, 0.1};
+constexpr harness::Bounds beads{"beads", 1, 100000, 2}, h{"h", 0.001, 0.1}, place{"x", -10, 10, 0},
+    velocity{"v", -100, 100, 0}, stiffness{"k", 0, 1e7};
 
 }  // namespace harness_bounds
 

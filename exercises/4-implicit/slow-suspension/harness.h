@@ -5,7 +5,7 @@
 namespace harness_bounds {
 
 constexpr harness::Bounds h{"h", -0.1, 0.1, 0}, omega{"omega", 0.1, 1000}, zeta{"zeta", 0, 10, 1},
-    told_h{"h", 1e-5, 0.1};
+    told_h{"h", 1e-5, 0.1}, place{"x", -1, 1, 0}, velocity{"v", -100, 100, 0};
 
 }  // namespace harness_bounds
 
@@ -15,7 +15,8 @@ const harness::Wanted<void(double& x, double& v, double h, double omega, double 
     step;
 const harness::Within within_wanted{
     wanted,
-    {harness::any, harness::any, harness_bounds::h, harness_bounds::omega, harness_bounds::zeta}};
+    {harness_bounds::place, harness_bounds::velocity, harness_bounds::h, harness_bounds::omega,
+     harness_bounds::zeta}};
 
 const harness::Wanted<double(double omega, double h)> wanted_told = told;
 const harness::Within within_told{wanted_told, {harness_bounds::omega, harness_bounds::told_h}};

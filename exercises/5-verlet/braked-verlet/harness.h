@@ -4,7 +4,7 @@
 
 namespace harness_bounds {
 
-constexpr harness::Bounds c{"c", 0, 100}, h{"h", 0.001, 1};
+constexpr harness::Bounds c{"c", 0, 100}, h{"h", 0.001, 1}, place{"x", 0, 1000}, a{"a", 0, 1000};
 
 }  // namespace harness_bounds
 
@@ -12,10 +12,12 @@ constexpr harness::Bounds c{"c", 0, 100}, h{"h", 0.001, 1};
 
 const harness::Wanted<Vec(const Vec& x, const Vec& x_previous, const Vec& a, double c, double h)>
     wanted = next_place;
-const harness::Within within_wanted{
-    wanted, {harness::any, harness::any, harness::any, harness_bounds::c, harness_bounds::h}};
+const harness::Within within_wanted{wanted,
+                                    {harness_bounds::place, harness_bounds::place,
+                                     harness_bounds::a, harness_bounds::c, harness_bounds::h}};
 
-// A damped spring, whose damper is handed over apart from its force.
+// A damped spring, whose damper is handed over apart from its force. Beyond the limit of the step
+// it leaves all bounds.
 inline void swing(harness::Call& call) {
   harness::Force spring = call.force();
   const double c = 2 * spring.a[1] * spring.a[0];
@@ -25,7 +27,7 @@ inline void swing(harness::Call& call) {
   const int steps = call.whole_number(), every = call.whole_number();
   Vec x_previous = x - h * v + h * h / 2 * (spring(x, v, t) - c * v);
   for (int n = 1; n <= steps; ++n) {
-    const Vec next = wanted(x, x_previous, spring(x, {}, t), c, h);
+    const Vec next = next_place(x, x_previous, spring(x, {}, t), c, h);
     x_previous = x;
     x = next;
     if (n % every != 0) continue;

@@ -5,7 +5,7 @@
 namespace harness_bounds {
 
 constexpr harness::Bounds shortest{"shortest", 0, 100}, longest{"longest", 0.01, 100},
-    inverse{"inverse", 0, 100, 1};
+    inverse{"inverse", 0, 100, 1}, place{"a", 0, 200};
 
 }  // namespace harness_bounds
 
@@ -16,7 +16,7 @@ const harness::Wanted<void(Vec& a, Vec& b, double shortest, double longest, doub
     wanted = pull;
 const harness::Within within_wanted{
     wanted,
-    {harness::any, harness::any, harness_bounds::shortest, harness_bounds::longest,
+    {harness_bounds::place, harness::any, harness_bounds::shortest, harness_bounds::longest,
      harness_bounds::inverse, harness_bounds::inverse}};
 
 void answer(harness::Call& call) {

@@ -5,7 +5,7 @@
 namespace harness_bounds {
 
 constexpr harness::Bounds h{"h", 0.001, 1}, floor{"floor", -100, 100, 0},
-    restitution{"restitution", 0, 1};
+    restitution{"restitution", 0, 1}, place{"x", 0, 1000}, velocity{"v", 0, 100}, a{"a", 0, 1000};
 
 }  // namespace harness_bounds
 
@@ -13,13 +13,14 @@ constexpr harness::Bounds h{"h", 0.001, 1}, floor{"floor", -100, 100, 0},
 
 const harness::Wanted<Vec(const Vec& x, const Vec& x_previous, const Vec& a, double h)> wanted =
     next_place;
-const harness::Within within_wanted{wanted,
-                                    {harness::any, harness::any, harness::any, harness_bounds::h}};
+const harness::Within within_wanted{
+    wanted, {harness_bounds::place, harness::any, harness_bounds::a, harness_bounds::h}};
 
 const harness::Wanted<Vec(const Vec& x, const Vec& v, const Vec& a, double h)> wanted_before =
     place_before;
-const harness::Within within_before{wanted_before,
-                                    {harness::any, harness::any, harness::any, harness_bounds::h}};
+const harness::Within within_before{
+    wanted_before,
+    {harness_bounds::place, harness_bounds::velocity, harness_bounds::a, harness_bounds::h}};
 
 const harness::Wanted<void(Vec& x, Vec& x_previous, double floor, double restitution)>
     wanted_bounce = bounce;

@@ -4,7 +4,7 @@
 
 namespace harness_bounds {
 
-constexpr harness::Bounds h{"h", 0.0005, 0.5};
+constexpr harness::Bounds h{"h", 0.0005, 0.5}, place{"x", 0, 200};
 
 }  // namespace harness_bounds
 
@@ -13,16 +13,16 @@ constexpr harness::Bounds h{"h", 0.0005, 0.5};
 const harness::Wanted<void(Vec& x, Vec& x_previous, double t, double h, double h_previous,
                            const Acceleration& acceleration)>
     wanted = step;
-const harness::Within within_wanted{
-    wanted,
-    {harness::any, harness::any, harness::any, harness_bounds::h, harness_bounds::h, harness::any}};
+const harness::Within within_wanted{wanted,
+                                    {harness_bounds::place, harness::any, harness::any,
+                                     harness_bounds::h, harness_bounds::h, harness::any}};
 
 const harness::Wanted<Vec(const Vec& x_previous, const Vec& x, const Vec& x_next, double h_previous,
                           double h)>
     wanted_velocity = velocity;
 const harness::Within within_velocity{
     wanted_velocity,
-    {harness::any, harness::any, harness::any, harness_bounds::h, harness_bounds::h}};
+    {harness::any, harness_bounds::place, harness::any, harness_bounds::h, harness_bounds::h}};
 
 inline void tell_velocity(harness::Call& call) {
   const Vec x_previous = call.vector(), x = call.vector(), x_next = call.vector();

@@ -5,7 +5,7 @@
 #include "harness.h"
 #include "judge/session.h"
 #include "judge/tests.h"
-#include "sledge.h"
+#include "scene.h"
 
 using namespace judge;
 using namespace sledge;
@@ -23,15 +23,15 @@ grade::Finding compare(const Ride& ride, const State& yours, const State& expect
 }
 
 void takes_steps(Student& student, const Ride& ride) {
-  const auto yours = ride.by(student), expected = ride.by(right);
+  const auto yours = ride.by(student), expected = ride.by_method();
   for (std::size_t step = 0; step < yours.size(); ++step) {
-    grade::Finding finding = compare(ride, yours[step], expected[step],
-                                     rounding(ride.steps, 1 + distance(expected[step], State{})));
+    grade::Finding finding =
+        compare(ride, yours[step], expected[step],
+                rounding(ride.steps, ride.size() + distance(expected[step], State{})));
     finding.asked = "step " + std::to_string(step + 1) + " under a hidden push";
     if (!finding.held) {
       finding.hint =
           "Push first, then divide each part of the velocity by its own 1 + c h, then move.";
-      finding.diagnoses = recognised(ride, yours);
     }
     check(finding);
   }
@@ -40,7 +40,7 @@ void takes_steps(Student& student, const Ride& ride) {
 }  // namespace
 
 TEST_CASE("a few steps of a sledge are braked after the push, by division",
-          "[6-symplectic/sledge-that-grips][4 points]") {
+          "[6-symplectic/sledge-that-grips][3 points]") {
   Student student;
   Random random;
   const auto takes = [&](const Sledge& sledge, double h, int steps) {
@@ -48,15 +48,14 @@ TEST_CASE("a few steps of a sledge are braked after the push, by division",
   };
   const auto some = [&] { return random.between(0.05, 0.3); };
   for (int n = 0; n < 2; ++n) takes(Sledge::draw(random), some(), 5);
-  for (const double h : harness_bounds::h.asked()) takes(Sledge::draw(random), h, 1);
-  for (const double drag : harness_bounds::drag.asked()) {
-    const Sledge drawn = Sledge::draw(random);
-    takes({drawn.along, drag, drawn.c_across}, some(), 5);
-    takes({drawn.along, drawn.c_along, drag}, some(), 5);
-    takes({drawn.along, drag, drag}, some(), 5);
-  }
-  for (const Vec& axis : {Vec{1, 0, 0}, Vec{0, -1, 0}, Vec{0, 0, 1}})
-    takes({axis, random.between(0.5, 1.5), random.between(50, 150)}, some(), 5);
+}
+
+TEST_CASE("so is any step, however long, however hard each brake, from wherever it starts",
+          "[6-symplectic/sledge-that-grips][1 point]") {
+  Student student;
+  Random random;
+  constexpr int rides = 600;
+  for (int n = 0; n < rides; ++n) takes_steps(student, Ride::anywhere(random));
 }
 
 TEST_CASE("pulled at a rope it ends at one speed, however long the step",
@@ -84,7 +83,6 @@ TEST_CASE("pulled at a rope it ends at one speed, however long the step",
       finding.hint =
           "When the speed is final, one push and one brake together change nothing. "
           "Which factor does that ask for after the push?";
-      finding.diagnoses = recognised(ride, ride.by(student));
     }
     check(finding);
   }
@@ -99,8 +97,5 @@ TEST_CASE("a braked spring lets go at 2 (sqrt(1 + zeta^2) + zeta), and not befor
       student, zeta, 2 * (std::sqrt(1 + zeta * zeta) + zeta),
       "Divided after the push, a brake gives room; divided before it, or as a force, it "
       "takes room away. (The spring's drag is the same in all directions here.)",
-      1, [&] {
-        const Ride ride{Sledge::draw(random), random.start(), random.wild(), 0.1, 2};
-        return recognised(ride, ride.by(student));
-      });
+      1);
 }

@@ -3,8 +3,8 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 
-#include "clocks.h"
 #include "format_values.h"
+#include "harness/bounds.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
@@ -32,29 +32,28 @@ Tolerance division(double seconds) {
       "unit in the sixteenth digit"};
 }
 
-std::vector<std::string> recognise(double got, int rate, int ticks) {
-  const std::string says = clocks::recognise(got, rate, ticks);
-  return says.empty() ? std::vector<std::string>{} : std::vector{says};
+// @param most  how far off the clock may be, given the time [s]
+template <class Most>
+void shows_the_time(Student& student, int rate, int ticks, Most most, const std::string& hint) {
+  const double expected = static_cast<double>(ticks) / rate;
+  const double got = student.call(0, {double(rate), double(ticks), 0}, 2)[0];
+  grade::Finding finding = off_by(std::abs(got - expected), most(expected), " s");
+  finding.asked = "the time after so many ticks [s]";
+  finding.input = described(rate, ticks);
+  finding.expected = number(expected, 16);
+  finding.got = number(got, 16);
+  if (!finding.held) {
+    finding.error += got < expected ? " behind" : " ahead";
+    finding.hint = hint;
+  }
+  check(finding);
 }
 
-// @param most  how far off the clock may be after a night, given the time [s]
 template <class Most>
 void shows_the_night(Student& student, Random& random, Most most, const std::string& hint) {
   for (const int rate : {72, 120}) {
     const int ticks = random.whole(6 * hour, 10 * hour) * rate + random.whole(1, rate - 1);
-    const double expected = static_cast<double>(ticks) / rate;
-    const double got = student.call(0, {double(rate), double(ticks), 0}, 2)[0];
-    grade::Finding finding = off_by(std::abs(got - expected), most(expected), " s");
-    finding.asked = "the time after a night [s]";
-    finding.input = described(rate, ticks);
-    finding.expected = number(expected, 16);
-    finding.got = number(got, 16);
-    if (!finding.held) {
-      finding.error += got < expected ? " behind" : " ahead";
-      finding.hint = hint;
-      finding.diagnoses = recognise(got, rate, ticks);
-    }
-    check(finding);
+    shows_the_time(student, rate, ticks, most, hint);
   }
 }
 
@@ -91,6 +90,37 @@ void is_silent_at_first(Student& student, int rate) {
   check(finding);
 }
 
+// A whole number of seconds has gone by when it begins to listen.
+void strikes_each_second(Student& student, int rate, int ticks, int seconds) {
+  const std::size_t count = static_cast<std::size_t>(seconds);
+  const std::vector<double> said =
+      student.call(0, {double(rate), double(ticks), double(seconds)}, 2 + 2 * count);
+  std::size_t n = 0, late = 0;
+  const auto strokes = [&](std::size_t second) { return static_cast<int>(said[1 + 2 * second]); };
+  const auto last = [&](std::size_t second) { return static_cast<int>(said[2 + 2 * second]); };
+  while (n + 1 < count && strokes(n) == 1 && last(n) == rate) ++n;
+  for (std::size_t second = 0; second < count; ++second) late += last(second) == 1;
+
+  grade::Finding finding;
+  finding.held = strokes(n) == 1 && last(n) == rate;
+  finding.asked = "when it strikes in second " + std::to_string(n + 1) + " of " +
+                  std::to_string(seconds) + "; the tick that completes the second is its tick " +
+                  std::to_string(rate);
+  finding.input = described(rate, ticks) + ", and then so many seconds";
+  finding.expected = "a stroke at tick " + std::to_string(rate) + " of " + std::to_string(rate);
+  finding.got = heard(strokes(n), last(n), rate);
+  finding.error = late_or_early(strokes(n), last(n), rate);
+  finding.tolerance = "none";
+  finding.tolerance_from = "strokes and ticks are counted";
+  if (!finding.held) {
+    finding.hint =
+        "A time that should be a whole second may be a rounding below it. Which number of the "
+        "clock is whole without rounding?";
+    if (late == count) finding.diagnoses.emplace_back("every stroke comes one tick late");
+  }
+  check(finding);
+}
+
 }  // namespace
 
 TEST_CASE("after a night the clock is right to a millisecond",
@@ -103,7 +133,7 @@ TEST_CASE("after a night the clock is right to a millisecond",
 }
 
 TEST_CASE("after a night the clock is right to the last digit of a double",
-          "[7-which-to-use/clock-in-a-float][3 points]") {
+          "[7-which-to-use/clock-in-a-float][2 points]") {
   Student student;
   Random random;
   shows_the_night(student, random, division,
@@ -130,7 +160,6 @@ TEST_CASE("after days a minute is as long as the first one",
     finding.error += got < minute ? " too short" : " too long";
     finding.hint =
         "Is there a number in the clock that has grown so large that a tick no longer shows in it?";
-    finding.diagnoses = recognise(said.front(), rate, ticks);
     if (got == 0) finding.diagnoses.emplace_back("the clock stands still");
   }
   check(finding);
@@ -142,33 +171,21 @@ TEST_CASE("it strikes at each whole second, and never in between",
   Random random;
   const int rate = rates.at(static_cast<std::size_t>(random.whole(0, 2)));
   is_silent_at_first(student, rate);
-  const int ticks = random.whole(hour, 3 * hour) * rate;
-  constexpr int seconds = 600;
-  const std::vector<double> said =
-      student.call(0, {double(rate), double(ticks), seconds}, 2 + 2 * seconds);
-  std::size_t n = 0, late = 0;
-  const auto strokes = [&](std::size_t second) { return static_cast<int>(said[1 + 2 * second]); };
-  const auto last = [&](std::size_t second) { return static_cast<int>(said[2 + 2 * second]); };
-  while (n + 1 < seconds && strokes(n) == 1 && last(n) == rate) ++n;
-  for (std::size_t second = 0; second < seconds; ++second) late += last(second) == 1;
+  strikes_each_second(student, rate, random.whole(hour, 3 * hour) * rate, 600);
+}
 
-  grade::Finding finding;
-  finding.held = strokes(n) == 1 && last(n) == rate;
-  finding.asked = "when it strikes in second " + std::to_string(n + 1) +
-                  " of ten minutes; the tick that completes the second is its tick " +
-                  std::to_string(rate);
-  finding.input = described(rate, ticks) + ", and then the ten minutes";
-  finding.expected = "a stroke at tick " + std::to_string(rate) + " of " + std::to_string(rate);
-  finding.got = heard(strokes(n), last(n), rate);
-  finding.error = late_or_early(strokes(n), last(n), rate);
-  finding.tolerance = "none";
-  finding.tolerance_from = "strokes and ticks are counted";
-  if (!finding.held) {
-    finding.hint =
-        "A time that should be a whole second may be a rounding below it. Which number of the "
-        "clock is whole without rounding?";
-    finding.diagnoses = recognise(said.front(), rate, ticks);
-    if (late == seconds) finding.diagnoses.emplace_back("every stroke comes one tick late");
+TEST_CASE("at any rate it is right to the last digit, and strikes with the right tick",
+          "[7-which-to-use/clock-in-a-float][1 point]") {
+  constexpr harness::Bounds any_rate{"rate", 1, 1000, 2, 24, 60, 64};
+  constexpr int clocks = 60;
+  Student student;
+  Random random;
+  for (int n = 0; n < clocks; ++n) {
+    const int rate = static_cast<int>(random.anywhere(any_rate)), seconds = random.whole(0, 200);
+    is_silent_at_first(student, rate);
+    shows_the_time(
+        student, rate, seconds * rate + random.whole(0, rate - 1), division,
+        "Is anything in the clock fixed for one rate, or kept from one clock to another?");
+    strikes_each_second(student, rate, seconds * rate, 3);
   }
-  check(finding);
 }

@@ -58,15 +58,6 @@ bool receive(double* numbers, std::size_t count) {
   return true;
 }
 
-Vec ask(const Vec& x, const Vec& v, double t) {
-  send({harness::question, 7, x.x, x.y, x.z, v.x, v.y, v.z, t});
-  Vec a;
-  if (!receive(&a.x, 1) || !receive(&a.y, 1) || !receive(&a.z, 1)) {
-    stop("a question got no answer", bad_request);
-  }
-  return a;
-}
-
 const char* wish(int call) {
   switch (call) {
     case SYS_socket:
@@ -109,44 +100,14 @@ void answer_one(int function, std::vector<double> arguments) {
 
 }  // namespace
 
-namespace harness {
-
-Vec Call::vector() {
-  Vec vector;
-  vector.x = number();
-  vector.y = number();
-  vector.z = number();
-  return vector;
+Vec harness::ask(const Vec& x, const Vec& v, double t) {
+  send({harness::question, 7, x.x, x.y, x.z, v.x, v.y, v.z, t});
+  Vec a;
+  if (!receive(&a.x, 1) || !receive(&a.y, 1) || !receive(&a.z, 1)) {
+    stop("a question got no answer", bad_request);
+  }
+  return a;
 }
-
-std::vector<double> Call::numbers(std::size_t count) {
-  std::vector<double> numbers(count);
-  for (double& next : numbers) next = number();
-  return numbers;
-}
-
-Force Call::force() {
-  Force force;
-  force.kind = static_cast<Force::Kind>(whole_number());
-  for (double& constant : force.a) constant = number();
-  return force;
-}
-
-Acceleration Call::acceleration() {
-  const Force asked = force();
-  if (asked.kind == Force::watched) return ask;
-  return asked;
-}
-
-void Call::answer(const Vec& vector) {
-  answer_.insert(answer_.end(), {vector.x, vector.y, vector.z});
-}
-
-void Call::answer(const std::vector<double>& numbers) {
-  answer_.insert(answer_.end(), numbers.begin(), numbers.end());
-}
-
-}  // namespace harness
 
 int main() {
   struct sigaction action = {};

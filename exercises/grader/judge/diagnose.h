@@ -14,10 +14,8 @@ namespace judge {
 /// @param yours  the student's
 /// @param asked  the method that was asked for
 /// @param run_by  runs a method over the same steps, to see whether it is the student's
-/// @param mistaken  what it may be beside the methods of the book
 std::vector<std::string> diagnose(const Path& yours, const Method& asked,
-                                  const std::function<Path(const Method&)>& run_by,
-                                  const std::vector<Method>& mistaken = {});
+                                  const std::function<Path(const Method&)>& run_by);
 
 /// The first place at which the force was asked for, and should not have been, or how often it was
 /// asked for in vain; nothing if all is as expected.

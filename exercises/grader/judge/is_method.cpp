@@ -84,7 +84,7 @@ grade::Finding compare(const Path& yours, const Path& expected, const Case& with
 }
 
 void check_once(Student& student, const Method& method, const Case& with, const std::string& hint,
-                int function, const std::vector<Method>& mistaken, const std::string& after) {
+                int function, const std::string& after) {
   const Path yours = student.watch(with.start, with.h, steps, with.force, function);
   const auto by = [&](const Method& other) {
     return watch(other, with.start, with.h, steps, with.force);
@@ -93,7 +93,7 @@ void check_once(Student& student, const Method& method, const Case& with, const 
   finding.asked += after;
   if (!finding.held) {
     finding.hint = hint;
-    finding.diagnoses = diagnose(yours, method, by, mistaken);
+    finding.diagnoses = diagnose(yours, method, by);
     if (!after.empty()) {
       finding.diagnoses.insert(finding.diagnoses.begin(),
                                "the first run was right: something is remembered from it");
@@ -104,13 +104,11 @@ void check_once(Student& student, const Method& method, const Case& with, const 
 
 }  // namespace
 
-void is_method(Student& student, const Method& method, const std::string& hint, int function,
-               const std::vector<Method>& mistaken) {
+void is_method(Student& student, const Method& method, const std::string& hint, int function) {
   Random random;
   const Case first = draw(random), second = draw(random);
-  check_once(student, method, first, hint, function, mistaken, "");
-  check_once(student, method, second, hint, function, mistaken,
-             ", in a second run of the same program");
+  check_once(student, method, first, hint, function, "");
+  check_once(student, method, second, hint, function, ", in a second run of the same program");
 }
 
 }  // namespace judge

@@ -55,7 +55,7 @@ grade::Plot plot(const Path& path) {
 
 // omega is drawn: it must be h omega that counts.
 void check_side(Student& student, double zeta, double limit, bool inside, const std::string& hint,
-                int function, const Remarks& remarks) {
+                int function) {
   Random random;
   const double omega = random.between(3, 9);
   const double h = limit * (inside ? 1 - margin : 1 + margin) / omega;
@@ -84,7 +84,6 @@ void check_side(Student& student, double zeta, double limit, bool inside, const 
                                   : "so far over the limit the right method grows by far more";
   if (!finding.held) {
     finding.hint = hint;
-    if (remarks) finding.diagnoses = remarks();
     if (stands) finding.diagnoses = {"the spring stays near where it was let go"};
     if (breaks && !grows_before(path, broken)) {
       finding.error = "it is not a number";
@@ -98,9 +97,9 @@ void check_side(Student& student, double zeta, double limit, bool inside, const 
 }  // namespace
 
 void is_stable_until(Student& student, double zeta, double limit, const std::string& hint,
-                     int function, const Remarks& remarks) {
-  check_side(student, zeta, limit, true, hint, function, remarks);
-  check_side(student, zeta, limit, false, hint, function, remarks);
+                     int function) {
+  check_side(student, zeta, limit, true, hint, function);
+  check_side(student, zeta, limit, false, hint, function);
 }
 
 }  // namespace judge

@@ -1,31 +1,53 @@
 // SPDX-License-Identifier: MIT-0
 #include "judge/method.h"
 
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
 #include "integrate/stormer_verlet.h"
-#include "integrate/velocity_verlet.h"
-#include "integrate/yoshida4.h"
 #include "measure/methods.h"
+#include "measure/run.h"
 
 namespace judge {
 namespace {
 
-// The acceleration that velocity Verlet and Yoshida's method carry from step to step.
-template <class Begin, class Advance>
-std::function<Step()> carrying(Begin begin, Advance advance) {
-  return [=]() -> Step {
-    return [=, a = Vec{}, begun = false](Vec& x, Vec& v, double t, double h,
-                                         const Acceleration& acceleration) mutable {
-      if (!begun) a = begin(x, v, t, acceleration);
-      begun = true;
-      advance(x, v, a, t, h, acceleration);
+// What a sentence calls a method, if that is not its name.
+std::string called(std::string_view name) {
+  static constexpr std::pair<std::string_view, const char*> phrases[] = {
+      {"Euler", "Euler's method"},
+      {"midpoint", "the midpoint method"},
+      {"Heun", "Heun's method"},
+      {"constant acceleration", "the step of constant acceleration"},
+      {"Yoshida 4", "Yoshida's method"}};
+  for (const auto& [known, phrase] : phrases)
+    if (known == name) return phrase;
+  return std::string(name);
+}
+
+// A method of the book, with what it keeps from step to step. Its clock begins at zero.
+template <class Of>
+Step begin() {
+  using Kept = decltype(measure::start(Of(), scenes::State<Vec>(), 0.0, Acceleration()));
+  return [kept = Kept(), from = 0.0, begun = false](Vec& x, Vec& v, double t, double h,
+                                                    const Acceleration& acceleration) mutable {
+    if (!begun) from = t;
+    const auto scene = [&](const Vec& at, const Vec& with, double since) {
+      return acceleration(at, with, from + since);
     };
+    if (!begun) kept = measure::start(Of(), scenes::State<Vec>{x, v}, h, scene);
+    begun = true;
+    measure::advance(Of(), kept, t - from, h, scene);
+    const auto end = measure::state_of(Of(), kept, t - from + h, h, scene);
+    x = end.x;
+    v = end.v;
   };
 }
 
-const auto begin_verlet = [](auto&... all) { return integrate::velocity_verlet_start(all...); };
-const auto verlet = [](auto&... all) { integrate::velocity_verlet(all...); };
-const auto begin_yoshida = [](auto&... all) { return integrate::yoshida4_start(all...); };
-const auto yoshida = [](auto&... all) { integrate::yoshida4(all...); };
+template <class Of>
+Method of_the_book() {
+  return {called(Of::name), begin<Of>};
+}
 
 // Its velocity is the one of half a step ago; no other belongs to it.
 Step begin_position_verlet() {
@@ -44,23 +66,25 @@ Method method(std::string name, Step step) {
   return {std::move(name), [step] { return step; }};
 }
 
-const Method euler = method("Euler's method", measure::euler);
-const Method symplectic_euler = method("symplectic Euler", measure::symplectic_euler);
-const Method symplectic_euler_position_first =
-    method("symplectic Euler, position first", measure::symplectic_euler_position_first);
-const Method midpoint = method("the midpoint method", measure::midpoint);
-const Method heun = method("Heun's method", measure::heun);
-const Method rk4 = method("RK4", measure::rk4);
-const Method constant_acceleration =
-    method("the step of constant acceleration", measure::constant_acceleration);
-const Method velocity_verlet{"velocity Verlet", carrying(begin_verlet, verlet)};
-const Method yoshida4{"Yoshida's method", carrying(begin_yoshida, yoshida)};
+const Method euler = of_the_book<measure::Euler>();
+const Method symplectic_euler = of_the_book<measure::SymplecticEuler>();
+const Method symplectic_euler_position_first = of_the_book<measure::SymplecticEulerPositionFirst>();
+const Method midpoint = of_the_book<measure::Midpoint>();
+const Method heun = of_the_book<measure::Heun>();
+const Method rk4 = of_the_book<measure::Rk4>();
+const Method constant_acceleration = of_the_book<measure::ConstantAcceleration>();
+const Method velocity_verlet = of_the_book<measure::VelocityVerlet>();
+const Method yoshida4 = of_the_book<measure::Yoshida4>();
 const Method position_verlet{"position Verlet", begin_position_verlet};
 
 const std::vector<Method>& methods() {
-  static const std::vector<Method> all{
-      euler, symplectic_euler, symplectic_euler_position_first, midpoint,        heun,
-      rk4,   velocity_verlet,  constant_acceleration,           position_verlet, yoshida4};
+  static const std::vector<Method> all = [] {
+    std::vector<Method> methods;
+    list::for_each(list::EveryExplicit(),
+                   [&](auto of) { methods.push_back(of_the_book<decltype(of)>()); });
+    methods.push_back(position_verlet);
+    return methods;
+  }();
   return all;
 }
 

@@ -20,11 +20,19 @@ class Random {
 
   double between(double low, double high);
   double between(const harness::Bounds& bounds);  ///< from the smallest to the largest
+  double octaves(double low, double high);        ///< as often between 1 and 2 as between 2 and 4
   int whole(int low, int high);                   ///< both may be drawn
   Vec vector(double low, double high);
 
   /// What is to be asked of an argument: its bounds, what is special, and so many drawn between.
   std::vector<double> all_of(const harness::Bounds& bounds, int drawn);
+
+  /// One of those that are asked by name, or any between, or any with all sizes alike: a few
+  /// hundred cross every threshold that a program may have set.
+  double anywhere(const harness::Bounds& bounds);
+
+  /// So long, to any side; one in four along an axis.
+  Vec vector_anywhere(const harness::Bounds& length);
 
   /// About 1 in size, and not along an axis.
   Start start();
@@ -32,6 +40,9 @@ class Random {
   /// Smooth, bent, with drag and wind: nothing that a special case solves. Its constants are about
   /// 1 per second.
   harness::Force wild();
+
+  /// That one, or one in four times gravity alone, or nothing at all.
+  harness::Force any_force();
 
  private:
   std::mt19937_64 numbers_;

@@ -24,8 +24,7 @@ bool moves(const Path& there, const Start& start, const harness::Force& force) {
 
 }  // namespace
 
-void runs_backwards(Student& student, const std::string& hint, int function,
-                    const Remarks& remarks) {
+void runs_backwards(Student& student, const std::string& hint, int function) {
   Random random;
   const Start start = random.start();
   harness::Force force = random.wild();
@@ -58,8 +57,6 @@ void runs_backwards(Student& student, const std::string& hint, int function,
       finding.diagnoses.emplace_back(
           "the program that went there finds the way back, and another does not: what is noted "
           "down?");
-    for (const std::string& remark : remarks ? remarks() : std::vector<std::string>{})
-      finding.diagnoses.push_back(remark);
   }
   check(finding);
 }

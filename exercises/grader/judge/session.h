@@ -9,6 +9,7 @@
 
 #include "cage/cage.h"
 #include "finding.h"
+#include "judge/known.h"
 #include "judge/rounding.h"
 #include "verdict.h"
 
@@ -26,8 +27,11 @@ struct Session {
   std::uint64_t seed = 1;
   std::vector<std::string> arguments;  ///< of the driver
   std::string only;                    ///< the one test to run, by its name; all, if empty
+  bool diagnoses = true;               ///< whether known wrong ways are looked for
 
   // Found.
+  std::string exercise;  ///< of the tests that run
+  Programs programs;     ///< of the test that runs
   std::vector<grade::TestResult> tests;
   grade::Verdict ended =
       grade::Verdict::accepted;  ///< how the student's code ended; accepted: as it should
@@ -57,7 +61,8 @@ struct Stopped {};
 /// @param unit  of both, such as " m"
 grade::Finding off_by(double off, const Tolerance& tolerance, const std::string& unit = "");
 
-/// Notes what was found, and ends the test if it did not hold.
+/// Notes what was found, and ends the test if it did not hold. Of much that holds, only some is
+/// kept.
 void check(grade::Finding finding);
 
 }  // namespace judge

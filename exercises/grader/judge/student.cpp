@@ -35,11 +35,20 @@ Path as_path(const Start& start, double h, int every, const std::vector<double>&
   return path;
 }
 
+// To be held beside the known wrong ways; what is as long as a film is not gone through again.
+void note(std::size_t program, const Exchange& exchange) {
+  constexpr std::size_t longest = 100'000;
+  const bool brief = exchange.arguments.size() + exchange.answer.size() < longest;
+  if (brief) session().programs.at(program).push_back(exchange);
+}
+
 }  // namespace
 
 Student::Student() {
   if (session().stopped()) throw Stopped();
   process_ = start_driver();
+  program_ = session().programs.size();
+  session().programs.emplace_back();
 }
 
 Student::~Student() {
@@ -67,6 +76,7 @@ void Student::answer_question() {
       {asked[0], asked[1], asked[2]}, {asked[3], asked[4], asked[5]}, asked[6]};
   evaluations_.push_back(evaluation);
   const Vec a = acceleration_(evaluation.x, evaluation.v, evaluation.t);
+  evaluations_.back().a = a;
   if (!process_->send(std::as_bytes(std::span(&a, 1)))) stop();
 }
 
@@ -87,7 +97,9 @@ std::vector<double> Student::call(int function, const std::vector<double>& argum
     }
     answer_question();
   }
-  return receive(wanted);
+  std::vector<double> answer = receive(wanted);
+  note(program_, {function, arguments, evaluations_, answer});
+  return answer;
 }
 
 Path Student::watch(const Start& start, double h, int steps, const Acceleration& acceleration,

@@ -43,6 +43,7 @@ class Student {
   void stop();
 
   std::unique_ptr<cage::Process> process_;
+  std::size_t program_ = 0;  ///< which of the test's
   Acceleration acceleration_;
   std::vector<Evaluation> evaluations_;
 };

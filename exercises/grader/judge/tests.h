@@ -7,27 +7,28 @@
 #include <string>
 #include <vector>
 
+#include "harness/bounds.h"
 #include "judge/method.h"
 #include "judge/rounding.h"
 #include "judge/student.h"
 
 namespace judge {
 
-/// A wrong number, and what makes one get it.
-struct Mistaken {
-  double value = 0;
-  std::string says;
-};
-
-/// What an exercise has to say of an answer besides, asked for only if the answer is wrong.
-using Remarks = std::function<std::vector<std::string>()>;
-
 /// Five coarse steps under forces that only the judge knows are those of the method, in every
 /// digit that rounding leaves. Nothing else passes, however accurate it is.
 /// @param function  of harness.h, if it is not the first
-/// @param mistaken  what else the student's steps are recognised by, beside the methods of the book
-void is_method(Student& student, const Method& method, const std::string& hint, int function = 0,
-               const std::vector<Method>& mistaken = {});
+void is_method(Student& student, const Method& method, const std::string& hint, int function = 0);
+
+inline constexpr harness::Bounds usual_steps{"h", 1e-5, 0.25};
+
+/// And so are steps from where hardly any begins: three bodies, each at any place with any
+/// velocity, at rest and at the origin too, take steps of any length by turns, as a game moves its
+/// bodies.
+/// @param h  lengths of the steps, below zero for steps back
+/// @param drag  whether some forces may depend on the velocity
+void is_method_everywhere(Student& student, const Method& method, const std::string& hint,
+                          int function = 0, const harness::Bounds& h = usual_steps,
+                          bool drag = true);
 
 /// The acceleration is evaluated so many times a step, after so many to begin with, and where the
 /// method evaluates it in the states that the student's own steps come to.
@@ -44,7 +45,7 @@ void has_order(Student& student, double p, int most_steps, const std::string& hi
 /// one 2 % above it.
 /// @param limit  of h omega
 void is_stable_until(Student& student, double zeta, double limit, const std::string& hint,
-                     int function = 0, const Remarks& remarks = {});
+                     int function = 0);
 
 /// Over many turns of an orbit its energy error goes where the method's goes: drifts as far, sways
 /// as far.
@@ -59,17 +60,14 @@ void keeps_energy(Student& student, double eccentricity, int turns, int per_turn
                   const std::string& hint, int function = 0);
 
 /// There and, in another program, back again, with -h: the start, to rounding.
-void runs_backwards(Student& student, const std::string& hint, int function = 0,
-                    const Remarks& remarks = {});
+void runs_backwards(Student& student, const std::string& hint, int function = 0);
 
 /// One number of a formula.
 /// @param asked  what the number is, in words
 /// @param input  what it was computed from
 /// @param tolerance  how far off it may be; rounding(expected) for a short formula
-/// @param mistaken  wrong numbers that are recognised, and what is said of each
 void is_exact(const std::string& asked, const std::string& input, double got, double expected,
-              const Tolerance& tolerance, const std::string& hint,
-              const std::vector<Mistaken>& mistaken = {});
+              const Tolerance& tolerance, const std::string& hint);
 
 /// A number that must not exceed a bound, such as an error or a count.
 void is_at_most(const std::string& asked, const std::string& input, double got,

@@ -2,6 +2,7 @@
 #include "report/shortened.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <regex>
 #include <vector>
@@ -10,13 +11,27 @@
 
 namespace grade {
 
+namespace {
+
+// What is not whole does not look so, such as a little more than one.
+std::string in_short(double value, int digits) {
+  constexpr int all = 17;
+  std::string text = number(value, digits);
+  while (digits < all && value != std::round(value) &&
+         std::strtod(text.c_str(), nullptr) == std::round(value))
+    text = number(value, ++digits);
+  return text;
+}
+
+}  // namespace
+
 std::string shortened(const std::string& text, int digits) {
   static const std::regex longer(R"(-?\d+\.\d{5,}(e[-+]?\d+)?)");
   std::string result;
   auto from = text.begin();
   for (std::sregex_iterator found(text.begin(), text.end(), longer), end; found != end; ++found) {
     result.append(from, (*found)[0].first);
-    result += number(std::strtod(found->str().c_str(), nullptr), digits);
+    result += in_short(std::strtod(found->str().c_str(), nullptr), digits);
     from = (*found)[0].second;
   }
   return result.append(from, text.end());

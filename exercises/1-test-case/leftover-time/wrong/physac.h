@@ -1,5 +1,5 @@
 // Fails: uneven frames are paid with as many steps as fit into them
-// Says: the steps follow the frames
+// Says: about one step in every frame: the steps follow the frames
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

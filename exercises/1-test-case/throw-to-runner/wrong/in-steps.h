@@ -1,5 +1,5 @@
 // Fails: a ball lands on a target that stands still
-// Says: this allows for the pull in 100 steps of Euler's method
+// Says: this allows for the pull in 100 steps of Euler's method, plain or symplectic; the exact step needs only one
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -19,7 +19,8 @@ inline double settled_frame(double draw, double cost, double h, int most) {
   double frame = draw;
   for (int n = 0; n < 100000; ++n) {
     const double steps = std::min(frame / h, static_cast<double>(most));
-    frame = draw + cost * steps;
+    const double before = std::exchange(frame, draw + cost * steps);
+    if (frame == before) break;
   }
   return frame;
 }

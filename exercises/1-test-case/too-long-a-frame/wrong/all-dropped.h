@@ -1,5 +1,5 @@
 // Fails: no frame takes more steps than it may, and a hitch is forgotten
-// Says: the part of a step is dropped, too
+// Says: what is owed is cut to `most` steps: beyond them the part of a step is dropped, too, and only whole ones may be
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: a machine that keeps up makes good a hitch
-// Says: the game runs at
+// Says: one step a frame, however long the frame was: the game runs slower wherever two are due
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

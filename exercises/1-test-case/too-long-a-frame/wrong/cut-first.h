@@ -1,5 +1,5 @@
 // Fails: no frame takes more steps than it may, and a hitch is forgotten
-// Says: the time is cut before it is counted
+// Says: the time is cut before it is counted, and so the part of a step is another
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: a machine too slow for its steps slows the game and not the screen
-// Says: the game hangs
+// Says: nothing limits the steps, so that each frame takes longer than the one before: the game hangs
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

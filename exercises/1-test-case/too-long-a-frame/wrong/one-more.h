@@ -1,5 +1,5 @@
 // Fails: no frame takes more steps than it may, and a hitch is forgotten
-// Says: more steps than a frame may take
+// Says: more steps than a frame may take: is there a limit at all, and is it `most`?
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: five steps under a hidden force are Euler's
-// Says: the first run was right: something is remembered from it
+// Says: the velocity is kept in the program, and not where it is handed over: a second run begins with that of the first
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

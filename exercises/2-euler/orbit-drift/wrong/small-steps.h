@@ -1,5 +1,5 @@
 // Fails: the acceleration is asked for once a step, at its start
-// Says: 50 evaluations
+// Says: ten small steps stand for one: nearer, and at ten times the price
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

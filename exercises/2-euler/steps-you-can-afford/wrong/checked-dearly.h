@@ -1,5 +1,5 @@
 // Fails: finding out steps that will do costs no more than four runs
-// Says: cost more than the replay itself
+// Says: the run that checks the others is ten times as fine as the replay needs, and costs more than the replay itself
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: the thing ends within the wanted error, in less than three times the fewest steps
-// Says: steps, is too coarse to tell how the error goes on
+// Says: the finest of your runs, in 4 steps, is too coarse to tell how the error goes on
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

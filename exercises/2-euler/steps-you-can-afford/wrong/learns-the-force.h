@@ -1,5 +1,5 @@
 // Fails: the steps are the fewest that will do, or up to a tenth more
-// Says: the first question is not at the start
+// Says: the first question is not at the start, and every run begins there
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: a leash that swings holds up to the longest step
-// Says: as for a leash that creeps, and this one swings
+// Says: this is two over a rate, as for a leash that creeps, and this one swings
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

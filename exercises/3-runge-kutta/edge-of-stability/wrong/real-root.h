@@ -1,5 +1,5 @@
 // Fails: from critical damping on the faster of two motions sets the limit
-// Says: no step of your search grew; is something in it not a number?
+// Says: the root of a number below zero is no number, and with it no step grows
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include <complex>

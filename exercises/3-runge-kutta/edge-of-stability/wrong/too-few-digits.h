@@ -1,5 +1,5 @@
 // Fails: below critical damping the limit is where the swing neither grows nor shrinks
-// Says: digits, and six are asked for
+// Says: a search in steps of a thousandth finds three or four digits, and six are asked for
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include <complex>

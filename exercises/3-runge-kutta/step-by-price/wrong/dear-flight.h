@@ -1,5 +1,5 @@
 // Fails: the moment of a comet's pass costs little more than the flight to it
-// Says: times what it may: no guess within a step needs the flight again
+// Says: the whole flight is flown again for each guess within a step: it costs more than it may
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,6 @@
 // Fails: in a wind that changes it arrives at the time that was asked for
 // Says: Steps that are chosen are longer where less accuracy is wanted
+// Known: no, it ends where any other does that is as near
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: a single bead is a spring
-// Says: the last bead's row has a spring beyond it, too
+// Says: the last bead's row has a spring beyond it, too, and there is none
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: with a strong hand the slope at the end leads back to the start
-// Says: all of it taken at your end
+// Says: the numbers are so large that what they round to would hide any error
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: where a move costs many pulls the curtain holds at the least price
-// Says: move / pull iterations would be best if substeps need not be whole
+// Says: move / pull iterations would be best if substeps need not be whole: try the others, too
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: at every frame rate the curtain holds at the least price
-// Says: and not in each substep; and the rule is the one with n (n - 1)
+// Says: the iterations are paid once in a frame here, and not in each substep; and the rule is the one with n (n - 1)
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

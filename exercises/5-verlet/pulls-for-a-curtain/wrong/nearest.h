@@ -1,5 +1,5 @@
 // Fails: where a move is cheap the curtain holds at the least price
-// Says: with so many iterations it takes more substeps
+// Says: the substeps are rounded to the nearest whole number: with so many iterations it takes more substeps at times
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

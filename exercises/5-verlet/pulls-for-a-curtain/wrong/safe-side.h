@@ -1,5 +1,5 @@
 // Fails: where a move is cheap the curtain holds at the least price
-// Says: with so many iterations fewer substeps will do
+// Says: with so many iterations fewer substeps will do: these are twice as many as the rule asks for
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

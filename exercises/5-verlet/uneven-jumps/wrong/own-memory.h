@@ -1,5 +1,5 @@
 // Fails: a throw passes through its true places, whatever the frames
-// Says: this is right from the second frame on: in the first, h_previous is taken for h
+// Says: the length of the last frame is kept in the program, where that of another thing lies, and not taken from h_previous
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: six frames under a hidden force are those of the corrected formula
-// Says: this is the right formula with a drag that sees the last distance over h
+// Says: this is the right formula with a drag that sees the last distance over h, not over h_previous
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

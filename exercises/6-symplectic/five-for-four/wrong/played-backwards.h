@@ -1,5 +1,5 @@
 // Fails: twenty steps there and twenty back lead home
-// Says: the program that went there finds the way back, and another does not
+// Says: the program that went there finds the way back, and another does not: what is noted down?
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

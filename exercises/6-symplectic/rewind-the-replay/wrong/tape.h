@@ -1,5 +1,5 @@
 // Fails: undone steps lead back to the start of the replay
-// Says: undo asks for nothing and changes nothing: what your step has noted down is of no use
+// Says: undo asks for nothing and changes nothing: what your step has noted down is of no use here, where somebody else took the steps
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: a few steps of a sledge are braked after the push, by division
-// Says: this is a velocity that was split before the push
+// Says: this is a velocity that was split before the push, and the push braked along as a whole
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

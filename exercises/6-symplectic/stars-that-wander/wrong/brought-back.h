@@ -1,5 +1,5 @@
 // Fails: a step keeps the sum of the areas
-// Says: what the stars drift is taken out again
+// Says: what the stars drift is taken out again: that mends what is seen, and not the mistake
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: a few steps of hidden stars are those of symplectic Euler
-// Says: the pull is softened, as if the stars were 0.01 m further off to one side
+// Says: the pull is softened: is something added under the root, so that a star at no distance divides by no zero?
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

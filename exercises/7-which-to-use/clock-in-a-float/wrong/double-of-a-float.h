@@ -1,5 +1,5 @@
 // Fails: after a night the clock is right to a millisecond
-// Says: 1 / rate was rounded to seven digits
+// Says: 1 / rate was rounded to seven digits, and every tick is wrong by as much: a float?
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: after a night the clock is right to the last digit of a double
-// Says: a sum in doubles: a tick is rounded
+// Says: a sum in doubles: a tick is rounded, and each addition rounds again, and the sum of so many ticks adds all of that up
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

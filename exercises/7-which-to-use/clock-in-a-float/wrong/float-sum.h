@@ -1,5 +1,5 @@
 // Fails: after a night the clock is right to a millisecond
-// Says: a sum in a float
+// Says: a sum in a float: the larger it is, the more of each tick is rounded away
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: the longest stable step of four methods is right to a millionth
-// Says: did the search end too early?
+// Says: near, and not to a millionth: did the search end too early?
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: the longest stable step of four methods is right to a millionth
-// Says: at your step the growth is 2
+// Says: at your step the growth is 2; it may be 1 + 1e-9 at most
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: the growth of a step that swings is found
-// Says: near, and not exact: is it measured in a run?
+// Says: near, and not exact: is it measured in a run? Where that began still counts in it
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: the longest stable step of four methods is right to a millionth
-// Says: this is 2/omega, the limit of symplectic Euler without damping
+// Says: this is 2/omega, the limit of symplectic Euler without damping, and not this method's
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,5 +1,5 @@
 // Fails: one frame of any length ends at the place where tiny steps do
-// Says: the exact step needs none
+// Says: short steps blow up in a frame as long as that; the exact step needs none
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

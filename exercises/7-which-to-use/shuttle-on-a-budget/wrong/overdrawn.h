@@ -1,5 +1,5 @@
 // Fails: within the budget the shuttle lands as near as equal steps bring it
-// Says: times too often
+// Says: it asked 10800 times too often
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

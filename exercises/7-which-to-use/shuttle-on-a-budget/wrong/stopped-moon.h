@@ -1,5 +1,5 @@
 // Fails: it lands twenty times nearer than RK4 in equal steps
-// Says: no question is for the second half of the flight
+// Says: no question is for the second half of the flight; the moons move, and t says when
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// A drone that flies once around its tower in steps of Euler's method.
+#pragma once
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "format_values.h"
+#include "judge/method.h"
+#include "judge/random.h"
+
+namespace drone {
+
+constexpr int most_steps = 200000;  ///< that the judge will fly
+
+/// How far out the drone is after so many steps, and where it was on the way there.
+/// @param angle  that all of them cover on the circle of one metre
+inline judge::Path fly(int steps, double angle = 2 * std::numbers::pi) {
+  const harness::Force leash{harness::Force::spring, {1, 0}};
+  return judge::run(judge::euler, {{1, 0, 0}, {0, 1, 0}, 0}, angle / steps, steps, 1, leash);
+}
+
+/// The share by which the distance has grown then; without end if there is no step.
+inline double growth(int steps, double angle = 2 * std::numbers::pi) {
+  if (steps < 1 || steps > most_steps) return steps < 1 ? INFINITY : 0;
+  return length(fly(steps, angle).states.back().x) - 1;
+}
+
+/// What the designer allows, and the fewest steps that stay within it.
+struct Turn {
+  double growth;
+  int fewest;
+
+  /// Of a share that is given.
+  static Turn of(double growth) {
+    int beyond = 0, within = most_steps;
+    while (within - beyond > 1) {
+      const int steps = (beyond + within) / 2;
+      (drone::growth(steps) > growth ? beyond : within) = steps;
+    }
+    return {growth, within};
+  }
+
+  /// So far from what the fewest steps do towards what one fewer does; a hundredth of the way from
+  /// either is more than rounding can choose.
+  static Turn between(int steps, double share) {
+    const double within = drone::growth(steps), beyond = drone::growth(steps - 1);
+    return {within + share * (beyond - within), steps};
+  }
+
+  static Turn draw(judge::Random& random, double low, double high) {
+    const double steps = std::exp(random.between(std::log(low), std::log(high)));
+    return between(static_cast<int>(steps), random.between(0.2, 0.8));
+  }
+};
+
+/// What a number of steps tells that is wrong.
+inline std::vector<std::string> what_is_wrong(const Turn& turn, int steps) {
+  if (steps < 1) return {"this is no number of steps: " + std::to_string(steps)};
+  if (steps == turn.fewest - 1) return {"one step too few: did you round down?"};
+  if (steps == turn.fewest + 1) return {"one step too many: it can be spared"};
+  return {};
+}
+
+}  // namespace drone

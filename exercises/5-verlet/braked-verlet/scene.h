@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// One step with drag, and which drag it was.
+#pragma once
+#include <string>
+
+#include "../places.h"
+#include "harness.h"
+#include "judge/random.h"
+
+namespace judge::verlet::braked_verlet {
+
+struct Line {
+  Vec x, before, a;
+  double c = 0, h = 0;
+
+  /// Such that 1 - c h is below zero, which some cut off.
+  static Line draw() {
+    Random random;
+    const double h = random.between(0.2, 0.3);
+    return {random.start().x, random.start().x, random.vector(2, 9), random.between(1.2, 1.8) / h,
+            h};
+  }
+
+  /// Any that may be asked: at rest, far away, hardly braked or hardly pushed.
+  static Line anywhere(Random& random) {
+    return {random.vector_anywhere(harness_bounds::place),
+            random.vector_anywhere(harness_bounds::place),
+            random.vector_anywhere(harness_bounds::a), random.anywhere(harness_bounds::c),
+            random.anywhere(harness_bounds::h)};
+  }
+
+  Vec by(Student& student) const {
+    return as_places(
+        student.call(1, {x.x, x.y, x.z, before.x, before.y, before.z, a.x, a.y, a.z, c, h}, 3))[0];
+  }
+
+  double tolerance() const {
+    return rounding(length(x) + length(before) + h * h * length(a)).value;
+  }
+
+  /// From the place before to the place after.
+  Vec velocity(const Vec& next) const { return (next - before) / (2 * h); }
+
+  std::string in_words() const {
+    return "x = " + describe(x, 17) + ", x_previous = " + describe(before, 17) +
+           ", a = " + describe(a, 17) + ", c = " + grade::number(c, 17) +
+           ", h = " + grade::number(h, 17);
+  }
+};
+
+/// The place and the velocity that it makes fit both formulas of the task.
+inline void solves(Student& student, const Line& line) {
+  const Vec next = line.by(student), v = line.velocity(next);
+  const Vec other_side = line.x + (line.x - line.before) + line.h * line.h * (line.a - line.c * v);
+  grade::Finding finding =
+      off_by(length(next - other_side), {line.tolerance(), rounding(1).from}, " m");
+  finding.asked = "next_place";
+  finding.input = line.in_words();
+  finding.expected = "a place that the two formulas of the task give back";
+  finding.got = describe(next, 12) + ", which makes v " + describe(v) +
+                ", and with that the right side is " + describe(other_side, 12);
+  if (!finding.held) {
+    finding.hint = "Put your result into the two formulas of the task. Do both sides agree?";
+  }
+  check(finding);
+}
+
+}  // namespace judge::verlet::braked_verlet

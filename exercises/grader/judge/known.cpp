@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT-0
+#include "judge/known.h"
+
+#include <fcntl.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "judge/diagnose.h"
+
+namespace judge {
+namespace {
+
+using Answer = void (*)(harness::Call& call);
+
+struct Ways {
+  Answer right = nullptr;
+  std::vector<Known::Way> wrong;
+};
+
+std::map<std::string, Ways>& all() {
+  static std::map<std::string, Ways> all;
+  return all;
+}
+
+constexpr double rounding_aside = 1e-10;  // ten digits
+
+// How far apart, as a share of the size; what is no number is alike too, in the same place.
+double apart(double one, double other, double size) {
+  if (one == other || (std::isnan(one) && std::isnan(other))) return 0;
+  const double share = std::abs(one - other) / size;
+  return std::isnan(share) ? INFINITY : share;
+}
+
+double size_of(const Evaluation& asked) {
+  return length(asked.x) + length(asked.v) + std::abs(asked.t);
+}
+
+// What is no number is alike in a question: its answer will tell.
+bool alike(const Evaluation& one, const Evaluation& other) {
+  const double most = rounding_aside * size_of(one);
+  return !(length(one.x - other.x) > most) && !(length(one.v - other.v) > most) &&
+         !(std::abs(one.t - other.t) > most);
+}
+
+// What is no longer as the student did it.
+struct Differs {};
+
+// The exchange that is gone through again, and how far.
+struct Replay {
+  const Exchange* exchange = nullptr;
+  std::size_t asked = 0;
+} replay;
+
+double apart(const Exchange& exchange, const std::vector<double>& answer) {
+  if (replay.asked != exchange.evaluations.size() || answer.size() != exchange.answer.size())
+    return INFINITY;
+  double size = 0, largest = 0;
+  for (const double number : exchange.answer)
+    if (std::isfinite(number)) size = std::max(size, std::abs(number));
+  for (std::size_t n = 0; n < answer.size(); ++n)
+    largest = std::max(largest, apart(answer[n], exchange.answer[n], size));
+  return largest;
+}
+
+// Of the way; nothing if it asks elsewhere, or throws where the student's answer came.
+std::vector<double> answer_of(Answer way, const Exchange& exchange) {
+  replay = {&exchange, 0};
+  harness::Call call(exchange.function, exchange.arguments);
+  try {
+    way(call);
+  } catch (const Differs&) {
+    return {};
+  } catch (const std::exception&) {
+    return {};
+  }
+  return call.answer();
+}
+
+// How far its answer is from the student's; infinite if it has none.
+double apart(Answer way, const Exchange& exchange) {
+  const std::vector<double> answer = answer_of(way, exchange);
+  return apart(exchange, answer);
+}
+
+// From one of the exchanges on, in their order: a harness may keep what one call gives it for the
+// next. No further than to what is too far.
+double apart(Answer way, std::span<const Exchange> exchanges, double too_far) {
+  double largest = 0;
+  for (const Exchange& exchange : exchanges) {
+    largest = std::max(largest, apart(way, exchange));
+    if (largest > too_far) return INFINITY;
+  }
+  return largest;
+}
+
+// Ends the process if it computes for so long.
+void end_after(int milliseconds) {
+  itimerval timer{};
+  timer.it_value.tv_usec = 1000 * milliseconds;
+  setitimer(ITIMER_VIRTUAL, &timer, nullptr);
+}
+
+// In a process of its own: with it ends what a way remembers, and one that crashes or never returns
+// has no answer, which is infinite.
+double in_a_process(const std::function<double()>& compute) {
+  constexpr int longest = 500;  // [ms]
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) return INFINITY;
+  const pid_t child = fork();
+  if (child == 0) {
+    close(STDERR_FILENO);
+    end_after(longest);
+    const double found = compute();
+    _exit(write(ends[1], &found, sizeof found) == sizeof found ? 0 : 1);
+  }
+  close(ends[1]);
+  double found = INFINITY;
+  if (child < 0 || read(ends[0], &found, sizeof found) != sizeof found) found = INFINITY;
+  close(ends[0]);
+  if (child > 0) waitpid(child, nullptr, 0);
+  return found;
+}
+
+double apart_alone(Answer way, std::span<const Exchange> exchanges, double too_far = INFINITY) {
+  return in_a_process([&] { return apart(way, exchanges, too_far); });
+}
+
+// Each program anew.
+double apart_alone(Answer way, const Programs& programs, double too_far = INFINITY) {
+  double largest = 0;
+  for (const auto& exchanges : programs) {
+    largest = std::max(largest, apart_alone(way, std::span(exchanges), too_far));
+    if (largest > too_far) return INFINITY;
+  }
+  return largest;
+}
+
+// Whether the student's numbers are those of a way, but for what a float loses of each.
+bool is_of_floats(Answer way, const Programs& programs) {
+  const auto compare = [&] {
+    bool some = false;
+    for (const auto& exchanges : programs) {
+      for (const Exchange& exchange : exchanges) {
+        const std::vector<double> answer = answer_of(way, exchange);
+        if (answer.size() != exchange.answer.size()) return 0.0;
+        for (std::size_t n = 0; n < answer.size(); ++n) {
+          const double off = std::abs(exchange.answer[n] - answer[n]) / std::abs(answer[n]);
+          if (off > 2e-6) return 0.0;
+          some = some || like_a_float(off);
+        }
+      }
+    }
+    return some ? 1.0 : 0.0;
+  };
+  return in_a_process(compare) == 1;
+}
+
+// How many exchanges there are before the first that is wrong.
+std::size_t count_right(Answer right, std::span<const Exchange> exchanges) {
+  const double count = in_a_process([&] {
+    double count = 0;
+    for (const Exchange& exchange : exchanges) {
+      if (!(apart(right, exchange) <= rounding_aside)) break;
+      ++count;
+    }
+    return count;
+  });
+  return std::isfinite(count) ? static_cast<std::size_t>(count) : exchanges.size();
+}
+
+// What those say that are as near as any, but for rounding; each sentence once.
+std::vector<std::string> nearest_of(const std::vector<std::pair<double, const char*>>& ways) {
+  constexpr double rounding = 1e-13;
+  std::vector<std::string> says;
+  if (ways.empty()) return says;
+  const double most = std::max(rounding, 10 * std::ranges::min(ways).first);
+  for (const auto& [apart, sentence] : ways)
+    if (apart <= most && std::ranges::find(says, sentence) == says.end())
+      says.emplace_back(sentence);
+  return says;
+}
+
+// Where three or more answer alike, nobody knows.
+std::vector<std::string> together(const std::vector<std::string>& says) {
+  if (says.size() < 2) return says;
+  if (says.size() > 2) return {};
+  return {"either " + says[0] + ", or " + says[1]};
+}
+
+}  // namespace
+
+Known::Known(const char* exercise, void (*right)(harness::Call& call), std::vector<Way> wrong) {
+  all()[exercise] = {right, std::move(wrong)};
+}
+
+std::vector<std::string> Known::recognised(const std::string& exercise, const Programs& programs) {
+  const auto found = all().find(exercise);
+  if (found == all().end()) return {};
+  const auto& [right, wrong] = found->second;
+  const double off = apart_alone(right, programs);
+  // What is as near to the right answers as to those of a wrong way is not recognised.
+  const double near = std::min(rounding_aside, off / 10);
+  std::vector<std::pair<double, const char*>> found_near;
+  for (const Known::Way& way : wrong) {
+    const double now = near > 0 ? apart_alone(way.answer, programs, near) : INFINITY;
+    if (now <= near) found_near.emplace_back(now, way.says);
+  }
+  const std::vector<std::string> says = nearest_of(found_near);
+  if (says.empty() && is_of_floats(right, programs))
+    return {"right to seven digits and no further: a float, or a constant with an f?"};
+  return together(says);
+}
+
+const Exchange* Known::first_wrong(const std::string& exercise, const Programs& programs) {
+  const auto found = all().find(exercise);
+  if (found == all().end()) return nullptr;
+  const Answer right = found->second.right;
+  for (const auto& exchanges : programs) {
+    const std::size_t n = count_right(right, exchanges);
+    if (n == exchanges.size()) continue;
+    const std::span all_of_them(exchanges);
+    const double off = apart_alone(right, all_of_them.subspan(n, 1));
+    return off == apart_alone(right, all_of_them.first(n + 1)) ? &exchanges[n] : nullptr;
+  }
+  return nullptr;
+}
+
+bool Known::is_right(const std::string& exercise, const Exchange& exchange) {
+  return apart_alone(all().at(exercise).right, std::span(&exchange, 1)) <= rounding_aside;
+}
+
+}  // namespace judge
+
+// Asked where the student asked, and told the same.
+Vec harness::ask(const Vec& x, const Vec& v, double t) {
+  using namespace judge;
+  const auto& evaluations = replay.exchange->evaluations;
+  if (replay.asked == evaluations.size()) throw Differs();
+  const Evaluation& theirs = evaluations[replay.asked++];
+  if (!alike(theirs, {x, v, t})) throw Differs();
+  return theirs.a;
+}
