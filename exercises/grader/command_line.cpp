@@ -93,6 +93,12 @@ Shard shard(const std::string& text) {
   return shard;
 }
 
+/// Each once, however often it is named.
+void add(std::vector<Exercise>& all, const std::string& name) {
+  if (std::ranges::find(all, name, &Exercise::name) == all.end())
+    all.push_back(exercise_named(name));
+}
+
 /// A line for each exercise; what stands behind # is a remark.
 std::vector<Exercise> assigned(const std::string& file) {
   const std::optional<std::string> text = small_file(file);
@@ -102,7 +108,7 @@ std::vector<Exercise> assigned(const std::string& file) {
   std::istringstream lines(*text);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
-    for (std::string name; words >> name;) all.push_back(exercise_named(name));
+    for (std::string name; words >> name;) add(all, name);
   }
   if (all.empty())
     throw Usage("'" + printable_name(file) + "' names no exercise; write one on each line");
@@ -132,7 +138,7 @@ void add_class(Command& command, const Options& options) {
   if (options.sandbox == "none") throw Usage("a class is graded in the sandbox only");
   if (options.exit_status == "verdict") throw Usage("--exit-status verdict is for one submission");
   Class& work = command.classroom;
-  for (const std::string& name : options.exercises) work.exercises.push_back(exercise_named(name));
+  for (const std::string& name : options.exercises) add(work.exercises, name);
   if (!options.assigned.empty()) work.assigned = assigned(options.assigned);
   work.submissions = options.submissions;
   work.results = folder(options.out);

@@ -258,6 +258,12 @@ TEST_CASE("any frame is paid, and any machine is foretold, and two by turns",
           "[1-test-case/too-long-a-frame][1 point]") {
   Student student;
   Random random;
+  const std::string exact = "What is left and the frame make just a step. Is it due?";
+  for (int n = 1; n <= 8; ++n) {
+    // Sixty-fourths and halves of them add up without rounding.
+    const Machine machine{0.01, 0.01, 1.0 / 64, random.whole(1, 8)};
+    spends(student, machine, 0.5 / 64, (n - 0.5) / 64, exact);
+  }
   constexpr int pairs = 100, rounds = 2;
   for (int n = 0; n < pairs; ++n) {
     const double h = random.anywhere(harness_bounds::h);

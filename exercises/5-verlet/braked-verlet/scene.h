@@ -2,6 +2,7 @@
 /// @file
 /// One step with drag, and which drag it was.
 #pragma once
+#include <cmath>
 #include <string>
 
 #include "../places.h"
@@ -22,12 +23,18 @@ struct Line {
             h};
   }
 
-  /// Any that may be asked: at rest, far away, hardly braked or hardly pushed.
+  /// Any that may be asked: at rest, far away, hardly braked or hardly pushed; one in eight with
+  /// c h = 2, at which the last distance counts for nothing.
   static Line anywhere(Random& random) {
-    return {random.vector_anywhere(harness_bounds::place),
-            random.vector_anywhere(harness_bounds::place),
-            random.vector_anywhere(harness_bounds::a), random.anywhere(harness_bounds::c),
-            random.anywhere(harness_bounds::h)};
+    Line line{random.vector_anywhere(harness_bounds::place),
+              random.vector_anywhere(harness_bounds::place),
+              random.vector_anywhere(harness_bounds::a), random.anywhere(harness_bounds::c),
+              random.anywhere(harness_bounds::h)};
+    if (random.whole(0, 7) == 0) {
+      line.h = std::ldexp(1.0, -random.whole(0, 5));
+      line.c = 2 / line.h;
+    }
+    return line;
   }
 
   Vec by(Student& student) const {

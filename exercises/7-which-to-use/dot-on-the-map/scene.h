@@ -49,8 +49,8 @@ inline Step with_eigenvalues(judge::Random& random, double a, double b, bool swi
   return step;
 }
 
-/// Steps that leave place or velocity to itself, lose both at once, or hang at zero; and their
-/// growth.
+/// Steps that leave place or velocity to itself, lose both at once, hang at zero, or grow and
+/// shrink by next to nothing; and their growth.
 inline std::vector<std::pair<Step, double>> simple() {
   std::vector<std::pair<Step, double>> steps;
   const auto add = [&](const Matrix& m, double growth) {
@@ -68,6 +68,7 @@ inline std::vector<std::pair<Step, double>> simple() {
   add({0, 2, -2, 0}, 2);
   add({0, 0.5, 2, 0}, 1);
   add({1.0 / 1024, 0, 0, 0.5}, 0.5);
+  add({1 + 0x1p-11, 0, 0, 1 - 0x1p-11}, 1 + 0x1p-11);
   return steps;
 }
 
@@ -95,6 +96,8 @@ inline std::vector<Method> methods(double w, double zeta) {
        {{{{1, c, -k}, {0, 1}, {0, -k}, {1}}}, {1, c, 0}},
        2 * (root + zeta) / w},
       {"backward Euler", {{{{1, c}, {0, 1}, {0, -k}, {1}}}, {1, c, k}}, INFINITY},
+      // As much as a step may grow that is stable.
+      {"a turn that grows by a ten-billionth", {{{{0}, {1 + 1e-10}, {-1 - 1e-10}, {0}}}}, INFINITY},
   };
 }
 

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT-0
 #include "judge/known.h"
 
-#include <fcntl.h>
-#include <sys/time.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <functional>
 #include <map>
 #include <span>
 #include <utility>
 
 #include "judge/diagnose.h"
+#include "judge/in_a_process.h"
 
 namespace judge {
 namespace {
@@ -102,44 +97,19 @@ double apart(Answer way, std::span<const Exchange> exchanges, double too_far) {
   return largest;
 }
 
-// Ends the process if it computes for so long.
-void end_after(int milliseconds) {
-  itimerval timer{};
-  timer.it_value.tv_usec = 1000 * milliseconds;
-  setitimer(ITIMER_VIRTUAL, &timer, nullptr);
-}
-
-// In a process of its own: with it ends what a way remembers, and one that crashes or never returns
-// has no answer, which is infinite.
-double in_a_process(const std::function<double()>& compute) {
-  constexpr int longest = 500;  // [ms]
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) return INFINITY;
-  const pid_t child = fork();
-  if (child == 0) {
-    close(STDERR_FILENO);
-    end_after(longest);
-    const double found = compute();
-    _exit(write(ends[1], &found, sizeof found) == sizeof found ? 0 : 1);
-  }
-  close(ends[1]);
-  double found = INFINITY;
-  if (child < 0 || read(ends[0], &found, sizeof found) != sizeof found) found = INFINITY;
-  close(ends[0]);
-  if (child > 0) waitpid(child, nullptr, 0);
-  return found;
-}
-
 double apart_alone(Answer way, std::span<const Exchange> exchanges, double too_far = INFINITY) {
   return in_a_process([&] { return apart(way, exchanges, too_far); });
 }
 
-// Each program anew.
-double apart_alone(Answer way, const Programs& programs, double too_far = INFINITY) {
-  double largest = 0;
+// All these ways, each program anew.
+std::vector<double> apart_alone(const std::vector<Answer>& ways, const Programs& programs,
+                                double too_far) {
+  std::vector<double> largest(ways.size(), 0.0);
   for (const auto& exchanges : programs) {
-    largest = std::max(largest, apart_alone(way, std::span(exchanges), too_far));
-    if (largest > too_far) return INFINITY;
+    const std::vector<double> now = in_a_process(ways.size(), [&](std::size_t n) {
+      return largest[n] > too_far ? INFINITY : apart(ways[n], exchanges, too_far);
+    });
+    for (std::size_t n = 0; n < ways.size(); ++n) largest[n] = std::max(largest[n], now[n]);
   }
   return largest;
 }
@@ -206,14 +176,16 @@ std::vector<std::string> Known::recognised(const std::string& exercise, const Pr
   const auto found = all().find(exercise);
   if (found == all().end()) return {};
   const auto& [right, wrong] = found->second;
-  const double off = apart_alone(right, programs);
+  const double off = apart_alone({right}, programs, INFINITY)[0];
+  if (off == 0) return {};
   // What is as near to the right answers as to those of a wrong way is not recognised.
   const double near = std::min(rounding_aside, off / 10);
+  std::vector<Answer> ways;
+  for (const Known::Way& way : wrong) ways.push_back(way.answer);
+  const std::vector<double> all_apart = apart_alone(ways, programs, near);
   std::vector<std::pair<double, const char*>> found_near;
-  for (const Known::Way& way : wrong) {
-    const double now = near > 0 ? apart_alone(way.answer, programs, near) : INFINITY;
-    if (now <= near) found_near.emplace_back(now, way.says);
-  }
+  for (std::size_t n = 0; n < wrong.size(); ++n)
+    if (all_apart[n] <= near) found_near.emplace_back(all_apart[n], wrong[n].says);
   const std::vector<std::string> says = nearest_of(found_near);
   if (says.empty() && is_of_floats(right, programs))
     return {"right to seven digits and no further: a float, or a constant with an f?"};

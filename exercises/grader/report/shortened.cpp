@@ -2,7 +2,6 @@
 #include "report/shortened.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <regex>
 #include <vector>
@@ -13,13 +12,22 @@ namespace grade {
 
 namespace {
 
-// What is not whole does not look so, such as a little more than one.
+std::ptrdiff_t significant_digits(const std::string& text) {
+  const std::string mantissa = text.substr(0, text.find('e'));
+  const auto first = mantissa.find_first_of("123456789");
+  return first == mantissa.npos ? 0
+                                : std::count_if(mantissa.begin() + std::ptrdiff_t(first),
+                                                mantissa.end(), [](char c) { return c != '.'; });
+}
+
+// What has more digits does not look round, such as a little more than one, or less than a half.
 std::string in_short(double value, int digits) {
   constexpr int all = 17;
+  const auto looks_round = [&](const std::string& text) {
+    return std::strtod(text.c_str(), nullptr) != value && significant_digits(text) < digits;
+  };
   std::string text = number(value, digits);
-  while (digits < all && value != std::round(value) &&
-         std::strtod(text.c_str(), nullptr) == std::round(value))
-    text = number(value, ++digits);
+  while (digits < all && looks_round(text)) text = number(value, ++digits);
   return text;
 }
 

@@ -219,6 +219,21 @@ test('files written by hand may begin with the mark of some editors', () => {
   assert.equal(JSON.parse(readFileSync(at('marked-out/ada/1-first/one/report.json'), 'utf8')).seed, '12');
 });
 
+test('an exercise that is named twice counts once', () => {
+  writeFileSync(at('twice'), '1-first/one\n1-first/one\n');
+  mkdirSync(at('twice-class/ada/1-first'), { recursive: true });
+  writeFileSync(at('twice-class/ada/1-first/one.h'), '// score 10');
+  const named = [
+    ['--assigned', 'twice'],
+    ['--exercise', '1-first/one', '--exercise', '1-first/one'],
+  ];
+  for (const [n, words] of named.entries()) {
+    const { status, stdout, stderr } = run('--class', 'twice-class', '--out', `twice-${n}`, '--seed', '5', ...words);
+    assert.equal(status, 0, stderr);
+    assert.match(stdout + stderr, /1 exercise\b/);
+  }
+});
+
 test('a pipe or a device in place of a submission is rejected, as the help says', () => {
   const seen = run('1-first/one', '/dev/zero');
   assert.equal(seen.status, 0);
