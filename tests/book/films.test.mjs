@@ -7,7 +7,7 @@ import { folder } from './book.mjs';
 import { openTab, visit } from './browser.mjs';
 import { readPalette } from './palette.mjs';
 
-const source = process.argv[3];
+const [, , build, source] = process.argv;
 const films = readdirSync(join(folder, 'films'));
 const time = tab => tab.locator('input').inputValue().then(Number);
 const picture = tab => tab.locator('canvas').evaluate(canvas => canvas.toDataURL());

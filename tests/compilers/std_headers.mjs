@@ -1,7 +1,7 @@
 // Which standard header brings which names of std. A name that several headers bring stands with each of them, and so does a base
 // class with those that derive from it.
 const rows = `
-algorithm: adjacent_find all_of any_of clamp copy count count_if equal erase_if fill fill_n find find_if find_if_not generate lower_bound max max_element min min_element minmax minmax_element mismatch none_of nth_element reverse sort upper_bound ranges::adjacent_find ranges::all_of ranges::any_of ranges::count ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if ranges::max ranges::max_element ranges::min_element ranges::minmax ranges::mismatch ranges::none_of ranges::replace ranges::reverse ranges::sort ranges::transform
+algorithm: adjacent_find all_of any_of clamp copy count count_if equal erase_if fill fill_n find find_if find_if_not generate lower_bound max max_element min min_element minmax minmax_element mismatch none_of nth_element reverse sort upper_bound ranges::adjacent_find ranges::all_of ranges::any_of ranges::count ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if ranges::max ranges::max_element ranges::min ranges::min_element ranges::minmax ranges::mismatch ranges::none_of ranges::replace ranges::reverse ranges::sort ranges::transform
 array: array tuple_size_v get size begin end
 bit: bit_cast
 cctype: isalnum isalpha isdigit isspace tolower toupper
@@ -16,7 +16,7 @@ concepts: same_as floating_point
 cstddef: byte nullptr_t ptrdiff_t size_t to_integer
 cstdint: int32_t int64_t uint8_t uint16_t uint32_t uint64_t uintmax_t uintptr_t
 cstdio: FILE fclose ferror fflush fopen fprintf fputs fread fwrite perror printf putchar puts remove rewind setvbuf snprintf sscanf tmpfile size_t
-cstdlib: abort abs atoi exit free getenv malloc strtod strtol system size_t
+cstdlib: abort abs atoi exit free getenv malloc strtod strtol strtoul system size_t
 cstring: memcmp memcpy memset strcmp strerror strlen size_t
 ctime: gmtime size_t strftime time time_t
 deque: deque erase_if size begin end

@@ -88,6 +88,7 @@ function configOf(folder, doxygen = process.env.DOXYGEN || 'doxygen') {
     work: join(folder, 'work'),
     live: existsSync(join(folder, MODULE)) ? join(folder, MODULE) : '',
     cards: join(folder, 'built/cards'),
+    methods: join(folder, 'built/register'),
     shelf: existsSync(join(folder, 'code/shelf')) ? join(folder, 'built/shelf') : '',
     doxygen,
     times: timed ? [{ recorded: join(folder, 'built/recorded.csv'), here: join(folder, 'built/here.csv') }] : [],

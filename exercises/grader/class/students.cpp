@@ -2,6 +2,7 @@
 #include "class/students.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <system_error>
 
 namespace grade {
