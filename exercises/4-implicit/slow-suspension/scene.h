@@ -41,7 +41,7 @@ struct Suspension {
       scene.h = random.anywhere(harness_bounds::h);
       scene.omega = random.anywhere(harness_bounds::omega);
       scene.zeta = random.anywhere(harness_bounds::zeta);
-    } while (scene.cancels() > 100);
+    } while (!scene.askable());
     scene.steps = 1;
     return scene;
   }
@@ -66,6 +66,7 @@ struct Suspension {
     const double half = h * omega / 2, brake = 2 * zeta * half, pull = half * half;
     return (1 + std::abs(brake) + pull) / std::abs(1 + brake + pull);
   }
+  bool askable() const { return cancels() <= 100; }
 
   // What a step sums up, all with one sign, over what it divides by; and what that has lost counts
   // in full.
