@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <map>
 #include <span>
 #include <utility>
@@ -72,9 +71,7 @@ std::vector<double> answer_of(Answer way, const Exchange& exchange) {
   harness::Call call(exchange.function, exchange.arguments);
   try {
     way(call);
-  } catch (const Differs&) {
-    return {};
-  } catch (const std::exception&) {
+  } catch (...) {
     return {};
   }
   return call.answer();
