@@ -33,12 +33,12 @@ Method looks_ahead(double alpha) {
 }
 
 // Slopes that are summed up with weights of their own.
-Method with_share(double alpha) {
-  return method("the step that looks " + of_a_step(alpha),
-                [alpha](Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) {
-                  const Vec a = acceleration(x, v, t), v_ahead = v + alpha * h * a;
-                  const Vec a_ahead = acceleration(x + alpha * h * v, v_ahead, t + alpha * h);
-                  const double second = 1 / (2 * alpha);
+Method with_share(double share) {
+  return method("the step that looks " + of_a_step(share),
+                [share](Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) {
+                  const Vec a = acceleration(x, v, t), v_ahead = v + share * h * a;
+                  const Vec a_ahead = acceleration(x + share * h * v, v_ahead, t + share * h);
+                  const double second = 1 / (2 * share);
                   x += h * ((1 - second) * v + second * v_ahead);
                   v += h * ((1 - second) * a + second * a_ahead);
                 });

@@ -134,12 +134,12 @@ bool is_of_floats(Answer way, const Programs& programs) {
 // How many exchanges there are before the first that is wrong.
 std::size_t count_right(Answer right, std::span<const Exchange> exchanges) {
   const double count = in_a_process([&] {
-    double count = 0;
+    double before = 0;
     for (const Exchange& exchange : exchanges) {
       if (!(apart(right, exchange) <= rounding_aside)) break;
-      ++count;
+      ++before;
     }
-    return count;
+    return before;
   });
   return std::isfinite(count) ? static_cast<std::size_t>(count) : exchanges.size();
 }
