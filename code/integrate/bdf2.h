@@ -39,6 +39,18 @@
 
 namespace integrate {
 
+/// Checks that BDF2 can use these types; what one lacks is a compile error that says so.
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr bool bdf2_accepts() {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  return calls && scales;
+}
+
 /// The state one step ago, which bdf2 remembers.
 /// @see bdf2_start
 template <class Vec>
@@ -65,13 +77,7 @@ struct Bdf2Previous {
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr Bdf2Previous<Vec> bdf2_start(const Vec& x, const Vec& v, Time t, Real h_previous,
                                        Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (bdf2_accepts<Vec, Time, Real, Acceleration>()) {
     // [start-move]
     const Vec a = acceleration(x, v, t);
     return {x + -h_previous * v, v + -h_previous * a};
@@ -105,16 +111,10 @@ constexpr Bdf2Previous<Vec> bdf2_start(const Vec& x, const Vec& v, Time t, Real 
 template <class Vec, class Time, class Real, class Acceleration, class Solve>
 [[nodiscard]] constexpr bool bdf2(Vec& x, Vec& v, Bdf2Previous<Vec>& previous, Time t, Real h,
                                   Real h_previous, Acceleration&& acceleration, Solve&& solve) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
   constexpr bool solves =
       std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
   static_assert(solves, "solve must be callable as bool(x, v, t, p, q, change), change a Vec&");
-  if constexpr (calls && scales && solves) {
+  if constexpr (bdf2_accepts<Vec, Time, Real, Acceleration>() && solves) {
     using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
     const Clock t_end = Clock(t) + Clock(h);
     // [move]
@@ -156,18 +156,12 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve, cl
 [[nodiscard]] constexpr int bdf2_newton(Vec& x, Vec& v, Bdf2Previous<Vec>& previous, Time t, Real h,
                                         Real h_previous, Acceleration&& acceleration, Solve&& solve,
                                         Norm&& norm, Real tolerance) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
   constexpr bool solves =
       std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
   static_assert(solves, "solve must be callable as bool(x, v, t, p, q, change), change a Vec&");
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
-  if constexpr (calls && scales && solves && measures) {
+  if constexpr (bdf2_accepts<Vec, Time, Real, Acceleration>() && solves && measures) {
     using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
     const Clock t_end = Clock(t) + Clock(h);
     // [newton-move]

@@ -33,6 +33,19 @@
 
 namespace integrate {
 
+/// Checks that a path of dopri5 can use these types; what one lacks is a compile error that says
+/// so.
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr bool dopri5_accepts() {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  return calls && scales && !std::is_integral_v<Real>;
+}
+
 /// The weights of dopri5, in parts of a step: stage i is at c_i and goes along slope j by a_ij.
 /// Stage 7 is the end. It is e_j of each slope away from the end of order 4, and d_j of each bends
 /// the way there.
@@ -221,14 +234,8 @@ constexpr Dopri5Error<Vec> dopri5(Place& x, Vec& v, Vec& a, Time t, Real h,
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr Dopri5Path<Vec, Time, Real> dopri5_path(const Vec& x, const Vec& v, Time t, Real h,
                                                   Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
   static_assert(!std::is_integral_v<Time>, "t must be no integer, since the path keeps its type");
-  if constexpr (calls && scales) {
+  if constexpr (dopri5_accepts<Vec, Time, Real, Acceleration>()) {
     const Vec a = acceleration(x, v, t);
     return {x, v, a, t, h, x, v, a, t, h, Real(0) * x, Real(0) * v};
   }
@@ -244,13 +251,7 @@ constexpr Dopri5Path<Vec, Time, Real> dopri5_path(const Vec& x, const Vec& v, Ti
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr Dopri5Error<Vec> dopri5(Dopri5Path<Vec, Time, Real>& path, Real h,
                                   Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales && !std::is_integral_v<Real>) {
+  if constexpr (dopri5_accepts<Vec, Time, Real, Acceleration>()) {
     using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
     Vec v[7] = {path.v, path.v, path.v, path.v, path.v, path.v, path.v};
     Vec a[7] = {path.a, path.a, path.a, path.a, path.a, path.a, path.a};
@@ -295,15 +296,9 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
 [[nodiscard]] bool dopri5_adaptive(Vec& x, Vec& v, Time t, Real duration, Real& h,
                                    Acceleration&& acceleration, Norm&& norm, Real tolerance,
                                    long most = 1'000'000) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
-  if constexpr (calls && scales && measures) {
+  if constexpr (dopri5_accepts<Vec, Time, Real, Acceleration>() && measures) {
     using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
     using Verdict = Dopri5Verdict<Real>;
     const Real length = std::abs(duration);
@@ -346,15 +341,9 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
 [[nodiscard]] bool dopri5_adaptive(Dopri5Path<Vec, Time, Real>& path, Time t,
                                    Acceleration&& acceleration, Norm&& norm, Real tolerance,
                                    long most = 1'000'000) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
-  if constexpr (calls && scales && measures && !std::is_integral_v<Real>) {
+  if constexpr (dopri5_accepts<Vec, Time, Real, Acceleration>() && measures) {
     using Verdict = Dopri5Verdict<Real>;
     if (!Verdict::finite(std::abs(Real(t - path.t)))) return false;
     while (!path.holds(t)) {

@@ -15,6 +15,21 @@
 
 namespace integrate {
 
+/// Checks that leapfrog can use these types; what one lacks is a compile error that says so.
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr bool leapfrog_accepts() {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  return calls && scales && moves;
+}
+
 /// The velocity half a step before the start, for leapfrog to begin with.
 ///
 /// @param x  position
@@ -25,16 +40,8 @@ namespace integrate {
 template <class Place, class Vec, class Time, class Real, class Acceleration>
 constexpr Vec leapfrog_start(const Place& x, const Vec& v, Time t, Real h,
                              Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales && moves) return v + (h / Real(-2)) * acceleration(x, v, t);
+  if constexpr (leapfrog_accepts<Place, Vec, Time, Real, Acceleration>())
+    return v + (h / Real(-2)) * acceleration(x, v, t);
 }
 
 /// The velocity at the time of the position; costs an evaluation of the acceleration.
@@ -47,16 +54,7 @@ constexpr Vec leapfrog_start(const Place& x, const Vec& v, Time t, Real h,
 template <class Place, class Vec, class Time, class Real, class Acceleration>
 constexpr Vec leapfrog_velocity(const Place& x, const Vec& v_half, Time t, Real h,
                                 Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales && moves)
+  if constexpr (leapfrog_accepts<Place, Vec, Time, Real, Acceleration>())
     return v_half + (h / Real(2)) * acceleration(x, v_half, t);
 }
 
@@ -75,16 +73,7 @@ constexpr Vec leapfrog_velocity(const Place& x, const Vec& v_half, Time t, Real 
 /// Stormer-Verlet method, Acta Numerica 12 (2003)
 template <class Place, class Vec, class Time, class Real, class Acceleration>
 constexpr void leapfrog(Place& x, Vec& v_half, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales && moves) {
+  if constexpr (leapfrog_accepts<Place, Vec, Time, Real, Acceleration>()) {
     // [move]
     const Vec a = acceleration(x, v_half, t);
     v_half = v_half + h * a;

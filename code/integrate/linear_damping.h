@@ -35,6 +35,21 @@
 
 namespace integrate {
 
+/// Checks that a damped step can use these types; what one lacks is a compile error that says so.
+template <class Place, class Vec, class Time, class Real, class Acceleration>
+constexpr bool linear_damping_accepts() {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(moves, "x + h * v must be a Place, which is the type of x");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  return calls && scales && moves;
+}
+
 /// Symplectic Euler with damping: the force, then the speed times 1 - c*h (PhysX, Jolt).
 ///
 /// Order 1, one evaluation of the acceleration, stable on drag for every h, on an undamped spring
@@ -50,16 +65,7 @@ namespace integrate {
 template <class Place, class Vec, class Time, class Real, class Acceleration>
 constexpr void linear_damping_explicit_last(Place& x, Vec& v, Time t, Real h, Real c,
                                             Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales && moves) {
+  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
     const Vec a = acceleration(x, v, t);
     const Real keep = Real(1) - c * h;
     v = (keep > Real(0) ? keep : Real(0)) * Vec(v + h * a);
@@ -81,16 +87,7 @@ constexpr void linear_damping_explicit_last(Place& x, Vec& v, Time t, Real h, Re
 template <class Place, class Vec, class Time, class Real, class Acceleration>
 constexpr void linear_damping_explicit_first(Place& x, Vec& v, Time t, Real h, Real c,
                                              Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales && moves) {
+  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
     const Vec a = acceleration(x, v, t);
     const Real keep = Real(1) - c * h;
     v = (keep > Real(0) ? keep : Real(0)) * v + h * a;
@@ -112,16 +109,7 @@ constexpr void linear_damping_explicit_first(Place& x, Vec& v, Time t, Real h, R
 template <class Place, class Vec, class Time, class Real, class Acceleration>
 constexpr void linear_damping_implicit_last(Place& x, Vec& v, Time t, Real h, Real c,
                                             Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales && moves) {
+  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
     // [implicit-last-move]
     const Vec a = acceleration(x, v, t);
     v = (Real(1) / (Real(1) + c * h)) * Vec(v + h * a);
@@ -144,16 +132,7 @@ constexpr void linear_damping_implicit_last(Place& x, Vec& v, Time t, Real h, Re
 template <class Place, class Vec, class Time, class Real, class Acceleration>
 constexpr void linear_damping_implicit_first(Place& x, Vec& v, Time t, Real h, Real c,
                                              Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales && moves) {
+  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
     const Vec a = acceleration(x, v, t);
     v = (Real(1) / (Real(1) + c * h)) * v + h * a;
     x = x + h * v;
@@ -174,16 +153,7 @@ constexpr void linear_damping_implicit_first(Place& x, Vec& v, Time t, Real h, R
 template <class Place, class Vec, class Time, class Real, class Acceleration>
 void linear_damping_exponential_last(Place& x, Vec& v, Time t, Real h, Real c,
                                      Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales && moves) {
+  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
     const Vec a = acceleration(x, v, t);
     v = std::exp(-c * h) * Vec(v + h * a);
     x = x + h * v;
@@ -204,16 +174,7 @@ void linear_damping_exponential_last(Place& x, Vec& v, Time t, Real h, Real c,
 template <class Place, class Vec, class Time, class Real, class Acceleration>
 void linear_damping_exponential_first(Place& x, Vec& v, Time t, Real h, Real c,
                                       Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales && moves) {
+  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
     const Vec a = acceleration(x, v, t);
     v = std::exp(-c * h) * v + h * a;
     x = x + h * v;
@@ -236,16 +197,7 @@ void linear_damping_exponential_first(Place& x, Vec& v, Time t, Real h, Real c,
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
 template <class Place, class Vec, class Time, class Real, class Acceleration>
 void linear_damping_exact(Place& x, Vec& v, Time t, Real h, Real c, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales && moves) {
+  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
     const Vec a = acceleration(x, v, t);
     const Real push = c * h == Real(0) ? h : -std::expm1(-c * h) / c;
     v = std::exp(-c * h) * v + push * a;

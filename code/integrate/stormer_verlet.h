@@ -50,6 +50,18 @@
 
 namespace integrate {
 
+/// Checks that position Verlet can use these types; what one lacks is a compile error that says so.
+template <class Vec, class Time, class Real, class Acceleration>
+constexpr bool stormer_verlet_accepts() {
+  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  return calls && scales;
+}
+
 /// The velocity of position Verlet: the last step's distance over its time.
 ///
 /// Order 1: it is the velocity of half a step ago.
@@ -100,13 +112,7 @@ constexpr Vec stormer_verlet_carried_velocity(const Vec& x, const Vec& x_previou
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr Vec stormer_verlet_start(const Vec& x, const Vec& v, Time t, Real h,
                                    Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (stormer_verlet_accepts<Vec, Time, Real, Acceleration>()) {
     // [start-move]
     return x + Real(-1) * h * v + (h * h / Real(2)) * acceleration(x, v, t);
     // [start-move]
@@ -128,13 +134,7 @@ constexpr Vec stormer_verlet_start(const Vec& x, const Vec& v, Time t, Real h,
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void stormer_verlet(Vec& x, Vec& x_previous, Time t, Real h,
                               Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (stormer_verlet_accepts<Vec, Time, Real, Acceleration>()) {
     // [move]
     const Vec v = stormer_verlet_velocity(x, x_previous, h);
     const Vec a = acceleration(x, v, t);
@@ -160,13 +160,7 @@ constexpr void stormer_verlet(Vec& x, Vec& x_previous, Time t, Real h,
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void stormer_verlet_carried(Vec& x, Vec& x_previous, Vec& a, Time t, Real h,
                                       Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (stormer_verlet_accepts<Vec, Time, Real, Acceleration>()) {
     // [carried-move]
     const Vec v = stormer_verlet_carried_velocity(x, x_previous, a, h);
     a = acceleration(x, v, t);
@@ -189,13 +183,7 @@ constexpr void stormer_verlet_carried(Vec& x, Vec& x_previous, Vec& a, Time t, R
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr Vec stormer_verlet_distance_start(const Vec& x, const Vec& v, Time t, Real h,
                                             Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (stormer_verlet_accepts<Vec, Time, Real, Acceleration>()) {
     return h * v + (Real(-1) * h * h / Real(2)) * acceleration(x, v, t);
   }
 }
@@ -218,13 +206,7 @@ constexpr Vec stormer_verlet_distance_start(const Vec& x, const Vec& v, Time t, 
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void stormer_verlet_distance(Vec& x, Vec& distance, Time t, Real h,
                                        Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (stormer_verlet_accepts<Vec, Time, Real, Acceleration>()) {
     // [distance-move]
     const Vec v = (Real(1) / h) * distance;
     distance = distance + (h * h) * acceleration(x, v, t);
@@ -248,13 +230,7 @@ constexpr void stormer_verlet_distance(Vec& x, Vec& distance, Time t, Real h,
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr void stormer_verlet_uneven(Vec& x, Vec& x_previous, Time t, Real h, Real h_previous,
                                      Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
-  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
-  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(!std::is_integral_v<Real>, "h must be no integer");
-  if constexpr (calls && scales) {
+  if constexpr (stormer_verlet_accepts<Vec, Time, Real, Acceleration>()) {
     // [uneven-move]
     const Vec v = stormer_verlet_velocity(x, x_previous, h_previous);
     const Vec a = acceleration(x, v, t);

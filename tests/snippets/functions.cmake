@@ -29,7 +29,8 @@ ${calls}}
   set(${file} ${folder}/calls/${name}.h PARENT_SCOPE)
 endfunction()
 
-# Lists the functions of a header as "name(parameters)", and its classes by name.
+# Lists the functions of a header as "name(parameters)", and its classes by name. What takes nothing
+# checks types, and is called by the header alone.
 function(functions_of header functions classes)
   file(READ ${header} text)
   string(REGEX REPLACE "\n#ifdef __clang__[^#]*#endif" "" text "${text}")  # only asks for inlining
@@ -47,6 +48,7 @@ function(functions_of header functions classes)
   endif()
   list(TRANSFORM found REPLACE "[ \n]+" " ")
   list(TRANSFORM found REPLACE "^.* ([a-z0-9_]+\\(.*\\)) {$" "\\1")
+  list(FILTER found EXCLUDE REGEX "\\(\\)$")
   list(TRANSFORM found_classes REPLACE "\nclass " "")
   set(${functions} "${found}" PARENT_SCOPE)
   set(${classes} "${found_classes}" PARENT_SCOPE)
