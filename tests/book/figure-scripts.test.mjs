@@ -7,16 +7,13 @@ import { test } from 'node:test';
 import { columnsByNumber, numbersInLabels, readScript } from './gnuplot-script.mjs';
 
 const source = process.argv[3] ?? '.';
-const scripts = [
-  'tests/peers/speed.gp',
-  ...readdirSync(join(source, 'chapters'), { withFileTypes: true })
-    .filter(entry => entry.isDirectory())
-    .flatMap(({ name }) =>
-      readdirSync(join(source, 'chapters', name))
-        .filter(file => file.endsWith('.gp'))
-        .map(file => `chapters/${name}/${file}`),
-    ),
-];
+const scripts = readdirSync(join(source, 'chapters'), { withFileTypes: true })
+  .filter(entry => entry.isDirectory())
+  .flatMap(({ name }) =>
+    readdirSync(join(source, 'chapters', name))
+      .filter(file => file.endsWith('.gp'))
+      .map(file => `chapters/${name}/${file}`),
+  );
 const read = file => readFileSync(join(source, file), 'utf8');
 
 for (const script of scripts) {

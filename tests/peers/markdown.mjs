@@ -1,6 +1,4 @@
 // The report for reading.
-import { goals, reached } from './goals.mjs';
-
 const digits = ns => ns.toFixed(ns < 1 ? 3 : ns < 100 ? 2 : 0);
 const line = cells => `| ${cells.join(' | ')} |`;
 const table = (head, alignment, rows) => [line(head), line(alignment), ...rows.map(line), ''].join('\n');
@@ -9,7 +7,6 @@ const isLimit = rows => rows.keys().next().value.startsWith('limit');
 export function markdown(measured) {
   return [
     heading(measured),
-    goalsTable(measured),
     ...[...measured.groups].map(([name, rows]) => groupTable(name, rows, measured.flags)),
   ].join('\n');
 }
@@ -29,19 +26,6 @@ g++ 12 hardly makes vectors of loops with it.
 
 ${missing.length ? `Rows that this system lacks:\n\n${missing.join('\n')}` : 'No row is missing on this system.'}
 `;
-}
-
-export function goalsTable({ groups, flags }) {
-  const cell = (goal, set) => {
-    const r = reached(goal, groups, set);
-    return r ? `${r.median.toFixed(2)} (${r.fastest.toFixed(2)}) ${r.met ? 'met' : '**missed**'}` : '';
-  };
-  const rows = goals.map(goal => [goal.what, goal.goal.text, ...flags.map(set => cell(goal, set))]);
-  return `## Goals
-
-By the medians and, in brackets, by the fastest rounds.
-
-${table(['', 'goal', ...flags.map(f => `\`${f}\``)], ['---', '---', ...flags.map(() => '--:')], rows)}`;
 }
 
 function groupTable(name, rows, flags) {

@@ -1,29 +1,13 @@
-// Writes the table, as Markdown and as CSV, and what the plot needs:
+// Writes what was measured, for reading, and the times that the book keeps:
 //   node report.mjs OUT MEASURED.json...
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { goalsTable, markdown } from './markdown.mjs';
-import { fastFlags, plotTables } from './plot-tables.mjs';
+import { markdown } from './markdown.mjs';
 import { readMeasurements } from './read.mjs';
 
 const [out, ...files] = process.argv.slice(2);
 const measured = readMeasurements(files);
 const { processor, clock, compiler, date, rounds, groups, share } = measured;
-
-const quoted = value => (/[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : value);
-const csv = rows => rows.map(row => row.map(quoted).join(',') + '\n').join('');
-
-function allRows() {
-  const rows = [
-    ['group', 'variant', 'flags', 'median [ns]', 'min [ns]', 'max [ns]', 'rounds', 'processor', 'compiler'],
-  ];
-  for (const [group, variants] of groups)
-    for (const [variant, { times }] of variants)
-      for (const [flags, t] of times) {
-        rows.push([group, variant, flags, t.median, t.min, t.max, rounds, processor, compiler]);
-      }
-  return rows;
-}
 
 // The steps of one planet, and of one of 512, as the book keeps times: code/measure/times.h.
 function timesOfPlanets(flags) {
@@ -53,15 +37,6 @@ function timesOfPlanets(flags) {
   return lines.join('\n') + '\n';
 }
 
-mkdirSync(join(out, 'plot'), { recursive: true });
 writeFileSync(join(out, 'speed.md'), markdown(measured));
-writeFileSync(join(out, 'speed.csv'), csv(allRows()));
-writeFileSync(join(out, 'times.csv'), timesOfPlanets(fastFlags(measured.flags).native));
-for (const [name, rows] of Object.entries(plotTables(measured)))
-  writeFileSync(join(out, 'plot', `${name}.csv`), csv(rows));
-writeFileSync(
-  join(out, 'plot', 'machine.gp'),
-  `MACHINE = ${JSON.stringify(`Measured on ${processor}, with ${compiler}`)}
-FLAGS = ${JSON.stringify(fastFlags(measured.flags).native)}\n`,
-);
-console.log(`${goalsTable(measured)}\nAll the rest: ${join(out, 'speed.md')}, with speed.csv and speed.svg beside it.`);
+writeFileSync(join(out, 'times.csv'), timesOfPlanets(measured.flags.find(set => set.startsWith('-O3'))));
+console.log(`All that was measured: ${join(out, 'speed.md')}`);

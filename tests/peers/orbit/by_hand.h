@@ -11,19 +11,6 @@ struct Planet : State {
   State state() const { return *this; }
 };
 
-struct Euler : Planet {
-  using Planet::Planet;
-  void step(Nothing, double, double h) {
-    const double p = pull(x * x + y * y);
-    const double ax = p * x;
-    const double ay = p * y;
-    x += h * vx;
-    y += h * vy;
-    vx += h * ax;
-    vy += h * ay;
-  }
-};
-
 struct SymplecticEuler : Planet {
   using Planet::Planet;
   void step(Nothing, double, double h) {

@@ -13,9 +13,8 @@ namespace orbit {
 template <std::size_t count>
 std::vector<Variant> variants() {
   std::vector<Variant> all;
-  for (const auto& some : {euler_variants<count>(), symplectic_euler_variants<count>(),
-                           velocity_verlet_variants<count>(), rk4_variants<count>(),
-                           dopri5_variants<count>(), sprk_variants()}) {
+  for (const auto& some : {symplectic_euler_variants<count>(), velocity_verlet_variants<count>(),
+                           rk4_variants<count>(), dopri5_variants<count>(), sprk_variants()}) {
     all.insert(all.end(), some.begin(), some.end());
   }
   std::erase_if(all, [](const Variant& variant) {

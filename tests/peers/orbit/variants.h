@@ -33,28 +33,6 @@ inline const std::string whole_note = "all planets as one state";
 inline const std::string one_vec_note = "all positions as one Vec";
 
 template <std::size_t count>
-std::vector<Variant> euler_variants() {
-  using namespace boost::numeric;
-  using Eigen::Vector2d, Eigen::Vector4d;
-  using Four = std::array<double, 4>;
-  const std::string g = "euler";
-  return {
-      {{g, "by hand", ""}, loop<count, by_hand::Euler>},
-      {{g, "header, struct", ""}, loop<count, with_headers::Euler<Pair>>},
-      {{g, "header, Vector2d", ""}, loop<count, with_headers::Euler<Vector2d>>},
-      {{g, "header, one Vec", one_vec_note},
-       with_headers::whole<count, with_headers::Euler>,
-       For::many},
-      {{g, "odeint, array", ""}, loop<count, with_odeint::FirstOrder<odeint::euler<Four>>>},
-      {{g, "odeint, Eigen", "packed in a Vector4d, see rk4"},
-       loop<count, with_odeint::FirstOrder<odeint::euler<Vector4d>>>},
-      {{g, "odeint, vector", whole_note},
-       with_odeint::whole<odeint::euler<std::vector<double>>>,
-       For::many},
-  };
-}
-
-template <std::size_t count>
 std::vector<Variant> symplectic_euler_variants() {
   using Eigen::Vector2d, Eigen::VectorXd;
   using Two = std::array<double, 2>;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "integrate/dopri5.h"
-#include "integrate/euler.h"
 #include "integrate/rk4.h"
 #include "integrate/symplectic_euler.h"
 #include "integrate/velocity_verlet.h"
@@ -69,14 +68,6 @@ struct Planet {
   explicit Planet(State s) : x(both<Vec>(s.x, s.y)), v(both<Vec>(s.vx, s.vy)) {}
   Planet(const Vec& from, const Vec& speed) : x(from), v(speed) {}
   State state() const { return both(x, v); }
-};
-
-template <class Vec, class Acceleration = Gravity>
-struct Euler : Planet<Vec, Acceleration> {
-  using Planet<Vec, Acceleration>::Planet;
-  void step(const Acceleration& acceleration, double t, double h) {
-    integrate::euler(this->x, this->v, t, h, acceleration);
-  }
 };
 
 template <class Vec, class Acceleration = Gravity>

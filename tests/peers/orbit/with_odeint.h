@@ -16,7 +16,7 @@ namespace orbit::with_odeint {
 
 namespace odeint = boost::numeric::odeint;
 
-/// Euler and the Runge-Kutta methods, on position and velocity in one state of four numbers.
+/// The Runge-Kutta methods, on position and velocity in one state of four numbers.
 template <class Stepper>
 class FirstOrder {
  public:
