@@ -13,7 +13,7 @@
 namespace integrate {
 
 #ifdef __clang__
-// Or it calls so long a step, and takes the bodies of a loop one by one.
+// Else clang does not inline so long a function, and then cannot vectorise a loop over bodies.
 template <class Place, class Vec, class Time, class Real, class Acceleration>
 [[gnu::always_inline]] constexpr void rk4(Place&, Vec&, Time, Real, Acceleration&&);
 #endif
