@@ -15,7 +15,7 @@ export function readPromises(folder, problems) {
   const list = join(folder, 'tables.csv');
   if (!existsSync(list)) {
     problems.add(
-      `${MEASURED_IN}/every_card.cpp`,
+      'code/measure/shelf_card.h',
       1,
       'what the shelf promises is not measured yet; build the target measured_shelf first',
     );
@@ -32,7 +32,11 @@ export function checkPromises(book) {
   for (const header of [...book.api.headers.values()].filter(onShelf)) {
     const rows = book.promises.get(stem(header));
     if (!rows)
-      book.problems.add(header.file, 1, `nothing is measured of ${header.name}; ${MEASURED_IN} has the others’ cards`);
+      book.problems.add(
+        header.file,
+        1,
+        `nothing is measured of ${header.name}; write ${MEASURED_IN}/${stem(header)}.cpp`,
+      );
     for (const { promise, measured } of rows?.filter(({ kept }) => kept !== 'yes') ?? [])
       book.problems.add(header.file, 1, `a promise is not kept: "${promise}"; measured: ${measured}`);
   }

@@ -24,7 +24,8 @@ struct ShelfCard {
   std::vector<Promise> promises;
 };
 
-/// The cards of all headers of the shelf.
+/// The cards of all headers of the shelf. Each is measured by `shelf_cards::NAME()`, which stands
+/// in code/measure/shelf/NAME.cpp.
 std::vector<ShelfCard> every_shelf_card();
 
 }  // namespace measure

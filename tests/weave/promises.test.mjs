@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { refuses, weaves } from './weaver.mjs';
 
-const CARDS = 'code/measure/shelf/every_card.cpp';
+const CARDS = 'code/measure/shelf_card.h';
 const LAMP = 'code/shelf/lamp.h';
 const lamp = [
   LAMP,
@@ -44,7 +44,7 @@ test('a promise that is not kept', () =>
 test('a header of which nothing is measured', () =>
   refuses(
     [lamp, ...LISTS.map(([name, text]) => [name, text.replace('lamp,promise,,text\n', '')])],
-    [LAMP, '', 'nothing is measured of lamp.h; code/measure/shelf has the others’ cards'],
+    [LAMP, '', 'nothing is measured of lamp.h; write code/measure/shelf/lamp.cpp'],
   ));
 
 test('a shelf that is not measured yet', () =>

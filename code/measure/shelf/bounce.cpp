@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "measure/shelf/every_card.h"
+#include "measure/shelf_card.h"
 #include "shelf/soft_constraint.h"
 
 namespace measure::shelf_cards {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "measure/shelf/every_card.h"
+#include "measure/shelf_card.h"
 
 namespace measure::shelf_cards {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "measure/shelf/every_card.h"
+#include "measure/shelf_card.h"
 
 namespace measure::shelf_cards {
 namespace {

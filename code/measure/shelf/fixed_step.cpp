@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "frames/recorded.h"
-#include "measure/shelf/every_card.h"
+#include "measure/shelf_card.h"
 
 namespace measure::shelf_cards {
 namespace {

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "measure/shelf/every_card.h"
+#include "measure/shelf_card.h"
 
 namespace measure::shelf_cards {
 namespace {

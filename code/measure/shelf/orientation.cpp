@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <numbers>
 
-#include "measure/shelf/every_card.h"
+#include "measure/shelf_card.h"
 #include "measure/tumbling.h"
 #include "scenes/euler_top.h"
 
