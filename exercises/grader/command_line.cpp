@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "options.h"
-#include "report/escape.h"
+#include "printable.h"
 #include "report/files.h"
 #include "time_limits.h"
 

@@ -11,7 +11,7 @@
 #include "exit_codes.h"
 #include "installed.h"
 #include "judge/session.h"
-#include "report/escape.h"
+#include "printable.h"
 #include "report/terminal.h"
 #include "run_own.h"
 #include "time_limits.h"

@@ -13,7 +13,7 @@
 #include "class/write_tables.h"
 #include "exit_codes.h"
 #include "format_values.h"
-#include "report/escape.h"
+#include "printable.h"
 #include "report/files.h"
 #include "report/folder.h"
 #include "submission.h"

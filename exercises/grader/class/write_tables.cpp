@@ -7,7 +7,7 @@
 
 #include "exit_codes.h"
 #include "format_values.h"
-#include "report/escape.h"
+#include "printable.h"
 #include "report/files.h"
 #include "report/words.h"
 

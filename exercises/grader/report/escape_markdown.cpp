@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "printable.h"
 #include "replace_all.h"
 #include "report/escape.h"
 

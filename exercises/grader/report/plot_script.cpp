@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "report/escape.h"
+#include "printable.h"
 
 namespace grade {
 namespace {

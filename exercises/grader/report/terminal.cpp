@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "printable.h"
-#include "report/escape.h"
 #include "report/plot.h"
 #include "report/shortened.h"
 #include "report/words.h"

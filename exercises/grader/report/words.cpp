@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "printable.h"
 #include "replace_all.h"
-#include "report/escape.h"
 #include "report/shortened.h"
 
 namespace grade {
