@@ -73,6 +73,7 @@ void judge_driver(const Request& request, const cage::Kit& kit, const cage::File
     report.why = judged.why;
     report.tests = judged.tests;
     report.score = judged.score();
+    report.run_processor = std::max(report.run_processor, judge::session().processor);
     if (so_far) so_far(report);
   } while (static_cast<int>(runs.size()) < request.runs &&
            (is_judged(report.verdict) || report.score > 0));
@@ -119,8 +120,8 @@ void grade_into(const Request& request, Report& report, const SoFar& so_far) {
   judge_driver(request, kit, compiled.driver, report, so_far);
 }
 
-// What became of our own solution, in the words that a student would have read.
-std::string not_ours(const Report& report) {
+// Says what became of our own solution, in the words that a student would have read.
+std::string failed_calibration(const Report& report) {
   std::string why = "the grader does not work on this machine: it gives its own " +
                     report.exercise + "/" +
                     std::filesystem::path(report.submission).filename().string() + " " +
@@ -196,13 +197,13 @@ std::optional<Obstacle> calibrate(Request& request) {
   }
   const Report report = grade_submission(own);
   if (!(at_home ? is_judged(report.verdict) : report.verdict == Verdict::accepted))
-    return Obstacle{not_ours(report), report.try_again};
+    return Obstacle{failed_calibration(report), report.try_again};
   const auto raise = [&](cage::Limits& limits, double seconds) {
     limits.processor = std::max(limits.processor, times * seconds);
     limits.wall = std::max(limits.wall, times * seconds + 5);
   };
   raise(request.compile_limits, report.compile_processor);
-  raise(request.run_limits, judge::session().processor);
+  raise(request.run_limits, report.run_processor);
   return std::nullopt;
 }
 

@@ -48,6 +48,7 @@ struct Report {
   bool no_cage = false;       ///< with grader_error: this machine lets nobody have one; not kept
   double seconds = 0, compile_seconds = 0, run_seconds = 0;  ///< on the clock
   double compile_processor = 0;                              ///< used by the compiler [s]; not kept
+  double run_processor = 0;  ///< most that one test used [s]; not kept
 };
 
 /// A report on the request in which nothing is known yet: its verdict is a grader_error.
