@@ -201,7 +201,7 @@ TEST_CASE("the price of an error is right for a leaf that fell",
   }
 }
 
-TEST_CASE("all three are right for any steps and errors, and for two scenes by turns",
+TEST_CASE("order, step and count are right for any steps and errors, and for two scenes by turns",
           "[1-test-case/two-errors][1 point]") {
   Student student;
   Random random;

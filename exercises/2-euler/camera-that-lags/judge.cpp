@@ -263,7 +263,7 @@ TEST_CASE("the camera is never faster than it may be, however a run is cut into 
           hint);
 }
 
-TEST_CASE("far away it flies at its highest speed, and where it slows down no cut is seen",
+TEST_CASE("far away the camera flies at its highest speed, and where it slows down no cut is seen",
           "[2-euler/camera-that-lags][2 points]") {
   Student student;
   Random random;

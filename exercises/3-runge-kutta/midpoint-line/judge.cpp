@@ -120,7 +120,7 @@ void order_two(Student& student, double alpha) {
 
 }  // namespace
 
-TEST_CASE("with half a step it is the midpoint method, with a whole one Heun's",
+TEST_CASE("a look half a step ahead makes the midpoint method, one a whole step ahead Heun's",
           "[3-runge-kutta/midpoint-line][2 points]") {
   Student student;
   look(student, 0.5);
@@ -129,7 +129,7 @@ TEST_CASE("with half a step it is the midpoint method, with a whole one Heun's",
   is_method(student, heun, "With a whole step, both slopes count the same.", 1);
 }
 
-TEST_CASE("it looks twice, at the start and a share of the step ahead",
+TEST_CASE("a step looks twice, at the start and a share of the step ahead",
           "[3-runge-kutta/midpoint-line][2 points]") {
   Student student;
   Random random;

@@ -214,7 +214,7 @@ TEST_CASE("ten thousand times the accuracy costs at most ten times the questions
       spread_evenly(fine.path, scene.duration));
 }
 
-TEST_CASE("in a wind that changes it arrives at the time that was asked for",
+TEST_CASE("in a wind that changes a flight arrives at the time that was asked for",
           "[3-runge-kutta/step-by-price][1 point]") {
   Student student;
   Random random;

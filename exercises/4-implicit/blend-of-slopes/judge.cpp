@@ -193,7 +193,7 @@ TEST_CASE("the least theta brakes to a stop and no further",
   }
 }
 
-TEST_CASE("the dial does so at every theta, for every brake and spring, however near to another",
+TEST_CASE("the dial is right at every theta, for every brake and spring, however near to another",
           "[4-implicit/blend-of-slopes][1 point]") {
   Student student;
   Random random;

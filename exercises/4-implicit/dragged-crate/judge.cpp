@@ -164,7 +164,7 @@ TEST_CASE("a spring that is switched off lets the crate go on",
   }
 }
 
-TEST_CASE("so does a hand without strength, and a crate that rests in the hand stays there",
+TEST_CASE("a hand without strength lets the crate go on, and a crate at rest in it stays there",
           "[4-implicit/dragged-crate][1 point]") {
   Student student;
   Random random;

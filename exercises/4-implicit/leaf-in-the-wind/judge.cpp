@@ -230,7 +230,8 @@ TEST_CASE("at 60 frames a second one question a frame keeps the leaves near thei
   stays_near(student, 60);
 }
 
-TEST_CASE("at 30 frames a second, too", "[4-implicit/leaf-in-the-wind][2 points]") {
+TEST_CASE("at 30 frames a second one question a frame keeps the leaves near their paths, too",
+          "[4-implicit/leaf-in-the-wind][2 points]") {
   Student student;
   stays_near(student, 30);
 }
@@ -244,7 +245,7 @@ TEST_CASE("a thrown leaf stops where it should, and is never thrown back",
   for (const double c : drags) stops(student, Throw::draw(random, c));
 }
 
-TEST_CASE("any leaf does so, at rest or thrown, in any air, and beside others by turns",
+TEST_CASE("any leaf stops or stays near its path, at rest or thrown, in any air, others between",
           "[4-implicit/leaf-in-the-wind][1 point]") {
   Student student;
   Random random;

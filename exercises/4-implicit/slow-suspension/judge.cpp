@@ -67,7 +67,7 @@ TEST_CASE("each step takes the mean of both slopes", "[4-implicit/slow-suspensio
   }
 }
 
-TEST_CASE("without a damper its energy stays for a minute",
+TEST_CASE("without a damper the energy stays for a minute",
           "[4-implicit/slow-suspension][2 points]") {
   Student student;
   Random random;
@@ -102,7 +102,7 @@ TEST_CASE("without a damper its energy stays for a minute",
   check(finding);
 }
 
-TEST_CASE("in a minute it swings as often as the trapezoid rule lets it",
+TEST_CASE("in a minute the suspension swings as often as the trapezoid rule lets it",
           "[4-implicit/slow-suspension][2 points]") {
   Student student;
   Random random;

@@ -108,7 +108,7 @@ TEST_CASE("a spark below the floor bounces, and no other does", "[5-verlet/two-p
   bounces(student, Spark::overtaken(random));
 }
 
-TEST_CASE("so does any spark, however deep, however fast, on a floor at any height",
+TEST_CASE("any spark below its floor bounces, however deep, however fast, on a floor at any height",
           "[5-verlet/two-places][1 point]") {
   Student student;
   Random random;

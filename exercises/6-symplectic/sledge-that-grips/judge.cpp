@@ -50,7 +50,7 @@ TEST_CASE("a few steps of a sledge are braked after the push, by division",
   for (int n = 0; n < 2; ++n) takes(Sledge::draw(random), some(), 5);
 }
 
-TEST_CASE("so is any step, however long, however hard each brake, from wherever it starts",
+TEST_CASE("any step is braked after the push, however long, however hard each brake, from anywhere",
           "[6-symplectic/sledge-that-grips][1 point]") {
   Student student;
   Random random;
@@ -58,7 +58,7 @@ TEST_CASE("so is any step, however long, however hard each brake, from wherever 
   for (int n = 0; n < rides; ++n) takes_steps(student, Ride::anywhere(random));
 }
 
-TEST_CASE("pulled at a rope it ends at one speed, however long the step",
+TEST_CASE("pulled at a rope a sledge ends at one speed, however long the step",
           "[6-symplectic/sledge-that-grips][3 points]") {
   Student student;
   Random random;
