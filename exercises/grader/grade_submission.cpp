@@ -82,7 +82,7 @@ void judge_driver(const Request& request, const cage::Kit& kit, const cage::File
 // Everything from the path to the verdict; leaves in the report how far it came.
 void grade_into(const Request& request, Report& report, const SoFar& so_far) {
   const Submission submission =
-      take_in(request.submission, request.exercise.chapter(), request.exercise.header());
+      read_submission(request.submission, request.exercise.chapter(), request.exercise.header());
   report.ignored = submission.ignored;
   std::erase_if(report.ignored, [](const std::string& name) {  // those are graded apart
     return std::ranges::any_of(exercises(), [&](const Exercise& e) { return e.header() == name; });
@@ -141,7 +141,7 @@ bool may_pass(int error) {
 template <class Grade>
 Report reported(const Request& request, const Grade& grade) {
   const auto start = Clock::now();
-  Report report = begun(request);
+  Report report = blank_report(request);
   try {
     grade(request, report);
   } catch (const std::system_error& error) {
@@ -167,7 +167,7 @@ void check_memory(const Request& request, Report& report) {
   const bool ran = is_judged(report.verdict) || report.verdict == Verdict::runtime_error;
   if (!ran) return;
   const std::string header = request.exercise.header();
-  const Submission now = take_in(request.submission, request.exercise.chapter(), header);
+  const Submission now = read_submission(request.submission, request.exercise.chapter(), header);
   if (sha256(now.text) != report.sha256) return;  // somebody is writing it
   const auto start = Clock::now();
   try {

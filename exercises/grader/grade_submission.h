@@ -52,7 +52,7 @@ struct Report {
 };
 
 /// A report on the request in which nothing is known yet: its verdict is a grader_error.
-Report begun(const Request& request);
+Report blank_report(const Request& request);
 
 /// Reads, compiles, runs and judges; never throws: what goes wrong with us is a grader_error.
 /// @param so_far  is shown the report when the submission is read, and after each run

@@ -84,7 +84,7 @@ std::optional<uid_t> unprivileged() {
   return 60578 + static_cast<uid_t>(::getpid()) % 600;
 }
 
-Words leash(Sandbox sandbox, const Limits& limits, int open_files) {
+Words limits_prefix(Sandbox sandbox, const Limits& limits, int open_files) {
   Words words;
   if (const auto user = unprivileged()) {
     const std::string id = std::to_string(*user);
@@ -105,7 +105,7 @@ Words leash(Sandbox sandbox, const Limits& limits, int open_files) {
 }
 
 Words run_command(Sandbox sandbox, const Limits& limits) {
-  Words words = leash(sandbox, limits, 16);
+  Words words = limits_prefix(sandbox, limits, 16);
   if (sandbox == Sandbox::none) {
     words.push_back("/proc/self/fd/8");
     return words;
@@ -119,7 +119,7 @@ Words run_command(Sandbox sandbox, const Limits& limits) {
 Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits) {
   Limits unlimited = limits;
   unlimited.memory = no_limit;
-  Words words = leash(sandbox, unlimited, 16);
+  Words words = limits_prefix(sandbox, unlimited, 16);
   if (sandbox == Sandbox::none) {
     words.push_back("/proc/self/fd/8");
     return words;
@@ -138,7 +138,7 @@ Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits) {
 
 Words compile_command(const Kit& kit, const Words& harness, const std::string& header,
                       const Limits& limits, Build build) {
-  Words words = leash(Sandbox::bubblewrap, limits, 64);
+  Words words = limits_prefix(Sandbox::bubblewrap, limits, 64);
   add(words, bubblewrap);
   add(words, {"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C", "--setenv", "TMPDIR"});
   words.push_back("/job");
@@ -159,7 +159,7 @@ Words compile_command(const Kit& kit, const Words& harness, const std::string& h
 
 Words compile_command(const Kit& kit, const std::string& folder, const Limits& limits,
                       Build build) {
-  Words words = leash(Sandbox::none, limits, 64);
+  Words words = limits_prefix(Sandbox::none, limits, 64);
   add(words, {"env", "--chdir", folder, "TMPDIR=" + folder});
   for (const auto& [name, value] : variables(build)) words.push_back(name + "=" + value);
   add(words, {"/bin/sh", "-c", compile_script, kit.compiler});

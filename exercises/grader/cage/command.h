@@ -19,7 +19,7 @@ using Words = std::vector<std::string>;
 std::optional<uid_t> unprivileged();
 
 /// What comes before any command: setpriv, to another user for root, and prlimit, for the limits.
-Words leash(Sandbox sandbox, const Limits& limits, int open_files);
+Words limits_prefix(Sandbox sandbox, const Limits& limits, int open_files);
 
 /// Starts the driver on descriptor 8 under the filter on descriptor 9.
 Words run_command(Sandbox sandbox, const Limits& limits);

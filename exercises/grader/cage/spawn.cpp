@@ -78,7 +78,7 @@ Pipe open_pipe() {
   return {lifted(read.get()), lifted(write.get())};
 }
 
-void never_block(const File& file) {
+void set_nonblocking(const File& file) {
   ::fcntl(file.get(), F_SETFL, ::fcntl(file.get(), F_GETFL) | O_NONBLOCK);
 }
 

@@ -23,7 +23,7 @@ std::vector<Job> all_jobs(const Class& work, const std::vector<Student>& student
                           const std::vector<Exercise>& exercises);
 
 /// Those of one shard.
-std::vector<Job> part_of(const std::vector<Job>& jobs, const Shard& shard);
+std::vector<Job> jobs_of(const std::vector<Job>& jobs, const Shard& shard);
 
 /// The report that is kept; a GRADER_ERROR if there is none.
 Report kept_report(const Job& job);

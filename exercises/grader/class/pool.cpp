@@ -87,7 +87,7 @@ class Queue {
 
 void run_all(const std::vector<ChildProcess>& children, std::size_t at_a_time,
              const std::function<void(std::size_t, bool)>& ended) {
-  cage::adopt_orphans();
+  cage::become_subreaper();
   const Interruption interruption;
   RunningChildren running;
   Queue queue(children);

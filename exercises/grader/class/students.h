@@ -16,7 +16,7 @@ struct Student {
   std::filesystem::path folder;
 };
 
-struct Roll {
+struct ClassList {
   std::vector<Student> students;  ///< by name
   std::vector<std::string>
       ignored;  ///< names of what is no student's: files, links, hidden folders
@@ -24,7 +24,7 @@ struct Roll {
 
 /// The folders in this one. Links are not followed.
 /// @throws std::filesystem::filesystem_error  it cannot be read
-Roll call_roll(const std::filesystem::path& submissions);
+ClassList read_students(const std::filesystem::path& submissions);
 
 /// Whether there is a file, or anything else, of the right name: in the chapter's folder or, as
 /// Moodle hands files out, in the student's own.

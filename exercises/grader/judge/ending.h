@@ -19,7 +19,7 @@ enum Moment { within_answer, after_last_answer };
 void note_ending(const cage::Ended& ended, Moment moment);
 
 /// Leaves in the session that an answer made no sense.
-void note_nonsense();
+void note_protocol_error();
 
 /// Leaves in the session that an answer has another number of numbers than it should have.
 void note_other_count(double came, std::size_t wanted);

@@ -92,7 +92,7 @@ std::vector<double> Student::call(int function, const std::vector<double>& argum
     if (head[0] == harness::result && head[1] == static_cast<double>(wanted)) break;
     if (head[0] != harness::question || head[1] != 7 || !acceleration_) {
       process_.reset();
-      head[0] == harness::result ? note_other_count(head[1], wanted) : note_nonsense();
+      head[0] == harness::result ? note_other_count(head[1], wanted) : note_protocol_error();
       throw Stopped();
     }
     answer_question();

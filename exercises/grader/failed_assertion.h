@@ -10,6 +10,6 @@ namespace grade {
 /// stopped: it goes behind "Your code".
 /// @param printed  by the program, to stderr
 /// @returns  empty if neither stopped it
-std::string broken_rule(const std::string& printed);
+std::string failed_assertion(const std::string& printed);
 
 }  // namespace grade

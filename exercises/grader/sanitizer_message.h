@@ -7,7 +7,7 @@
 namespace grade {
 
 /// The sentence for what they printed about a header; empty if it is no report of theirs.
-std::string told_by_checker(const std::string& printed, const std::string& header);
+std::string sanitizer_message(const std::string& printed, const std::string& header);
 
 /// What the program printed, without what they say of the cage, in which they miss something.
 std::string without_warnings(const std::string& printed);
