@@ -21,7 +21,7 @@ struct Halvings {
   std::vector<std::string> remarks = {};  ///< what else there is to say of a wrong one
 };
 
-/// The last halving divides the error by four, and so does the one before.
+/// Checks that the last halving divides the error by four, and so does the one before.
 inline void has_order_two(const Halvings& runs) {
   constexpr double within = 0.1;
   const std::vector<double>&h = runs.steps, &errors = runs.errors;

@@ -20,7 +20,7 @@ struct Places {
   std::vector<Vec> x;  ///< [m]
 };
 
-/// What a test asks, apart from the places themselves.
+/// The question of a test, apart from the places themselves.
 struct Asked {
   std::string what;
   std::string input;
@@ -40,7 +40,7 @@ inline std::vector<Vec> as_places(const std::vector<double>& numbers) {
   return places;
 }
 
-/// No further from each other than rounding explains, all along.
+/// Returns whether two paths are no further from each other than rounding explains, all along.
 inline bool alike(const std::vector<Vec>& a, const std::vector<Vec>& b,
                   const Tolerance& tolerance) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Vec& one, const Vec& other) {
@@ -62,13 +62,13 @@ inline std::vector<std::string> not_finite(const std::vector<Vec>& yours) {
   return {};
 }
 
-/// What a message calls place n.
+/// The name of place n in a message.
 inline std::string name_of(const Asked& asked, std::size_t n, std::size_t count) {
   if (!asked.called.empty()) return asked.called[n] + ": ";
   return count == 1 ? "" : "place " + std::to_string(n + 1) + ": ";
 }
 
-/// The places are where they should be, each of them.
+/// Checks that each of the places is where it should be.
 inline void are_places(const Asked& asked, const std::vector<Vec>& yours, const Places& expected) {
   std::size_t n = 0;
   while (n < yours.size() && length(yours[n] - expected.x[n]) <= asked.tolerance.value) ++n;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most = 200;  // The student's code may have printed it, and made it long.
 
-/// What stands between two marks; empty if one of them is missing.
+/// The text between two marks; empty if one of them is missing.
 std::string between(const std::string& text, std::string_view begin, std::string_view end) {
   const std::size_t mark = text.find(begin);
   if (mark == text.npos) return {};

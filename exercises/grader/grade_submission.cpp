@@ -34,7 +34,7 @@ std::string read(const std::filesystem::path& path) {
   throw std::runtime_error("cannot read " + path.string());
 }
 
-// What the sum of the tests says.
+// The verdict by the sum of the tests.
 Verdict verdict(const Judged& judged) {
   const bool all = std::ranges::all_of(judged.tests, &TestResult::held);
   if (all) return Verdict::accepted;
@@ -104,7 +104,7 @@ void grade_into(const Request& request, Report& report, const SoFar& so_far) {
     }
   }
   const auto start = Clock::now();
-  // What the compiler says of it comes under the name that the student has for it.
+  // The compiler's messages call it by the name that the student has for it.
   const std::string header = request.exercise.header();
   const std::string harness = read(request.exercise.folder / "harness.h");
   const Compiled compiled =

@@ -66,7 +66,7 @@ void check_memory(const Request& request, Report& report);
 /// Runs and judges what is compiled already. Of the request, the submission is only named.
 Report grade_driver(const Request& request, const cage::File& driver);
 
-/// Why nobody can be graded.
+/// The reason why nobody can be graded.
 struct Obstacle {
   std::string why;
   bool try_again = false;  ///< a shortage that may pass
@@ -78,14 +78,14 @@ struct Obstacle {
 /// starter is there, if that is not judged
 std::optional<Obstacle> calibrate(Request& request);
 
-/// Why nothing can be graded in the sandbox on this machine, and what to do about it; nothing if
-/// it can.
+/// The reason why nothing can be graded in the sandbox on this machine, and what to do about it;
+/// nothing if it can.
 std::optional<std::string> unsafe();
 
 /// SHA-256 in hexadecimal.
 std::string sha256(const std::string& text);
 
-/// Which grader this is: a hash of its own code and of the exercise's files.
+/// The version of this grader: a hash of its own code and of the exercise's files.
 std::string version(const Exercise& exercise);
 
 }  // namespace grade

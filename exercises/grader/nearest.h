@@ -8,7 +8,7 @@
 
 namespace grade {
 
-/// How many letters must be put in, taken out or changed (Levenshtein's distance).
+/// The number of letters that must be put in, taken out or changed (Levenshtein's distance).
 std::size_t edit_distance(const std::string& a, const std::string& b);
 
 /// The name that is most likely meant by `wanted`: the same up to case, `-` and `_` or the ending,

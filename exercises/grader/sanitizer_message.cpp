@@ -29,7 +29,8 @@ std::string kind_of(const std::string& printed) {
   return printed.substr(begin, end - begin);
 }
 
-// What the checker of undefined behaviour says, such as: index 2 out of bounds for type 'Vec [2]'.
+// The message of the checker of undefined behaviour, such as: index 2 out of bounds for type 'Vec
+// [2]'.
 std::string undefined(const std::string& printed) {
   const std::string mark = ": runtime error: ";
   const std::size_t at = printed.find(mark);

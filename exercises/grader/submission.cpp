@@ -38,7 +38,7 @@ std::string listed(const std::vector<std::string>& names) {
   return names.size() > most ? list + ", ..." : list;
 }
 
-/// Why a thing of this kind is not read; empty if it is a plain file.
+/// The reason why a thing of this kind is not read; empty if it is a plain file.
 std::string not_plain(const Entry& found) {
   const mode_t mode = found.about.st_mode;
   if (found.is_link()) return "is a symbolic link; hand in the file itself";

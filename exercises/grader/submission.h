@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Takes a submission in, and never looks at its path again.
+/// Reads a submission once, and never looks at its path again.
 #pragma once
 #include <filesystem>
 #include <string>

@@ -85,7 +85,7 @@ void two_runs(Student& student, const Runs& two) {
   check(finding);
 }
 
-// With C h^p for the error, from a run: whether it is the wanted one with the student's step.
+// Checks, with C h^p for the error, whether the student's step has the wanted one.
 void allows(Student& student, const Wanted& ask) {
   const auto& [wanted, h, error, p] = ask;
   const auto step = [&](Student& who) {

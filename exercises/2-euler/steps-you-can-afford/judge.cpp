@@ -72,7 +72,7 @@ int finest_run(const Scene& scene, const Answer& answer) {
   return static_cast<int>(std::min(1e6, std::round(scene.duration / shortest)));
 }
 
-// What its first questions say that is no run of Euler's method.
+// The diagnosis of first questions that are no run of Euler's method.
 std::string another_method(const Scene& scene, const Answer& answer) {
   const auto [x, v, none] = scene.start;
   const Evaluation &second = answer.asked[1],

@@ -32,8 +32,8 @@ Leash damped(double k, double zeta, double m) {
   return {k, 2 * zeta * std::sqrt(k * m), m};
 }
 
-// Of this stiffness and mass: with any damper, or as far from critical damping as may be, or near
-// it on either side.
+// A leash of this stiffness and mass: with any damper, or as far from critical damping as may be,
+// or near it on either side.
 Leash any_leash(Random& random, double k, double m) {
   constexpr double nearest = 1e-13, least = 1e-6, most = 1e8;  // of zeta
   Leash leash{k, random.anywhere(harness_bounds::c), m};

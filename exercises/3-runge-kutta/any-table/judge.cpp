@@ -112,7 +112,7 @@ void follows(Student& student, const Table& table, Random& random) {
                 "Start each step with nothing in hand."));
 }
 
-// Two bodies by turns, at one time, and the first of them again at another.
+// Steps two bodies by turns, at one time, and the first of them again at another.
 void moves_two(Student& student, const Table& table, Random& random) {
   double t = random.anywhere(harness_bounds::time);
   const Gentle push{random.vector(-3, 3)};

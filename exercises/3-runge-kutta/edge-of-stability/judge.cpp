@@ -28,7 +28,7 @@ double stretch(Complex z, int terms) {
   return std::abs(polynomial(z, terms));
 }
 
-// What the two motions of a spring make of a step; the one that grows more.
+// The stretch in a step of that motion of a spring's two which grows more.
 double worst(double homega, double zeta, int terms, double shrinking) {
   const Complex root = std::sqrt(Complex(zeta * zeta - 1));
   return std::max(stretch(homega * (-shrinking + root), terms),
@@ -39,7 +39,7 @@ double worst(double homega, double zeta, int terms) {
   return worst(homega, zeta, terms, zeta);
 }
 
-// Of h omega. A midpoint step has two terms, Euler's one.
+// The limit of h omega. A midpoint step has two terms, Euler's one.
 double limit(double zeta, int terms, double shrinking) {
   double stable = 0, unstable = furthest;
   for (int halving = 0; halving < 60; ++halving) {
@@ -110,7 +110,7 @@ void check_stretch(Student& student, Complex z) {
            "the root of the sum of its parts squared.");
 }
 
-// Any damping, one in four times nearly critical.
+// A damping of any size, one in four times nearly critical.
 double any_zeta(Random& random) {
   if (random.whole(0, 3) > 0) return random.anywhere(harness_bounds::zeta);
   const double away = random.octaves(1e-9, 0.2);

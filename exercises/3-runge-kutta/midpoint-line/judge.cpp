@@ -44,7 +44,7 @@ Method with_share(double share) {
                 });
 }
 
-// Any share, one in three of them near to one that is special.
+// A share of any size, one in three of them near to one that is special.
 double any_share(Random& random) {
   const double drawn = random.anywhere(harness_bounds::alpha);
   if (random.whole(0, 2) > 0) return drawn;
@@ -77,7 +77,7 @@ void falls(Student& student, double alpha, Random& random) {
   check(finding);
 }
 
-// One step with each of two shares by turns, all of the same length, of one body.
+// Takes one step with each of two shares by turns, all of the same length, of one body.
 void takes_turns(Student& student, Random& random) {
   const double shares[] = {any_share(random), any_share(random)};
   const Start start = random.start();

@@ -28,7 +28,7 @@ enum Function { told_tolerance, flies, passes };  // see harness.h
 // More questions than any test needs; after them nothing pulls any more, so that it ends soon.
 constexpr int patience = 15'000;
 
-// How often the acceleration had been asked for, against time.
+// The number of questions so far, against time.
 grade::Plot plot(const Path& path) {
   grade::Curve yours{"yours", {}, {}};
   for (const Evaluation& evaluation : path.evaluations) {

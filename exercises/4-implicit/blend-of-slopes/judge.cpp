@@ -34,8 +34,8 @@ std::string with(const std::string& name, double value) {
   return name + " = " + number(value, 17);
 }
 
-// One of each decade, from the largest down, then its bounds and what is special. The smallest come
-// last: there most ways are alike.
+// Values of each decade, from the largest down, then its bounds and what is special. The smallest
+// come last: there most ways are alike.
 std::vector<double> decades(Random& random, const harness::Bounds& bounds) {
   std::vector<double> values;
   for (double high = bounds.largest(); high > 9 * bounds.smallest(); high /= 10)
@@ -51,14 +51,14 @@ struct Spring {
     return omega * (-zeta + sign * std::sqrt(Rate(zeta * zeta - 1)));
   }
 
-  // By how much the worse of its two motions grows in a step.
+  // The factor by which the worse of its two motions grows in a step.
   double growth(double h) const {
     return std::max(std::abs(factor(theta, h * lambda(1))),
                     std::abs(factor(theta, h * lambda(-1))));
   }
 
-  // Until when the square of the factor's numerator is no larger than that of its denominator, for
-  // the one lambda and the other. From one half on it never is.
+  // The step up to which the square of the factor's numerator is no larger than that of its
+  // denominator, for the one lambda and the other. From one half on it never is.
   double longest() const {
     double found = INFINITY;
     for (const double sign : {1, -1}) {
@@ -130,7 +130,7 @@ void swings(Student& student, double theta, double homega) {
            "is a root of two squares.");
 }
 
-// Where the factor of a share of one half is still positive, up to c h = 2, no more is needed.
+// Checks the least theta, which is one half while its factor is still positive, up to c h = 2.
 void stops(Student& student, double ch) {
   is_exact("the least theta, from one half on, that does not turn a brake round", with("c h", ch),
            ask(student, least, ch), ch > 2 ? (ch - 1) / ch : 0.5, rounding(1),

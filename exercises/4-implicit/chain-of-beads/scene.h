@@ -21,14 +21,14 @@ struct Beads {
   Column x, v;
 };
 
-/// Of beads of 1 kg.
+/// A chain of beads of 1 kg.
 struct Chain {
   Beads start;
   Column k;
   double h = 0;
   double beyond = 0;  ///< of a spring that holds the last bead from beyond; there is none
 
-  /// How stiff the springs are beside the step: h^2 k up to this.
+  /// A chain with springs of any stiffness beside the step: h^2 k up to `stiff`.
   static Chain draw(Random& random, std::size_t count, double stiff) {
     return draw(random, count, stiff, random.between(0.01, 0.04));
   }
@@ -43,8 +43,8 @@ struct Chain {
     return chain;
   }
 
-  /// Any beads and springs, soft ones beside hard ones, and some torn; one chain in four rests, and
-  /// one in four is nowhere stretched.
+  /// A chain of any beads and springs, soft ones beside hard ones, and some torn; one chain in four
+  /// rests, and one in four is nowhere stretched.
   static Chain anywhere(Random& random, std::size_t count) {
     Chain chain;
     chain.h = random.anywhere(harness_bounds::h);
@@ -87,22 +87,23 @@ struct Chain {
     return sum;
   }
 
-  /// By how much the end misses the two lines of backward Euler at a bead [m/s].
+  /// The amount by which an end misses the two lines of backward Euler at a bead [m/s].
   double miss(const Beads& end, std::size_t i) const {
     const double moved = (end.x[i] - start.x[i]) / h - end.v[i];
     const double kicked = start.v[i] + h * acceleration(end, i) - end.v[i];
     return larger(std::abs(moved), std::abs(kicked));
   }
 
-  /// None is faster than all of the energy makes it, whatever was answered.
+  /// The velocity that no bead exceeds, whatever was answered: all of the energy makes it.
   double fastest() const { return std::sqrt(2 * energy(start)); }
 
-  /// Each of an end's numbers is a double, so that its lines cannot be met better than to the
-  /// rounding of what they add up.
+  /// The tolerance of an end: each of its numbers is a double, so that its lines cannot be met
+  /// better than to the rounding of what they add up.
   Tolerance tolerance(const Beads& end) const { return tolerance(end, 0, count(), fastest()); }
 
-  /// Of one bead's lines. In a matrix whose diagonal outweighs the rest an elimination leaves each
-  /// row as wrong as its own numbers are rounded, and those of its neighbours.
+  /// The tolerance of one bead's lines. In a matrix whose diagonal outweighs the rest an
+  /// elimination leaves each row as wrong as its own numbers are rounded, and those of its
+  /// neighbours.
   Tolerance tolerance(const Beads& end, std::size_t bead, double most) const {
     constexpr std::size_t near = 2;
     return tolerance(end, bead - std::min(bead, near), std::min(bead + near + 1, count()), most);

@@ -33,7 +33,7 @@ void meets_its_lines(Student& student, const Drag& drag, const std::string& aske
   check(finding);
 }
 
-// How far the end is from a change of the right length along what the spring asks for.
+// The distance of an end from a change of the right length along what the spring asks for.
 double off(const Drag& drag, const State& end) {
   const Vec change = end.v - drag.start.v, towards = drag.asked_for();
   const double along = dot(change, towards) / length(towards);

@@ -21,14 +21,14 @@ std::string text(const Swing& s) {
   return "x = " + number(s.x, 17) + ", v = " + number(s.v, 17);
 }
 
-// How often it passes through rest.
+// The number of times that it passes through rest.
 int passes(const std::vector<Swing>& path) {
   int count = 0;
   for (std::size_t n = 1; n < path.size(); ++n) count += (path[n].x < 0) != (path[n - 1].x < 0);
   return count;
 }
 
-// By which angle a step of the trapezoid rule turns a spring.
+// The angle by which a step of the trapezoid rule turns a spring.
 double turned_by(double omega, double h) {
   const Swing next = Suspension{{1, 0}, h, omega, 0, 1}.after_one({1, 0});
   return std::atan2(-next.v / omega, next.x);
@@ -81,7 +81,7 @@ TEST_CASE("without a damper the energy stays for a minute",
     off = std::isfinite(now) ? std::max(off, now) : INFINITY;
   }
   const Tolerance tolerance = rounding(scene.steps, size);
-  // What stands still keeps its energy, too.
+  // A spring that stands still keeps its energy, too.
   const bool swings = 2 * passes(got) > expected;
 
   grade::Finding finding;

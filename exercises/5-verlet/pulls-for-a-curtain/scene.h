@@ -15,7 +15,7 @@ namespace judge::verlet::pulls_for_a_curtain {
 
 inline constexpr double gravity = 9.81;  ///< [m/s^2]
 
-/// So many substeps of a frame, and iterations in each.
+/// A number of substeps of a frame, and iterations in each.
 struct Split {
   int substeps = 1, iterations = 1;
 
@@ -111,7 +111,7 @@ struct Way {
 
 inline const Way right{};
 
-// What people take for the one and for the other.
+// Mistaken stretches and prices.
 inline double step_once(const Curtain& of, const Split& split) {
   return by_rule(of, split) * split.substeps;
 }
@@ -128,7 +128,7 @@ inline const std::vector<Way> often_right{
     {"", by_rule, by_price, 0, nullptr, true},
 };
 
-/// What can be said of a single plan that is too dear, or does not hold.
+/// Diagnoses of a single plan that is too dear, or does not hold.
 inline std::vector<std::string> why_wrong(const Curtain& of, const Split& yours) {
   std::vector<std::string> said;
   if (yours.iterations == 1 && right.best(of).iterations > 1) {

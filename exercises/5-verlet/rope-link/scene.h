@@ -27,7 +27,7 @@ struct Link {
     link.longest = high * link.length_now();
     return link;
   }
-  /// So long, and between these.
+  /// A link so long, and between these.
   static Link of_length(Random& random, double now, double shortest, double longest) {
     Link link = draw(random, 1, 1);
     link.b = link.a + now / link.length_now() * (link.b - link.a);
@@ -35,7 +35,7 @@ struct Link {
     link.longest = longest;
     return link;
   }
-  /// Anything that may be asked: any lengths and masses, along an axis too; now and then as far
+  /// Any link that may be asked: any lengths and masses, along an axis too; now and then as far
   /// apart as may be, or nearly as long as a bound.
   static Link anywhere(Random& random) {
     Link link;
@@ -61,7 +61,7 @@ struct Link {
     link.inverse_b = random.anywhere(harness_bounds::inverse);
     return link;
   }
-  /// Each bound and each special value once; and a rod, of which both bounds are one.
+  /// Links at each bound and each special value; and a rod, of which both bounds are one.
   static std::vector<Link> at_the_bounds(Random& random) {
     std::vector<Link> links;
     const double now = random.between(1, 2);
@@ -104,7 +104,8 @@ struct Link {
   }
 };
 
-/// What is looked at: whether the link has its length, on its line; or whose way was how long, too.
+/// The part of a link that is judged: whether the link has its length, on its line; or whose way
+/// was how long, too.
 enum class Look { length, all };
 
 /// The first thing that is wrong with a link after it was pulled; empty if nothing is.
@@ -140,7 +141,7 @@ inline std::string wrong_with(const Link& before, const Link& after, Look look =
                                                         : "the common centre of mass has moved";
 }
 
-/// What there is to say of one pull.
+/// The finding on one pull.
 inline grade::Finding pulled(const Link& before, const Link& after, const std::string& what,
                              Look look) {
   const std::string wrong = wrong_with(before, after, look);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Each of the functions alone, and what people write there.
-///
-/// A spark at the floor, and what is left of its velocity.
+/// The arguments of each function, and a spark at the floor.
 #pragma once
 #include <string>
 #include <vector>
@@ -19,14 +17,14 @@ struct Line {
   Vec x, other, a;  ///< the other is x_previous, or v
   double h = 0;
 
-  // So large a step that no term is lost beside another.
+  // A line with so large a step that no term is lost beside another.
   static Line draw() {
     Random random;
     const Start start = random.start();
     return {start.x, start.v, random.vector(2, 9), random.between(0.3, 0.7)};
   }
 
-  /// That one, and any that may be asked: at rest and with nothing that pushes, too.
+  /// The drawn line, and any that may be asked: at rest and with nothing that pushes, too.
   static std::vector<Line> draw_all(Function function) {
     constexpr int count = 200;
     std::vector<Line> lines{draw()};
@@ -61,7 +59,7 @@ struct Spark {
   Vec x, x_previous;
   double floor = 0, restitution = 0;
 
-  /// Falls, and is so far below the floor; above it, if that is less than nothing.
+  /// A spark that falls, and is so far below the floor; above it, if that is less than nothing.
   static Spark draw(Random& random, double below) {
     Spark spark{random.start().x, {}, 0, random.between(0.3, 0.9)};
     spark.x_previous = spark.x + Vec{random.between(-0.2, 0.2), random.between(0.2, 0.5),
@@ -70,14 +68,14 @@ struct Spark {
     return spark;
   }
 
-  /// Was below the floor a step ago already, as when the floor rises.
+  /// A spark that was below the floor a step ago already, as when the floor rises.
   static Spark overtaken(Random& random) {
     Spark spark = draw(random, 0.01);
     spark.floor = spark.x_previous.y + random.between(0.05, 0.2);
     return spark;
   }
 
-  /// Deep below any floor or hardly below, upon it, above it; some rise.
+  /// A spark deep below any floor or hardly below, upon it, above it; some rise.
   static Spark anywhere(Random& random) {
     constexpr harness::Bounds below{"below", -100, 100, 0}, distance{"distance", 0, 300};
     Spark spark;

@@ -15,7 +15,7 @@ namespace judge::verlet::uneven_jumps {
 
 inline constexpr harness::Bounds any_velocity{"v", 0, 300};  ///< [m/s]
 
-/// Any frame after a last one, now and then one that is nearly as long.
+/// The length of any frame after a last one, now and then one that is nearly as long.
 inline double any_after(Random& random, double last) {
   const auto& h = harness_bounds::h;
   if (random.whole(0, 3) > 0) return random.anywhere(h);
@@ -23,7 +23,7 @@ inline double any_after(Random& random, double last) {
   return std::clamp(near, h.smallest(), h.largest());
 }
 
-/// What the student's step is given.
+/// The arguments of the student's step.
 struct Flight {
   harness::Force force;
   Vec x, x_previous;
@@ -39,7 +39,7 @@ struct Flight {
     return as_places(student.call(0, request, 3 * frames.size()));
   }
 
-  /// One frame of any length after any other, of what is anywhere and has any velocity.
+  /// A flight of one frame of any length after any other, of what is anywhere and has any velocity.
   static Flight anywhere(Random& random, double t) {
     Flight flight{random.any_force(),
                   random.vector_anywhere(harness_bounds::place),
@@ -52,7 +52,7 @@ struct Flight {
     return flight;
   }
 
-  /// What a frame's sum is in size: the ratio of the frames is a factor of what places lose.
+  /// The size of a frame's sum: the ratio of the frames is a factor of what places lose.
   double size() const {
     const Vec v = (x - x_previous) / h_previous;
     const double places = length(x) + length(x_previous), both = h_previous + frames[0];
@@ -61,7 +61,7 @@ struct Flight {
     return 1 + length(x) + frames[0] * (places / h_previous + both * pushes);
   }
 
-  /// The same frames by the corrected formula.
+  /// The places by the corrected formula.
   std::vector<Vec> by_formula() const {
     std::vector<Vec> places{x_previous, x};
     double now = t, last = h_previous;
@@ -75,7 +75,7 @@ struct Flight {
     return {places.begin() + 2, places.end()};
   }
 
-  /// When each frame ends, from the start on [s].
+  /// The ends of the frames, from the start on [s].
   std::vector<double> ends() const {
     std::vector<double> ends;
     double now = 0;
@@ -101,7 +101,7 @@ struct Fall {
     return {start.x, 3 * start.v, {0, -random.between(8, 20), 0}, h_previous, h};
   }
 
-  /// Thrown in any way, pulled to any side; now and then two of its places are one.
+  /// A fall thrown in any way, pulled to any side; now and then two of its places are one.
   static Fall anywhere(Random& random) {
     constexpr harness::Bounds gravity{"g", 0, 50};
     if (random.whole(0, 7) == 0) {

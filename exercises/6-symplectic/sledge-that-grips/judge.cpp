@@ -68,7 +68,7 @@ TEST_CASE("pulled at a rope a sledge ends at one speed, however long the step",
   const Vec expected = glide / drawn.c_along + (pull - glide) / drawn.c_across;
   for (const double ch : {0.1, 1.0, 10.0, 1000.0}) {
     const double h = ch / drawn.c_along;
-    // So many that less than a rounding is missing of the final speed.
+    // Steps enough that less than a rounding is missing of the final speed.
     const int steps =
         static_cast<int>(std::log(1 / std::numeric_limits<double>::epsilon()) / std::log1p(ch)) + 1;
     const Ride ride{drawn, random.start(), {harness::Force::falling, {g}}, h, steps, steps};

@@ -24,7 +24,7 @@ struct Sledge {
     return {way / length(way), random.between(0.5, 1.5), random.between(50, 150)};
   }
 
-  /// Pushed, then braked, then moved.
+  /// The right step: pushed, then braked, then moved.
   void step(State& s, double t, double h, const harness::Force& push) const {
     const Vec pushed = s.v + h * push(s.x, s.v, t), glide = dot(pushed, along) * along;
     s.v = glide / (1 + c_along * h) + (pushed - glide) / (1 + c_across * h);
@@ -56,7 +56,7 @@ struct Ride {
     return ride;
   }
 
-  /// Of the numbers that a step sums before it brakes.
+  /// The size of the numbers that a step sums before it brakes.
   double size() const {
     const Vec a = push(start.x, start.v, start.t);
     return 1 + length(start.x) + (1 + h) * (length(start.v) + h * length(a));

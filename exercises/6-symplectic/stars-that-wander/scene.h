@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Stars that pull on each other, as the judge steps them, and as the student's code does.
-///
-/// What a step does to the areas between neighbouring starts.
+/// Stars that pull on each other, as the judge steps them, and as the student's code does; and the
+/// areas between neighbouring starts, which a step keeps.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,7 @@ struct Stars {
   std::vector<double> mu;
 };
 
-// In a ring, so that no two meet within the second or two of a test.
+// Stars in a ring, so that no two meet within the second or two of a test.
 inline Stars draw(judge::Random& random, int count) {
   Stars stars;
   for (int i = 0; i < count; ++i) {
@@ -37,8 +36,8 @@ inline Stars draw(judge::Random& random, int count) {
   return stars;
 }
 
-// With any distances between them, each of any mass and any velocity; some in one row along an
-// axis.
+// Stars with any distances between them, each of any mass and any velocity; some in one row along
+// an axis.
 inline Stars draw_anywhere(judge::Random& random, int count) {
   constexpr harness::Bounds apart{"apart", 0.01, 100}, v{"v", 0, 100}, mu{"mu", 0, 100};
   Stars stars;
@@ -51,7 +50,7 @@ inline Stars draw_anywhere(judge::Random& random, int count) {
   return stars;
 }
 
-// Of the numbers that are summed up in a step: the places, the ways, and the kicks.
+// The size of the numbers that are summed up in a step: the positions, the ways, and the kicks.
 inline double size(const Stars& stars, double h) {
   double sum = 0;
   for (std::size_t i = 0; i < stars.at.size(); ++i) {
@@ -64,7 +63,7 @@ inline double size(const Stars& stars, double h) {
   return sum;
 }
 
-// Two that turn around each other on ellipses in four seconds or so, and together stay.
+// Two stars that turn around each other on ellipses in four seconds or so, and together stay.
 inline Stars draw_pair(judge::Random& random) {
   const double a = random.between(0.5, 1), b = random.between(1.5, 2);
   const double apart = random.between(1, 1.2), speed = std::sqrt((a + b) / apart) * 1.15;
@@ -86,7 +85,7 @@ inline void right_step(Stars& stars, double h) {
   }
 }
 
-// After each step.
+// The right states after each step.
 inline std::vector<Stars> by_method(Stars stars, double h, int steps) {
   std::vector<Stars> run;
   for (int n = 0; n < steps; ++n) {
@@ -134,7 +133,7 @@ inline double apart(const Stars& a, const Stars& b) {
   return largest;
 }
 
-// How fast the whole moves.
+// The velocity of the whole.
 inline Vec drift(const Stars& stars) {
   Vec momentum;
   double mass = 0;
@@ -169,7 +168,7 @@ inline double area(const std::vector<double>& mu, const Aside& a, const Aside& b
   return sum;
 }
 
-/// What a step makes of `aside`: the difference of two steps from a little to either side.
+/// The ways aside after a step: the difference of two steps from a little to either side.
 /// @param step  callable `(Stars) -> Stars`
 template <class Step>
 Aside carried(const Step& step, const Stars& start, const Aside& aside, double share) {

@@ -53,7 +53,7 @@ struct Flight {
   }
 };
 
-// One that is over, and how far off equal steps of the two methods end for the whole budget;
+// A flight that is over, and how far off equal steps of the two methods end for the whole budget;
 // Verlet asks once to begin.
 struct Landing {
   Flight flight;
@@ -125,7 +125,7 @@ std::vector<std::string> recognise(const Landing& landing) {
   return found;
 }
 
-// How far off a landing may be, and where that comes from.
+// The distance that a landing may be off, and where that comes from.
 struct Bound {
   std::function<double(const Landing&)> of;
   std::string from;

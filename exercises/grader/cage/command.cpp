@@ -41,13 +41,15 @@ const Words bubblewrap = {"bwrap",
                           "--json-status-fd",
                           "4"};
 
-/// Of a compiler, and of a program with a checker of memory, which has a thread of its own.
+/// The limit for a compiler, and for a program with a checker of memory, which has a thread of its
+/// own.
 constexpr const char* most_processes = "24";
 
-/// In steps, each with its own exit code; $0 is the compiler, behind it stand its flags, and in
-/// the environment what differs from build to build. What the object defines strongly, and main,
-/// are printed for the grader to look at; the driver goes out on descriptor 3. What the linker
-/// would have compiled once more, and nm would have read in place of the object, is not taken.
+/// The steps of a compilation, each with its own exit code; $0 is the compiler, behind it stand its
+/// flags, and in the environment what differs from build to build. What the object defines
+/// strongly, and main, are printed for the grader to look at; the driver goes out on descriptor 3.
+/// What the linker would have compiled once more, and nm would have read in place of the object, is
+/// not taken.
 const std::string compile_script = R"(printf READY >&3
 "$0" "$@" -fno-lto -fmax-errors=5 -ftemplate-backtrace-limit=3 \
   -fdiagnostics-color=never -pipe $DEFINED -Iharness \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// How a program ended, from its wait status and what bubblewrap says.
+/// The end of a program, from its wait status and what bubblewrap says.
 #pragma once
 #include "process.h"
 

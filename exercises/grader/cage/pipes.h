@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What a Process holds: the pipes, and one turn of waiting on all of them at once.
+/// The inside of a Process: the pipes, and one turn of waiting on all of them at once.
 #pragma once
 #include <optional>
 
@@ -11,7 +11,8 @@ namespace cage {
 
 class Process::Pipes {
  public:
-  /// How far the answer is read before anybody asks for it; beyond, the program has to wait.
+  /// The part of an answer that is read before anybody asks for it [bytes]; beyond, the program has
+  /// to wait.
   static constexpr std::size_t ahead = 65536;
 
   explicit Pipes(const Limits& limits) : limits_(limits) {}
@@ -51,7 +52,7 @@ class Process::Pipes {
   void write_input(std::span<const std::byte>& unsent);
   void read_pipes(std::size_t wanted);
   void read_output(File& pipe, std::string& kept);
-  void reap();  ///< kills and reaps it, and takes in what it left in the pipes
+  void reap();  ///< kills and reaps the program, and reads what it left in the pipes
 
   Limits limits_;
   Clock::time_point start_, deadline_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// A program that runs beside us on a short leash: pipes, limits, and an end that is certain.
+/// A program that runs beside us within limits: its pipes, and an end that is certain.
 #pragma once
 #include <chrono>
 #include <cstddef>
@@ -32,10 +32,10 @@ class File {
 /// Bytes as a file that has no name and cannot be changed any more.
 File sealed(std::string_view content);
 
-/// For a program that may have as much address space as it likes.
+/// The address space of a program that may have as much as it likes.
 inline constexpr std::size_t no_limit = static_cast<std::size_t>(-1);
 
-/// What a program may use.
+/// The limits of a program.
 struct Limits {
   double processor = 3;                ///< processor time [s]
   double wall = 10;                    ///< time on the clock [s]
@@ -44,7 +44,7 @@ struct Limits {
   std::size_t output = 1 << 20;        ///< on stdout and stderr together [bytes]
 };
 
-/// How a program ended.
+/// The end of a program.
 struct Ended {
   enum class How { exited, signalled, wall_limit, processor_limit, output_limit, never_started };
   How how = How::never_started;

@@ -15,7 +15,7 @@ void become_subreaper();
 /// The children of this process, also the zombies: dead, and not yet reaped.
 std::vector<pid_t> children();
 
-/// What a program and its descendants came to.
+/// The end of a program, and what it and its descendants used.
 struct Reaped {
   int status = 0;           ///< of the program itself, as wait gives it
   double processor = 0;     ///< of all together [s]

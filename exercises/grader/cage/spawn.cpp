@@ -24,7 +24,7 @@ File lifted(int descriptor) {
   return copy;
 }
 
-/// What posix_spawn does with the descriptors, in this order.
+/// The actions of posix_spawn on the descriptors, in this order.
 class Actions {
  public:
   Actions() { ::posix_spawn_file_actions_init(&actions_); }

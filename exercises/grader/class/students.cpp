@@ -41,7 +41,7 @@ std::vector<std::string> unknown(const Student& student, const std::vector<Exerc
   return found;
 }
 
-// So that nobody's many hide another's one.
+// The first few of a student's names, so that one student's many hide nobody's one.
 std::vector<std::string> first_few(std::vector<std::string> names, const std::string& student) {
   constexpr std::size_t most = 3;
   if (names.size() <= most) return names;

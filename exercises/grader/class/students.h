@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Who handed in what.
+/// The students of a class, and what they handed in.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -26,11 +26,11 @@ struct ClassList {
 /// @throws std::filesystem::filesystem_error  it cannot be read
 ClassList read_students(const std::filesystem::path& submissions);
 
-/// Whether there is a file, or anything else, of the right name: in the chapter's folder or, as
-/// Moodle hands files out, in the student's own.
+/// Returns whether there is a file, or anything else, of the right name: in the chapter's folder
+/// or, as Moodle hands files out, in the student's own.
 bool has(const Student& student, const Exercise& exercise);
 
-/// Those of the exercises for which somebody has a file, or anything else, of the right name.
+/// The exercises for which somebody has a file, or anything else, of the right name.
 std::vector<Exercise> handed_in(const std::vector<Student>& students,
                                 const std::vector<Exercise>& exercises);
 

@@ -13,7 +13,7 @@ std::string describe(const Vec& vector, int digits = 17);
 std::string describe(const State& state, int digits = 17);
 std::string describe(const Start& start);
 
-/// What pushes, with its constants.
+/// A force, with its constants.
 std::string describe(const harness::Force& force);
 
 }  // namespace judge

@@ -12,7 +12,7 @@
 namespace judge {
 namespace {
 
-// What a sentence calls a method, if that is not its name.
+// The words that a sentence has for a method, if these are not its name.
 std::string called(std::string_view name) {
   static constexpr std::pair<std::string_view, const char*> phrases[] = {
       {"Euler", "Euler's method"},

@@ -10,7 +10,7 @@
 namespace judge {
 namespace {
 
-// How much smaller than the largest the smallest is that comes, if nothing else is said: mostly,
+// The smallest number that comes, as a share of the largest, if nothing else is said: mostly,
 // and now and then.
 constexpr double sizes = 0x1p-30, all_sizes = 0x1p-44;
 

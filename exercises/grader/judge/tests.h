@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What can be asked of a student's code. Each of these ends the test with a finding that teaches
+/// Questions to a student's code. Each of these ends the test with a finding that teaches
 /// if the answer is wrong.
 #pragma once
 #include <functional>
