@@ -9,6 +9,7 @@
 
 #include "format_values.h"
 #include "judge/describe.h"
+#include "judge/numbers.h"
 #include "judge/session.h"
 #include "judge/tests.h"
 
@@ -30,15 +31,6 @@ struct Asked {
   std::vector<std::string> called = {};  ///< the places, if they have names
   std::vector<std::string> remarks = {};  ///< what else there is to say of wrong ones
 };
-
-/// The places in an answer, three numbers each.
-inline std::vector<Vec> as_places(const std::vector<double>& numbers) {
-  std::vector<Vec> places;
-  for (std::size_t n = 0; n + 3 <= numbers.size(); n += 3) {
-    places.push_back({numbers[n], numbers[n + 1], numbers[n + 2]});
-  }
-  return places;
-}
 
 /// Returns whether two paths are no further from each other than rounding explains, all along.
 inline bool alike(const std::vector<Vec>& a, const std::vector<Vec>& b,

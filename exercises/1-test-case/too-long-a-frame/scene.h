@@ -54,8 +54,7 @@ inline Machine any_machine(judge::Random& random, double h) {
   Machine machine{random.anywhere(harness_bounds::draw), random.anywhere(harness_bounds::cost), h,
                   static_cast<int>(random.anywhere(harness_bounds::most))};
   constexpr double nearest = 1e-3;
-  if (random.whole(0, 3) == 0)
-    machine.cost = h * (1 + (2 * random.whole(0, 1) - 1) * random.octaves(nearest, 0.5));
+  if (random.whole(0, 3) == 0) machine.cost = h * random.nearly_one(nearest, 0.5);
   if (std::abs(machine.cost / h - 1) < nearest) machine.cost = h;
   // The drawing that lets frames settle about at the limit, if it can be so little.
   const double alone = (h - machine.cost) * machine.most * random.between(0.1, 1.1);

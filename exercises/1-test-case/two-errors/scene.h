@@ -53,7 +53,8 @@ inline bool is_within(const harness::Bounds& bounds, double value) {
 
 /// A value that is about this one, or not at all: at most half apart, and down to a millionth.
 inline double about(judge::Random& random, double value, double apart) {
-  return value + (2 * random.whole(0, 1) - 1) * random.octaves(1e-6, 0.5) * apart;
+  const double side = random.sign();
+  return value + side * random.octaves(1e-6, 0.5) * apart;
 }
 
 /// Two runs of any steps and errors; now and then with a step of a half or about that, or an order

@@ -5,6 +5,7 @@
 #include "format_values.h"
 #include "harness.h"
 #include "judge/describe.h"
+#include "judge/numbers.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
@@ -17,9 +18,8 @@ namespace {
 using grade::number;
 
 Vec ask(Student& student, const Vec& camera, const Vec& target, const Lag& lag, double frame) {
-  const std::vector<double> got = student.call(
-      0, {camera.x, camera.y, camera.z, target.x, target.y, target.z, lag.part, lag.fastest, frame},
-      3);
+  const auto numbers = as_numbers(camera, target, lag.part, lag.fastest, frame);
+  const std::vector<double> got = student.call(0, numbers, 3);
   return {got[0], got[1], got[2]};
 }
 

@@ -3,6 +3,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "harness.h"
+#include "judge/describe.h"
 #include "judge/session.h"
 #include "judge/tests.h"
 #include "scene.h"
@@ -78,7 +79,7 @@ void keeps_within(Student& student, const std::vector<drone::Turn>& turns,
     grade::Finding finding;
     finding.held = within && got <= drone::most_steps && drone::growth(fewer(got)) > turn.growth;
     finding.asked = "the fewest steps of Euler's method around the circle";
-    finding.input = "growth = " + number(turn.growth, 17);
+    finding.input = named("growth", turn.growth);
     finding.expected =
         "a growth of at most " + number(turn.growth, 8) + ", and a larger one with " + spared;
     finding.got = flown(got);

@@ -5,6 +5,7 @@
 
 #include "format_values.h"
 #include "harness.h"
+#include "judge/describe.h"
 #include "judge/diagnose.h"
 #include "judge/random.h"
 #include "judge/session.h"
@@ -87,7 +88,7 @@ void check_limit(Student& student, double omega, double zeta, const std::string&
   grade::Finding finding;
   finding.held = near(got, expected);
   finding.asked = "the longest step of RK4 on a spring";
-  finding.input = "omega = " + number(omega, 17) + "/s, zeta = " + number(zeta, 17);
+  finding.input = "omega = " + number(omega, 17) + "/s, " + named("zeta", zeta);
   finding.expected = number(expected, 9) + " s";
   finding.got = number(got, 9) + " s";
   finding.error = number(std::abs(got - expected), 3) + " s";
@@ -102,8 +103,7 @@ void check_limit(Student& student, double omega, double zeta, const std::string&
 }
 
 void check_stretch(Student& student, Complex z) {
-  is_exact("what a step of RK4 does to the size of a motion",
-           "re = " + number(z.real(), 17) + ", im = " + number(z.imag(), 17),
+  is_exact("what a step of RK4 does to the size of a motion", named("re", z.real(), "im", z.imag()),
            student.call(0, {z.real(), z.imag()}, 1).front(), stretch(z, 4),
            rounding(polynomial(std::abs(z), 4).real()),
            "RK4 keeps the terms of e^z up to the fourth power. The size of a complex number is "

@@ -89,7 +89,7 @@ inline Start anywhere(Random& random) {
 /// rounded, and its estimate is zero.
 inline Start without_rounding(Random& random) {
   const auto power = [&] {
-    const double sign = 2.0 * random.whole(0, 1) - 1;
+    const double sign = random.sign();
     return std::ldexp(sign, random.whole(-2, 1));
   };
   const double x = power(), y = power(), z = power();

@@ -9,6 +9,8 @@
 
 #include "format_values.h"
 #include "harness.h"
+#include "judge/describe.h"
+#include "judge/numbers.h"
 #include "judge/random.h"
 #include "judge/rounding.h"
 #include "judge/student.h"
@@ -60,11 +62,7 @@ struct Chain {
   std::size_t count() const { return k.size(); }
 
   Beads after_one(Student& student, const Beads& from) const {
-    Column n{static_cast<double>(count()), h};
-    for (const Column* column : {&from.x, &from.v, &k}) {
-      n.insert(n.end(), column->begin(), column->end());
-    }
-    const Column end = student.call(0, n, 2 * count());
+    const Column end = student.call(0, as_numbers(count(), h, from.x, from.v, k), 2 * count());
     const auto middle = end.begin() + static_cast<std::ptrdiff_t>(count());
     return {{end.begin(), middle}, {middle, end.end()}};
   }
@@ -113,8 +111,8 @@ struct Chain {
     std::string text = std::to_string(count()) + " beads, h = " + grade::number(h, 17);
     if (count() > 6) return text + ", and stiffnesses drawn from the seed";
     for (std::size_t i = 0; i < count(); ++i) {
-      text += "; bead " + std::to_string(i) + ": x = " + grade::number(start.x[i], 17) +
-              ", v = " + grade::number(start.v[i], 17) + ", k = " + grade::number(k[i], 17);
+      text +=
+          "; bead " + std::to_string(i) + ": " + named("x", start.x[i], "v", start.v[i], "k", k[i]);
     }
     return text;
   }

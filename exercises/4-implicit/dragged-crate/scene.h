@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "format_values.h"
 #include "harness.h"
 #include "judge/describe.h"
+#include "judge/numbers.h"
 #include "judge/random.h"
 #include "judge/rounding.h"
 #include "judge/student.h"
@@ -41,16 +41,13 @@ struct Drag {
     drag.zeta = random.anywhere(harness_bounds::zeta);
     drag.strongest = random.anywhere(harness_bounds::strongest);
     if (random.whole(0, 3) == 0)
-      drag.strongest = (1 + (2 * random.whole(0, 1) - 1) * random.octaves(1e-9, 0.5)) *
-                       length(drag.change_of_strong()) / drag.h;
+      drag.strongest = random.nearly_one(1e-9, 0.5) * length(drag.change_of_strong()) / drag.h;
     return drag;
   }
 
   State by(Student& student) const {
-    const auto [x, v] = start;
-    const auto n = student.call(
-        0, {x.x, x.y, x.z, v.x, v.y, v.z, h, hand.x, hand.y, hand.z, omega, zeta, strongest}, 6);
-    return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+    const auto numbers = as_numbers(start, h, hand, omega, zeta, strongest);
+    return as_states(student.call(0, numbers, 6))[0];
   }
 
   Vec acceleration(const Vec& x, const Vec& v) const {
@@ -105,9 +102,8 @@ struct Drag {
   }
 
   std::string described() const {
-    return describe(start, 17) + ", h = " + grade::number(h, 17) +
-           ", hand = " + describe(hand, 17) + ", omega = " + grade::number(omega, 17) +
-           ", zeta = " + grade::number(zeta, 17) + ", strongest = " + grade::number(strongest, 17);
+    return named("x", start.x, "v", start.v, "h", h, "hand", hand, "omega", omega, "zeta", zeta,
+                 "strongest", strongest);
   }
 };
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "format_values.h"
+#include "judge/describe.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
@@ -18,7 +19,7 @@ namespace {
 using grade::number;
 
 std::string text(const Swing& s) {
-  return "x = " + number(s.x, 17) + ", v = " + number(s.v, 17);
+  return named("x", s.x, "v", s.v);
 }
 
 // The number of times that it passes through rest.
@@ -158,7 +159,7 @@ TEST_CASE("told another omega, the trapezoid rule swings at the one that is want
     const Tolerance tolerance = rounding(wanted);
     grade::Finding finding = off_by(std::abs(turned - wanted), tolerance);
     finding.asked = "by which angle a step of the trapezoid rule turns a spring that is told yours";
-    finding.input = "omega = " + number(omega, 17) + ", h = " + number(h, 17);
+    finding.input = named("omega", omega, "h", h);
     finding.expected = number(wanted, 12) + ", which is omega h";
     finding.got = number(turned, 12) + ", told " + number(told, 12) + " rad/s";
     if (!finding.held) {

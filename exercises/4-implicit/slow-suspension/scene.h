@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "format_values.h"
 #include "harness.h"
+#include "judge/describe.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/student.h"
@@ -26,7 +26,7 @@ struct Suspension {
 
   static Suspension draw(Random& random, double angle, double zeta, int steps) {
     const double h = random.between(0.01, 0.04), omega = angle / h;
-    const double sign = 2.0 * random.whole(0, 1) - 1;
+    const double sign = random.sign();
     return {
         {random.between(0.1, 0.3), sign * omega * random.between(0.1, 0.3)}, h, omega, zeta, steps};
   }
@@ -105,9 +105,7 @@ struct Suspension {
   double apart(const Swing& a, const Swing& b) const { return size({a.x - b.x, a.v - b.v}); }
 
   std::string described() const {
-    return "x = " + grade::number(start.x, 17) + ", v = " + grade::number(start.v, 17) +
-           ", h = " + grade::number(h, 17) + ", omega = " + grade::number(omega, 17) +
-           ", zeta = " + grade::number(zeta, 17);
+    return named("x", start.x, "v", start.v, "h", h, "omega", omega, "zeta", zeta);
   }
 
   grade::Curve sizes(const std::string& name, const std::vector<Swing>& path) const {

@@ -38,8 +38,7 @@ struct Line {
   }
 
   Vec by(Student& student) const {
-    return as_places(
-        student.call(1, {x.x, x.y, x.z, before.x, before.y, before.z, a.x, a.y, a.z, c, h}, 3))[0];
+    return as_vectors(student.call(1, as_numbers(x, before, a, c, h), 3))[0];
   }
 
   double tolerance() const {
@@ -50,9 +49,7 @@ struct Line {
   Vec velocity(const Vec& next) const { return (next - before) / (2 * h); }
 
   std::string in_words() const {
-    return "x = " + describe(x, 17) + ", x_previous = " + describe(before, 17) +
-           ", a = " + describe(a, 17) + ", c = " + grade::number(c, 17) +
-           ", h = " + grade::number(h, 17);
+    return named("x", x, "x_previous", before, "a", a, "c", c, "h", h);
   }
 };
 

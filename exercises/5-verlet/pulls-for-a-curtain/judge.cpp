@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include <catch2/catch_test_macros.hpp>
 
+#include "format_values.h"
 #include "harness.h"
 #include "judge/random.h"
 #include "judge/session.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "format_values.h"
+#include "judge/describe.h"
 
 namespace judge::verlet::pulls_for_a_curtain {
 
@@ -21,10 +21,7 @@ struct Split {
 
   bool operator==(const Split&) const = default;
 
-  std::string in_words() const {
-    return "substeps = " + std::to_string(substeps) +
-           ", iterations = " + std::to_string(iterations);
-  }
+  std::string in_words() const { return named("substeps", substeps, "iterations", iterations); }
 };
 
 /// The chapter's rule of thumb for a rope's stretch [m].
@@ -66,9 +63,7 @@ struct Curtain {
   }
 
   std::string in_words() const {
-    const auto full = [](double value) { return grade::number(value, 17); };
-    return "links = " + std::to_string(links) + ", frame = " + full(frame) +
-           ", most = " + full(most) + ", move = " + full(move) + ", pull = " + full(pull);
+    return named("links", links, "frame", frame, "most", most, "move", move, "pull", pull);
   }
 };
 

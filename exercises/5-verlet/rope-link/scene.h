@@ -49,8 +49,7 @@ struct Link {
     }
     link.longest = random.anywhere(harness_bounds::longest);
     link.shortest = std::min(link.longest, random.anywhere(harness_bounds::shortest));
-    const double near =
-        link.length_now() * (1 + (2 * random.whole(0, 1) - 1) * random.octaves(1e-12, 0.1));
+    const double near = link.length_now() * random.nearly_one(1e-12, 0.1);
     const int bound = random.whole(0, 5);
     if (bound == 0 && near > harness_bounds::longest.smallest()) link.longest = near;
     if (bound == 1) link.shortest = near;
@@ -90,17 +89,15 @@ struct Link {
   double tolerance() const { return rounding(length(a) + length(b) + longest).value; }
 
   Link after(Student& student) const {
-    const std::vector<Vec> ends = as_places(student.call(
-        0, {a.x, a.y, a.z, b.x, b.y, b.z, shortest, longest, inverse_a, inverse_b}, 6));
+    const auto numbers = as_numbers(a, b, shortest, longest, inverse_a, inverse_b);
+    const std::vector<Vec> ends = as_vectors(student.call(0, numbers, 6));
     return {ends[0], ends[1], shortest, longest, inverse_a, inverse_b};
   }
 
   std::string in_words() const {
-    const auto full = [](double value) { return grade::number(value, 17); };
-    return "a = " + describe(a, 17) + ", b = " + describe(b, 17) + ", " +
-           grade::number(length_now()) + " m apart, shortest = " + full(shortest) +
-           ", longest = " + full(longest) + ", inverse_a = " + full(inverse_a) +
-           ", inverse_b = " + full(inverse_b);
+    return named("a", a, "b", b) + ", " + grade::number(length_now()) + " m apart, " +
+           named("shortest", shortest, "longest", longest, "inverse_a", inverse_a, "inverse_b",
+                 inverse_b);
   }
 };
 

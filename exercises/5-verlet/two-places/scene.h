@@ -40,16 +40,14 @@ struct Line {
   }
 
   std::vector<Vec> by(Student& student, Function function) const {
-    return as_places(
-        student.call(function, {x.x, x.y, x.z, other.x, other.y, other.z, a.x, a.y, a.z, h}, 3));
+    return as_vectors(student.call(function, as_numbers(x, other, a, h), 3));
   }
 
   Vec next() const { return x + (x - other) + h * h * a; }
   Vec before_start() const { return x - h * other + h * h / 2 * a; }
 
   std::string in_words(const std::string& name) const {
-    return "x = " + describe(x, 17) + ", " + name + " = " + describe(other, 17) +
-           ", a = " + describe(a, 17) + ", h = " + grade::number(h, 17);
+    return named("x", x, name, other, "a", a, "h", h);
   }
 
   Tolerance tolerance() const { return rounding(length(x) + length(other) + length(a)); }
@@ -93,8 +91,8 @@ struct Spark {
   Vec distance() const { return x - x_previous; }
 
   Spark after(Student& student) const {
-    const std::vector<Vec> two = as_places(student.call(
-        3, {x.x, x.y, x.z, x_previous.x, x_previous.y, x_previous.z, floor, restitution}, 6));
+    const auto numbers = as_numbers(x, x_previous, floor, restitution);
+    const std::vector<Vec> two = as_vectors(student.call(3, numbers, 6));
     return {two[0], two[1], floor, restitution};
   }
 
@@ -130,10 +128,8 @@ inline void bounces(Student& student, const Spark& before) {
   const std::string far = grade::number(std::abs(before.floor - before.x.y), 3);
   finding.asked = below ? "a bounce of a spark " + far + " m below the floor"
                         : "no bounce of a spark " + far + " m above the floor";
-  finding.input = "x = " + describe(before.x, 17) +
-                  ", x_previous = " + describe(before.x_previous, 17) +
-                  ", floor = " + grade::number(before.floor, 17) +
-                  ", restitution = " + grade::number(before.restitution, 17);
+  finding.input = named("x", before.x, "x_previous", before.x_previous, "floor", before.floor,
+                        "restitution", before.restitution);
   finding.expected = below
                          ? "x on the floor, and from x_previous to x the last distance, up instead "
                            "of down and times the restitution"

@@ -19,7 +19,7 @@ inline constexpr harness::Bounds any_velocity{"v", 0, 300};  ///< [m/s]
 inline double any_after(Random& random, double last) {
   const auto& h = harness_bounds::h;
   if (random.whole(0, 3) > 0) return random.anywhere(h);
-  const double near = last * (1 + (2 * random.whole(0, 1) - 1) * random.octaves(1e-8, 0.1));
+  const double near = last * random.nearly_one(1e-8, 0.1);
   return std::clamp(near, h.smallest(), h.largest());
 }
 
@@ -31,12 +31,8 @@ struct Flight {
   std::vector<double> frames;    ///< lengths [s]
 
   std::vector<Vec> by(Student& student) const {
-    std::vector<double> request{static_cast<double>(force.kind)};
-    request.insert(request.end(), force.a.begin(), force.a.end());
-    request.insert(request.end(), {x.x, x.y, x.z, x_previous.x, x_previous.y, x_previous.z, t,
-                                   h_previous, static_cast<double>(frames.size())});
-    request.insert(request.end(), frames.begin(), frames.end());
-    return as_places(student.call(0, request, 3 * frames.size()));
+    const auto numbers = as_numbers(force, x, x_previous, t, h_previous, frames.size(), frames);
+    return as_vectors(student.call(0, numbers, 3 * frames.size()));
   }
 
   /// A flight of one frame of any length after any other, of what is anywhere and has any velocity.
@@ -84,9 +80,8 @@ struct Flight {
   }
 
   std::string in_words() const {
-    std::string text = "x = " + describe(x, 17) + ", x_previous = " + describe(x_previous, 17) +
-                       ", t = " + grade::number(t, 17) +
-                       ", h_previous = " + grade::number(h_previous, 17) + ", then h =";
+    std::string text =
+        named("x", x, "x_previous", x_previous, "t", t, "h_previous", h_previous) + ", then h =";
     for (const double h : frames) text += " " + grade::number(h, 17);
     return text;
   }
@@ -122,15 +117,13 @@ struct Fall {
 
   Vec at(double t) const { return x + t * v + (t * t / 2) * g; }
   Vec by(Student& student) const {
-    const Vec a = at(-h_previous), b = at(h);
-    return as_places(
-        student.call(1, {a.x, a.y, a.z, x.x, x.y, x.z, b.x, b.y, b.z, h_previous, h}, 3))[0];
+    const auto numbers = as_numbers(at(-h_previous), x, at(h), h_previous, h);
+    return as_vectors(student.call(1, numbers, 3))[0];
   }
 
   std::string in_words() const {
-    return "x_previous = " + describe(at(-h_previous), 17) + ", x = " + describe(x, 17) +
-           ", x_next = " + describe(at(h), 17) + ", h_previous = " + grade::number(h_previous, 17) +
-           ", h = " + grade::number(h, 17);
+    return named("x_previous", at(-h_previous), "x", x, "x_next", at(h), "h_previous", h_previous,
+                 "h", h);
   }
 };
 

@@ -11,6 +11,7 @@
 
 #include "format_values.h"
 #include "judge/describe.h"
+#include "judge/numbers.h"
 #include "judge/random.h"
 #include "judge/student.h"
 
@@ -96,20 +97,15 @@ inline std::vector<Stars> by_method(Stars stars, double h, int steps) {
 }
 
 inline std::vector<Stars> by(judge::Student& student, const Stars& stars, double h, int steps) {
-  std::vector<double> arguments{double(steps), h, double(stars.mu.size())};
-  for (std::size_t i = 0; i < stars.mu.size(); ++i) {
-    const State& s = stars.at[i];
-    arguments.insert(arguments.end(), {s.x.x, s.x.y, s.x.z, s.v.x, s.v.y, s.v.z, stars.mu[i]});
-  }
-  const std::vector<double> said =
-      student.call(0, arguments, static_cast<std::size_t>(steps) * stars.mu.size() * 6);
-  std::vector<Stars> run(static_cast<std::size_t>(steps), stars);
-  auto next = said.begin();
-  for (Stars& now : run) {
-    for (State& s : now.at) {
-      s = {{next[0], next[1], next[2]}, {next[3], next[4], next[5]}};
-      next += 6;
-    }
+  const std::size_t count = stars.mu.size(), all = static_cast<std::size_t>(steps) * count;
+  std::vector<double> arguments = judge::as_numbers(steps, h, count);
+  for (std::size_t i = 0; i < count; ++i)
+    judge::append(arguments, judge::as_numbers(stars.at[i], stars.mu[i]));
+  const std::vector<State> states = judge::as_states(student.call(0, arguments, 6 * all));
+  std::vector<Stars> run;
+  for (std::size_t n = 0; n < all; n += count) {
+    const auto first = states.begin() + static_cast<std::ptrdiff_t>(n);
+    run.push_back({{first, first + static_cast<std::ptrdiff_t>(count)}, stars.mu});
   }
   return run;
 }
@@ -117,10 +113,10 @@ inline std::vector<Stars> by(judge::Student& student, const Stars& stars, double
 inline std::string describe(const Stars& stars, double h) {
   std::string text;
   for (std::size_t i = 0; i < stars.mu.size(); ++i) {
-    text += "star " + std::to_string(i + 1) + ": " + judge::describe(stars.at[i], 17) +
-            ", mu = " + grade::number(stars.mu[i], 17) + "; ";
+    text += "star " + std::to_string(i + 1) + ": " + judge::describe(stars.at[i]) + ", " +
+            judge::named("mu", stars.mu[i]) + "; ";
   }
-  return text + "h = " + grade::number(h, 17);
+  return text + judge::named("h", h);
 }
 
 /// The largest difference of a star's state; infinite if a number is not finite.

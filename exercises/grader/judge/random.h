@@ -22,6 +22,11 @@ class Random {
   double between(const harness::Bounds& bounds);  ///< from the smallest to the largest
   double octaves(double low, double high);        ///< as often between 1 and 2 as between 2 and 4
   int whole(int low, int high);                   ///< both may be drawn
+  double sign();                                  ///< 1 or -1
+
+  /// A factor that is off 1 by so much at least and at most, to either side, with all sizes alike.
+  double nearly_one(double least, double most);
+
   Vec vector(double low, double high);
 
   /// All values to be asked of an argument: its bounds, what is special, and so many drawn between.
