@@ -76,12 +76,10 @@ inline double by_price(const Curtain& of, const Split& split) {
 
 /// A way to a plan: what is taken for the stretch and for the price, and what for the substeps.
 struct Way {
-  const char* says = "";
   double (*stretch)(const Curtain&, const Split&) = by_rule;
   double (*price)(const Curtain&, const Split&) = by_price;
-  int too_few = 0;                              ///< substeps
-  int (*iterations)(const Curtain&) = nullptr;  ///< if they are not tried
-  bool to_the_nearest = false;                  ///< whole number, and not up
+  int too_few = 0;              ///< substeps
+  bool to_the_nearest = false;  ///< whole number, and not up
 
   /// The cheapest with so many iterations.
   Split with(const Curtain& of, int so_many) const {
@@ -94,7 +92,6 @@ struct Way {
   }
 
   Split best(const Curtain& of) const {
-    if (iterations != nullptr) return with(of, iterations(of));
     Split best = with(of, 1);
     for (int so_many = 2; so_many <= of.links; ++so_many) {
       const Split next = with(of, so_many);
@@ -118,10 +115,7 @@ inline double shared(const Curtain& of, const Split& split) {
 }
 /// Some plans of these are right by luck.
 inline const std::vector<Way> often_right{
-    {"", step_once},
-    {"", by_rule, by_price, 1},
-    {"", by_rule, by_price, 0, nullptr, true},
-};
+    {step_once}, {by_rule, by_price, 1}, {by_rule, by_price, 0, true}};
 
 /// Diagnoses of a single plan that is too dear, or does not hold.
 inline std::vector<std::string> why_wrong(const Curtain& of, const Split& yours) {
