@@ -9,13 +9,13 @@
 
 namespace judge {
 
-struct Table {
+struct ButcherTable {
   std::string name;                        ///< of the method
   std::vector<std::vector<double>> parts;  ///< row i, with i numbers, leads to stage i
   std::vector<double> weights;
 };
 
-inline Method method_of(const Table& table) {
+inline Method method_of(const ButcherTable& table) {
   return method(table.name,
                 [table](Vec& x, Vec& v, double t, double h, const Acceleration& acceleration) {
                   std::vector<State> slopes;

@@ -14,14 +14,13 @@ namespace judge::verlet {
 /// Four runs, each with steps half as long as the one before.
 struct Halvings {
   std::string asked, input;
-  std::vector<double> steps;              ///< their lengths [s]
-  std::vector<double> errors;             ///< of the places [m]
-  std::string hint_if_one;                ///< for a method of order one
-  std::string hint_if_none;               ///< for one whose error stays
-  std::vector<std::string> remarks = {};  ///< what else there is to say of a wrong one
+  std::vector<double> steps;   ///< their lengths [s]
+  std::vector<double> errors;  ///< of the places [m]
+  std::string hint_if_one;     ///< for a method of order one
+  std::string hint_if_none;    ///< for one whose error stays
 };
 
-/// The last halving divides the error by four, and so does the one before.
+/// Checks that the last halving divides the error by four, and so does the one before.
 inline void has_order_two(const Halvings& runs) {
   constexpr double within = 0.1;
   const std::vector<double>&h = runs.steps, &errors = runs.errors;
@@ -41,7 +40,6 @@ inline void has_order_two(const Halvings& runs) {
       "successive estimates of the right formula differ by less at these steps";
   if (!finding.held) {
     finding.hint = std::abs(order - 1) < 0.5 ? runs.hint_if_one : runs.hint_if_none;
-    finding.diagnoses = runs.remarks;
     finding.plot = {
         "Error and step", "longest step [s]", "largest error [m]", {{"yours", h, errors}}};
     finding.plot.curves.push_back({"order 2", h, {}});

@@ -9,6 +9,7 @@
 
 #include "format_values.h"
 #include "judge/describe.h"
+#include "judge/numbers.h"
 #include "judge/session.h"
 #include "judge/tests.h"
 
@@ -20,33 +21,14 @@ struct Places {
   std::vector<Vec> x;  ///< [m]
 };
 
-/// What a test asks, apart from the places themselves.
+/// The question of a test, apart from the places themselves.
 struct Asked {
   std::string what;
   std::string input;
   Tolerance tolerance;
   std::string hint;
-  std::vector<double> times;             ///< of the places [s]; none if a picture would say nothing
-  std::vector<std::string> called = {};  ///< the places, if they have names
-  std::vector<std::string> remarks = {};  ///< what else there is to say of wrong ones
+  std::vector<double> times;  ///< of the places [s]; none if a picture would say nothing
 };
-
-/// The places in an answer, three numbers each.
-inline std::vector<Vec> as_places(const std::vector<double>& numbers) {
-  std::vector<Vec> places;
-  for (std::size_t n = 0; n + 3 <= numbers.size(); n += 3) {
-    places.push_back({numbers[n], numbers[n + 1], numbers[n + 2]});
-  }
-  return places;
-}
-
-/// No further from each other than rounding explains, all along.
-inline bool alike(const std::vector<Vec>& a, const std::vector<Vec>& b,
-                  const Tolerance& tolerance) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Vec& one, const Vec& other) {
-    return length(one - other) <= tolerance.value;
-  });
-}
 
 inline grade::Curve curve(const Places& places, const std::vector<double>& times) {
   grade::Curve curve{places.name, times, {}};
@@ -62,13 +44,12 @@ inline std::vector<std::string> not_finite(const std::vector<Vec>& yours) {
   return {};
 }
 
-/// What a message calls place n.
-inline std::string name_of(const Asked& asked, std::size_t n, std::size_t count) {
-  if (!asked.called.empty()) return asked.called[n] + ": ";
+/// The name of place n in a message.
+inline std::string name_of(std::size_t n, std::size_t count) {
   return count == 1 ? "" : "place " + std::to_string(n + 1) + ": ";
 }
 
-/// The places are where they should be, each of them.
+/// Checks that each of the places is where it should be.
 inline void are_places(const Asked& asked, const std::vector<Vec>& yours, const Places& expected) {
   std::size_t n = 0;
   while (n < yours.size() && length(yours[n] - expected.x[n]) <= asked.tolerance.value) ++n;
@@ -79,13 +60,12 @@ inline void are_places(const Asked& asked, const std::vector<Vec>& yours, const 
   finding.tolerance = grade::number(asked.tolerance.value, 2);
   finding.tolerance_from = asked.tolerance.from;
   if (finding.held) return check(finding);
-  const std::string which = name_of(asked, n, yours.size());
+  const std::string which = name_of(n, yours.size());
   finding.expected = which + describe(expected.x[n], 12);
   finding.got = which + describe(yours[n], 12);
   finding.error = grade::number(length(yours[n] - expected.x[n]), 3);
   finding.hint = asked.hint;
   finding.diagnoses = not_finite(yours);
-  finding.diagnoses.insert(finding.diagnoses.end(), asked.remarks.begin(), asked.remarks.end());
   if (!asked.times.empty()) {
     finding.plot = {"Where it goes",
                     "time [s]",

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "options.h"
-#include "report/escape.h"
+#include "printable.h"
 #include "report/files.h"
 #include "time_limits.h"
 
@@ -24,8 +24,9 @@ std::optional<std::uint64_t> number(const std::string& text) {
   return value;
 }
 
-/// What somebody has written by hand, perhaps where a link leads to, and perhaps with the mark that
-/// some editors begin a file with: no pipe that never ends, and nothing of many megabytes.
+/// A file that somebody has written by hand, perhaps where a link leads to, and perhaps with the
+/// mark that some editors begin a file with: no pipe that never ends, and nothing of many
+/// megabytes.
 std::optional<std::string> small_file(const std::filesystem::path& file) {
   constexpr std::size_t most = 1 << 20;
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";

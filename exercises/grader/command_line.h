@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What the grader was asked to do.
+/// The command that the grader was given.
 #pragma once
 #include <optional>
 #include <set>
@@ -14,7 +14,7 @@
 
 namespace grade {
 
-/// What to do, with everything that it takes; checked.
+/// A command with everything that it takes; checked.
 struct Command {
   enum class What { one, whole_class, list, version, run, nothing };
   What what = What::nothing;

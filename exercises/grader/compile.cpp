@@ -16,7 +16,7 @@ using How = cage::Ended::How;
 constexpr std::size_t largest_driver = 64 << 20;  // [bytes]; the usual one has one million
 constexpr std::size_t longest_message = 4000;     // [bytes]
 
-/// How the compiler says that it met one of its limits, or one of ours.
+/// The compiler's words for a limit of its own, or of ours, that it met.
 constexpr std::pair<const char*, const char*> limits_met[] = {
     {"out of memory", "memory"},
     {"memory exhausted", "memory"},
@@ -55,7 +55,7 @@ std::string limit_message(const cage::Ended& ended, const cage::Limits& limits) 
   return "the compiler's messages, or its program, had no end";
 }
 
-/// What `nm` lists: address, letter, name.
+/// The symbols that `nm` lists: address, letter, name.
 struct Symbols {
   bool main = false;
   std::vector<std::string> strong;   ///< of C++, so nobody else's
@@ -99,7 +99,7 @@ const std::string bytecode =
     "it holds bytecode for the linker to compile (.gnu.lto_ or .llvmbc), which is not taken: write "
     "it in C++";
 
-/// What the linker misses; all its other words name files of ours.
+/// The names that the linker misses; all its other words name files of ours.
 std::string link_message(const std::string& said) {
   constexpr std::string_view undefined = "undefined reference to `";
   if (said.find("undefined reference to `main'") != said.npos)
@@ -156,7 +156,7 @@ Compiled compile(const std::string& text, const std::string& header, const std::
   if (ended.how != How::exited)
     return failed(ended, Verdict::compile_limit, limit_message(ended, limits));
   if (ended.code == cage::not_compiled) return not_compiled(ended, header);
-  // What runs by its own main meets no other file.
+  // A program that runs by its own main meets no other file.
   const Symbols found = build == cage::Build::own ? Symbols() : symbols(ended.out);
   if (ended.code == cage::has_bytecode) return failed(ended, Verdict::rejected, bytecode);
   if (found.main) return failed(ended, Verdict::rejected, remove_main);

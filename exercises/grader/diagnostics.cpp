@@ -11,7 +11,7 @@ namespace grade {
 
 namespace {
 
-/// With a capital letter they are the assembler's.
+/// The kinds of messages; with a capital letter they are the assembler's.
 constexpr std::string_view kinds_of_message[] = {"error",
                                                  "fatal error",
                                                  "internal compiler error",

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Which exercises a student has done: those for which this program, called for one submission,
+/// The exercises that a student has done: those for which this program, called for one submission,
 /// gave full marks. Their names stand in `done.txt` beside the program.
 #pragma once
 #include "exercise.h"
 
 namespace grade {
 
-/// Whether it has ever had full marks here.
+/// Returns whether it has ever had full marks here.
 /// @throws NotOwn  `done.txt` is none of ours
 bool is_done(const Exercise& exercise);
 

@@ -41,7 +41,7 @@ std::string nearest_exercise(const std::string& name) {
   // Whoever leaves out the chapter, or writes a part of the name, means that exercise.
   const auto away = [&](const Exercise& one) {
     if (one.name.find(name) != std::string::npos) return std::size_t{0};
-    return std::min(edits(one.name, name), edits(one.task(), name));
+    return std::min(edit_distance(one.name, name), edit_distance(one.task(), name));
   };
   const auto nearest = std::min_element(
       all.begin(), all.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What the grader tells the program that started it.
+/// The exit codes of the grader.
 #pragma once
 #include <string>
 #include <system_error>
@@ -24,13 +24,13 @@ enum Exit : int {
 /// @returns the code
 int refuse(int code, const std::string& why);
 
-/// Of one submission.
+/// The exit code of one submission.
 int exit_code(const Report& report, bool by_verdict);
 
-/// Of a class: graded, or that the grader failed somewhere.
+/// The exit code of a class: graded, or that the grader failed somewhere.
 int exit_code(const std::vector<Report>& reports);
 
-/// What the caller can mend, what may mend itself, and the rest.
+/// The exit code of an error: what the caller can mend, what may mend itself, or the rest.
 int exit_code(const std::error_code& error);
 
 }  // namespace grade

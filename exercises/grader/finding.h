@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What a test found, in the words that the student will read.
+/// The findings of a test, in the words that the student will read.
 #pragma once
 #include <string>
 #include <vector>

@@ -11,7 +11,7 @@
 #include "exit_codes.h"
 #include "installed.h"
 #include "judge/session.h"
-#include "report/escape.h"
+#include "printable.h"
 #include "report/terminal.h"
 #include "run_own.h"
 #include "time_limits.h"
@@ -23,16 +23,18 @@ bool met_a_time_limit(const Report& report) {
   return report.verdict == Verdict::compile_limit || report.verdict == Verdict::time_limit;
 }
 
-/// What is not the grader's own is not lost.
-void keep_out_of_the_way(const std::filesystem::path& out) {
-  const std::string name = in_the_way(out);
+/// Keeps a file that is not the grader's own from being lost.
+/// @throws Usage
+void refuse_foreign_files(const std::filesystem::path& out) {
+  const std::string name = foreign_file(out);
   if (name.empty()) return;
   throw Usage("'" + printable_name(out.string()) + "' holds a " + name +
               " that is not the grader's own; name another folder with --out");
 }
 
-/// What only the student can be blamed for: nothing of theirs was compiled, or all of it was right.
-bool needs_no_witness(const Report& report) {
+/// Returns whether no point was lost that the grader might be to blame for: nothing of the
+/// student's was compiled, or all of it was right.
+bool needs_no_calibration(const Report& report) {
   return report.verdict == Verdict::accepted || report.verdict == Verdict::rejected ||
          report.verdict == Verdict::grader_error;
 }
@@ -56,7 +58,7 @@ Report grade_fairly(Command& command) {
     if (command.out) keep_provisional(report, *command.out, command.emits);
   };
   Report report = grade_submission(command.request, so_far);
-  if (command.limits_given || needs_no_witness(report)) return report;
+  if (command.limits_given || needs_no_calibration(report)) return report;
   Request calibrated = command.request;
   if (const auto obstacle = calibrate(calibrated)) return not_graded(report, *obstacle);
   const bool slow = write_limits(calibrated) != write_limits(command.request);
@@ -92,8 +94,8 @@ void print(const Report& report, bool all, const Place& place) {
 int grade_and_report(Command command) {
   const bool done_before = !command.unchecked && is_done(command.request.exercise);
   // A class has folders of its own.
-  if (command.out && !command.limits_given) keep_out_of_the_way(*command.out);
-  if (command.out) keep_provisional(begun(command.request), *command.out, command.emits);
+  if (command.out && !command.limits_given) refuse_foreign_files(*command.out);
+  if (command.out) keep_provisional(blank_report(command.request), *command.out, command.emits);
   Report report = grade_fairly(command);
   const Place seen = place(command);
   if (command.out) keep(report, *command.out, command.emits, seen);

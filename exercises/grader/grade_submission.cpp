@@ -34,7 +34,7 @@ std::string read(const std::filesystem::path& path) {
   throw std::runtime_error("cannot read " + path.string());
 }
 
-// What the sum of the tests says.
+// The verdict by the sum of the tests.
 Verdict verdict(const Judged& judged) {
   const bool all = std::ranges::all_of(judged.tests, &TestResult::held);
   if (all) return Verdict::accepted;
@@ -73,6 +73,7 @@ void judge_driver(const Request& request, const cage::Kit& kit, const cage::File
     report.why = judged.why;
     report.tests = judged.tests;
     report.score = judged.score();
+    report.run_processor = std::max(report.run_processor, judge::session().processor);
     if (so_far) so_far(report);
   } while (static_cast<int>(runs.size()) < request.runs &&
            (is_judged(report.verdict) || report.score > 0));
@@ -81,7 +82,7 @@ void judge_driver(const Request& request, const cage::Kit& kit, const cage::File
 // Everything from the path to the verdict; leaves in the report how far it came.
 void grade_into(const Request& request, Report& report, const SoFar& so_far) {
   const Submission submission =
-      take_in(request.submission, request.exercise.chapter(), request.exercise.header());
+      read_submission(request.submission, request.exercise.chapter(), request.exercise.header());
   report.ignored = submission.ignored;
   std::erase_if(report.ignored, [](const std::string& name) {  // those are graded apart
     return std::ranges::any_of(exercises(), [&](const Exercise& e) { return e.header() == name; });
@@ -103,7 +104,7 @@ void grade_into(const Request& request, Report& report, const SoFar& so_far) {
     }
   }
   const auto start = Clock::now();
-  // What the compiler says of it comes under the name that the student has for it.
+  // The compiler's messages call it by the name that the student has for it.
   const std::string header = request.exercise.header();
   const std::string harness = read(request.exercise.folder / "harness.h");
   const Compiled compiled =
@@ -119,8 +120,8 @@ void grade_into(const Request& request, Report& report, const SoFar& so_far) {
   judge_driver(request, kit, compiled.driver, report, so_far);
 }
 
-// What became of our own solution, in the words that a student would have read.
-std::string not_ours(const Report& report) {
+// Says what became of our own solution, in the words that a student would have read.
+std::string failed_calibration(const Report& report) {
   std::string why = "the grader does not work on this machine: it gives its own " +
                     report.exercise + "/" +
                     std::filesystem::path(report.submission).filename().string() + " " +
@@ -140,7 +141,7 @@ bool may_pass(int error) {
 template <class Grade>
 Report reported(const Request& request, const Grade& grade) {
   const auto start = Clock::now();
-  Report report = begun(request);
+  Report report = blank_report(request);
   try {
     grade(request, report);
   } catch (const std::system_error& error) {
@@ -166,7 +167,7 @@ void check_memory(const Request& request, Report& report) {
   const bool ran = is_judged(report.verdict) || report.verdict == Verdict::runtime_error;
   if (!ran) return;
   const std::string header = request.exercise.header();
-  const Submission now = take_in(request.submission, request.exercise.chapter(), header);
+  const Submission now = read_submission(request.submission, request.exercise.chapter(), header);
   if (sha256(now.text) != report.sha256) return;  // somebody is writing it
   const auto start = Clock::now();
   try {
@@ -196,13 +197,13 @@ std::optional<Obstacle> calibrate(Request& request) {
   }
   const Report report = grade_submission(own);
   if (!(at_home ? is_judged(report.verdict) : report.verdict == Verdict::accepted))
-    return Obstacle{not_ours(report), report.try_again};
+    return Obstacle{failed_calibration(report), report.try_again};
   const auto raise = [&](cage::Limits& limits, double seconds) {
     limits.processor = std::max(limits.processor, times * seconds);
     limits.wall = std::max(limits.wall, times * seconds + 5);
   };
   raise(request.compile_limits, report.compile_processor);
-  raise(request.run_limits, judge::session().processor);
+  raise(request.run_limits, report.run_processor);
   return std::nullopt;
 }
 

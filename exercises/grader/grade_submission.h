@@ -48,10 +48,11 @@ struct Report {
   bool no_cage = false;       ///< with grader_error: this machine lets nobody have one; not kept
   double seconds = 0, compile_seconds = 0, run_seconds = 0;  ///< on the clock
   double compile_processor = 0;                              ///< used by the compiler [s]; not kept
+  double run_processor = 0;  ///< most that one test used [s]; not kept
 };
 
 /// A report on the request in which nothing is known yet: its verdict is a grader_error.
-Report begun(const Request& request);
+Report blank_report(const Request& request);
 
 /// Reads, compiles, runs and judges; never throws: what goes wrong with us is a grader_error.
 /// @param so_far  is shown the report when the submission is read, and after each run
@@ -65,7 +66,7 @@ void check_memory(const Request& request, Report& report);
 /// Runs and judges what is compiled already. Of the request, the submission is only named.
 Report grade_driver(const Request& request, const cage::File& driver);
 
-/// Why nobody can be graded.
+/// The reason why nobody can be graded.
 struct Obstacle {
   std::string why;
   bool try_again = false;  ///< a shortage that may pass
@@ -77,14 +78,14 @@ struct Obstacle {
 /// starter is there, if that is not judged
 std::optional<Obstacle> calibrate(Request& request);
 
-/// Why nothing can be graded in the sandbox on this machine, and what to do about it; nothing if
-/// it can.
+/// The reason why nothing can be graded in the sandbox on this machine, and what to do about it;
+/// nothing if it can.
 std::optional<std::string> unsafe();
 
 /// SHA-256 in hexadecimal.
 std::string sha256(const std::string& text);
 
-/// Which grader this is: a hash of its own code and of the exercise's files.
+/// The version of this grader: a hash of its own code and of the exercise's files.
 std::string version(const Exercise& exercise);
 
 }  // namespace grade

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Whether a file can be a header at all.
+/// The test whether a file can be a header at all.
 #pragma once
 #include <cstddef>
 #include <string>

@@ -11,7 +11,7 @@
 namespace grade {
 namespace {
 
-// Where installed.txt lies. Tests are other programs, and lie in other folders of the same build.
+// The place of installed.txt. Tests are other programs, and lie in other folders of the same build.
 std::filesystem::path home() {
   const auto beside = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   if (std::filesystem::exists(beside / "installed.txt")) return beside;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Where this grader finds what it needs beside itself.
+/// The files that this grader needs beside itself.
 #pragma once
 #include <string>
 #include <vector>
 
 namespace grade {
 
-/// What `installed.txt` says, which is written where the kit is made.
+/// The content of `installed.txt`, which is written where the kit is made.
 struct Installed {
   std::string exercises;  ///< folder with a folder for each chapter
   std::string kit;        ///< folder with what goes into the cage

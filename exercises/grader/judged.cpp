@@ -7,7 +7,7 @@
 namespace grade {
 namespace {
 
-/// What a test saw, as far as it tells one run from another.
+/// The findings of a test, as far as it tells one run from another.
 std::string seen(const TestResult& test) {
   std::string all = test.held ? "held" : "failed";
   for (const Finding& finding : test.findings)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What a run of all tests came to, and what of several runs counts.
+/// The outcome of a run of all tests, and of several runs.
 #pragma once
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What the grader takes into the cage.
+/// The kit that the grader takes into the cage.
 #pragma once
 #include <string>
 

@@ -8,7 +8,6 @@
 #include "exit_codes.h"
 #include "grade_command.h"
 #include "printable.h"
-#include "report/escape.h"
 #include "report/files.h"
 #include "task.h"
 

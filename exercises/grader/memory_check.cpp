@@ -3,8 +3,8 @@
 
 #include "compile.h"
 #include "judge/session.h"
+#include "sanitizer_message.h"
 #include "time_limits.h"
-#include "told_by_checker.h"
 
 namespace grade {
 namespace {
@@ -36,7 +36,7 @@ std::string misused_memory(const Request& request, const cage::Kit& kit, const s
   session.longest = slower * longest_run(request);
   session.seed = request.seed;
   judge::run_tests(request.exercise.name);
-  return told_by_checker(session.printed, header);
+  return sanitizer_message(session.printed, header);
 }
 
 }  // namespace grade

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What a checker of memory finds in a second run, which no test judges.
+/// The findings of a checker of memory in a second run, which no test judges.
 #pragma once
 #include <string>
 

@@ -22,7 +22,7 @@ std::string core(const std::string& name) {
 
 }  // namespace
 
-std::size_t edits(const std::string& a, const std::string& b) {
+std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -41,7 +41,7 @@ std::string nearest(const std::string& wanted, const std::vector<std::string>& n
   std::size_t least = sought.size() / 3 + 1;  // further off it is another word
   std::string best;
   for (const std::string& name : names) {
-    const std::size_t away = edits(sought, core(name));
+    const std::size_t away = edit_distance(sought, core(name));
     if (away >= least) continue;
     least = away;
     best = name;

@@ -8,8 +8,8 @@
 
 namespace grade {
 
-/// How many letters must be put in, taken out or changed (Levenshtein's distance).
-std::size_t edits(const std::string& a, const std::string& b);
+/// The number of letters that must be put in, taken out or changed (Levenshtein's distance).
+std::size_t edit_distance(const std::string& a, const std::string& b);
 
 /// The name that is most likely meant by `wanted`: the same up to case, `-` and `_` or the ending,
 /// or a few letters off. Empty if none is near.

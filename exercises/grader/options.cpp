@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "command_line.h"
-#include "report/escape.h"
+#include "printable.h"
 
 namespace grade {
 namespace {

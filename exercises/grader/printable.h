@@ -8,12 +8,16 @@
 
 namespace grade {
 
-/// How many bytes at the front are one character of UTF-8; 0 if they are none.
+/// The number of bytes at the front that are one character of UTF-8; 0 if they are none.
 std::size_t utf8_character(std::string_view text);
 
-/// Letters of all languages and line ends stay; tabs become blanks; control characters, marks that
-/// turn the direction of writing, and bytes that are not UTF-8 are written as `\x1b`. What is
-/// longer than `most` bytes is cut.
-std::string printable(std::string_view text, std::size_t most);
+/// Text in which nothing is hidden and nothing is a command: control characters, stray bytes and
+/// characters without a shape are spelled out, and what CI services take as commands (`::error`,
+/// `##[group]`) is broken by a space. Line ends and tabs stay.
+/// @param most  bytes that are shown; what is longer is cut, and says so
+std::string printable(std::string_view text, std::size_t most = std::string_view::npos);
+
+/// A name as printable text in one line; no two names become the same.
+std::string printable_name(std::string_view name);
 
 }  // namespace grade

@@ -4,8 +4,8 @@
 #include "compile.h"
 #include "kit.h"
 #include "replace_all.h"
+#include "sanitizer_message.h"
 #include "submission.h"
-#include "told_by_checker.h"
 
 namespace grade {
 namespace {
@@ -30,7 +30,7 @@ std::string ending(const cage::Ended& ended) {
     case How::processor_limit:
       return "it was stopped after " + std::to_string(static_cast<int>(ended.wall)) +
              " s. Is there a loop that never ends?";
-    case How::chatter_limit:
+    case How::output_limit:
       return "it printed without end";
     case How::never_started:
       break;
@@ -41,7 +41,7 @@ std::string ending(const cage::Ended& ended) {
 }  // namespace
 
 Ran run_own(const std::filesystem::path& file, cage::Sandbox sandbox) {
-  const Submission submission = take_in(file, "", file.filename().string());
+  const Submission submission = read_submission(file, "", file.filename().string());
   if (!submission.refused.empty()) return {"", "", submission.refused, submission.unreadable};
   const cage::Kit kit = kit_in(installed().kit);
   if (sandbox == cage::Sandbox::bubblewrap) {
@@ -62,7 +62,7 @@ Ran run_own(const std::filesystem::path& file, cage::Sandbox sandbox) {
             "it was stopped when it held two gigabytes of memory. Does something grow without end?",
             false};
   }
-  const std::string told = told_by_checker(ended.err, header);
+  const std::string told = sanitizer_message(ended.err, header);
   if (!told.empty()) return {ended.out, "", named(told), false};
   return {ended.out, named(without_warnings(ended.err)), ending(ended), false};
 }

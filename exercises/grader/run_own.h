@@ -9,7 +9,7 @@
 
 namespace grade {
 
-/// What became of a program that was run for its prints.
+/// The prints of a program that was run for them, or why there are none.
 struct Ran {
   std::string out;  ///< what it printed, of much of it the beginning and the end
   std::string err;

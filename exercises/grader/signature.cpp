@@ -11,7 +11,7 @@ namespace grade {
 
 namespace {
 
-/// What stands in quotes behind these words.
+/// The text in quotes behind these words.
 std::optional<std::string> quoted(const std::string& text, std::string_view before) {
   const std::size_t start = text.find(before);
   if (start == text.npos) return std::nullopt;

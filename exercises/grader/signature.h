@@ -8,11 +8,11 @@
 
 namespace grade {
 
-/// What was wanted and what was found, from an error in
+/// The signatures that were wanted and found, from an error in
 /// `const harness::Wanted<void(Vec&)> wanted = step;`. Empty if the error is another.
 std::string wanted_and_found(const Diagnostic& error);
 
-/// What to say of a function, lambda or std::function of another signature that can be called all
+/// The remark on a function, lambda or std::function of another signature that can be called all
 /// the same. Empty if the warning is another.
 std::string another_form(const Diagnostic& warning);
 

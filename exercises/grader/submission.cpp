@@ -38,7 +38,7 @@ std::string listed(const std::vector<std::string>& names) {
   return names.size() > most ? list + ", ..." : list;
 }
 
-/// Why a thing of this kind is not read; empty if it is a plain file.
+/// The reason why a thing of this kind is not read; empty if it is a plain file.
 std::string not_plain(const Entry& found) {
   const mode_t mode = found.about.st_mode;
   if (found.is_link()) return "is a symbolic link; hand in the file itself";
@@ -60,7 +60,7 @@ Submission read_header(const Entry& found, const std::string& name) {
 }
 
 /// Reads the header in this folder, if it is there, and names what else is.
-std::optional<Submission> take_from(const Entry& folder, const std::string& header) {
+std::optional<Submission> read_beside_others(const Entry& folder, const std::string& header) {
   const auto found = entry(folder.file.get(), header);
   if (!found) return std::nullopt;
   Submission taken = read_header(*found, header);
@@ -81,7 +81,7 @@ std::string not_found(const Entry& folder, const std::string& chapter, const std
   return why + "; there is " + listed(names);
 }
 
-Submission take_from_folder(const Entry& folder, const std::string& chapter,
+Submission read_from_folder(const Entry& folder, const std::string& chapter,
                             const std::string& header) {
   const auto below = entry(folder.file.get(), chapter);
   if (below && below->is_link())
@@ -89,9 +89,9 @@ Submission take_from_folder(const Entry& folder, const std::string& chapter,
   const bool chapters = below && below->is_folder();
   // A draft that lies above the chapters does not count where there is one in its place.
   if (chapters) {
-    if (auto taken = take_from(*below, header)) return *taken;
+    if (auto taken = read_beside_others(*below, header)) return *taken;
   }
-  if (auto taken = take_from(folder, header)) return *taken;
+  if (auto taken = read_beside_others(folder, header)) return *taken;
   std::vector<std::string> names = names_in(folder);
   if (chapters) {
     std::erase(names, chapter);
@@ -103,7 +103,8 @@ Submission take_from_folder(const Entry& folder, const std::string& chapter,
 
 }  // namespace
 
-Submission take_in(const fs::path& path, const std::string& chapter, const std::string& header) {
+Submission read_submission(const fs::path& path, const std::string& chapter,
+                           const std::string& header) {
   const fs::path tidy = path.has_filename() ? path : path.parent_path();
   std::string name = tidy.filename().string();
   const bool whole = name.empty() || name == "." || name == "..";
@@ -113,7 +114,7 @@ Submission take_in(const fs::path& path, const std::string& chapter, const std::
   const auto found = above ? entry(above.get(), name) : std::nullopt;
   if (!found)
     return cannot_be_read(shown(path.string()) + " cannot be read: " + std::strerror(errno));
-  if (found->is_folder()) return take_from_folder(*found, chapter, header);
+  if (found->is_folder()) return read_from_folder(*found, chapter, header);
   return read_header(*found, name);
 }
 

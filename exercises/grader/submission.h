@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Takes a submission in, and never looks at its path again.
+/// Reads a submission once, and never looks at its path again.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -22,7 +22,7 @@ struct Submission {
 /// @param path  the file, or a folder that holds `header` or `chapter/header`
 /// @param chapter  such as `2-euler`
 /// @param header  such as `orbit-drift.h`
-Submission take_in(const std::filesystem::path& path, const std::string& chapter,
-                   const std::string& header);
+Submission read_submission(const std::filesystem::path& path, const std::string& chapter,
+                           const std::string& header);
 
 }  // namespace grade

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What the head of a task.md says.
+/// The head of a task.md.
 #pragma once
 #include <string>
 

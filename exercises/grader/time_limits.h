@@ -16,12 +16,12 @@ std::string write_limits(const Request& request);
 /// @returns whether it was such a text
 bool read_limits(std::string_view text, Request& request);
 
-/// How long all drivers of a run may take together, on the clock [s]: what one of them may, for
-/// each of the tests.
+/// The time that all drivers of a run may take together, on the clock [s]: what one of them may,
+/// for each of the tests.
 double longest_run(const Request& request);
 
-/// How long a grading can take [s]: the compiler, and all runs, each to its limit; as much again
-/// for what is ours.
+/// The time that a grading can take [s]: the compiler, and all runs, each to its limit; as much
+/// again for what is ours.
 double longest_grading(const Request& request);
 
 }  // namespace grade

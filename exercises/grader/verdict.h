@@ -24,10 +24,10 @@ enum class Verdict {
   grader_error,    ///< ours, never the student's
 };
 
-/// Whether the code ran to its end, so that the tests have a say.
+/// Returns whether the code ran to its end, so that the tests have a say.
 bool is_judged(Verdict verdict);
 
-/// As it stands in a report: `ACCEPTED`, `WRONG_ANSWER` and so on.
+/// The verdict's name in a report: `ACCEPTED`, `WRONG_ANSWER` and so on.
 std::string_view name(Verdict verdict);
 
 /// The verdict of that name; nothing if there is none.

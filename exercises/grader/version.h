@@ -7,14 +7,14 @@
 
 namespace grade {
 
-/// Of an exercise.
+/// The version of an exercise.
 struct Version {
   std::string exercise;  ///< its name
   std::string hash;  ///< the version of the book, and SHA-256 over the grader's own files and those
                      ///< of the exercise, the first sixteen digits
 };
 
-/// Of all exercises that this grader can judge, in the book's order.
+/// The versions of all exercises that this grader can judge, in the book's order.
 const std::vector<Version>& versions();
 
 }  // namespace grade

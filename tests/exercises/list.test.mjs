@@ -19,6 +19,6 @@ test("exercises are listed in the book's order, which the build reads when it is
   assert.deepEqual(stdout.match(/\d-[a-z-]+\/[a-z-]+/g), tasks);
 });
 
-test('each is listed with its level and its minutes', () => {
+test('each exercise is listed with its level and its minutes', () => {
   for (const line of stdout.trimEnd().split('\n')) assert.match(line, / level [123] +\d+ min  \S/);
 });

@@ -46,7 +46,7 @@ std::array<std::vector<After>, 2> show(Student& student, const std::array<Level,
   return shown;
 }
 
-// Of the game, after each frame [s].
+// The time of the game, after each frame [s].
 std::vector<double> times(const Level& level) {
   std::vector<double> sums;
   double time = level.saved;
@@ -88,7 +88,7 @@ grade::Plot plot(const std::vector<After>& got, const std::vector<double>& time,
   return {"What the screen shows", "game time [s]", "steps and blend", {yours, right}};
 }
 
-// What is looked at beside the steps: what they leave, what of it is seen, or both.
+// The part that is judged beside the steps: what they leave, what of it is seen, or both.
 enum Judged { saved, blended, all };
 
 // The first frame after which the clock is not where the time is; all of them if none.
@@ -162,7 +162,8 @@ std::vector<Frame> equal(int count, double length) {
   return std::vector<Frame>(static_cast<std::size_t>(count), {length});
 }
 
-// Of any step, with any time saved up to just under it, and a few frames of any length and pace.
+// A clock of any step, with any time saved up to just under it, and a few frames of any length and
+// pace.
 Level any_level(Random& random) {
   Level level{random.anywhere(harness_bounds::h), {}, random.anywhere(harness_bounds::saved)};
   if (random.whole(0, 1) == 0) level.saved = level.h - level.saved;
@@ -175,7 +176,7 @@ Level any_level(Random& random) {
   return level;
 }
 
-// Whether a clock alone, in a program that has just begun, shows the time.
+// Returns whether a clock alone, in a program that has just begun, shows the time.
 bool right_when_fresh(const Level& level) {
   Student fresh;
   const std::vector<After> got = show(fresh, level);

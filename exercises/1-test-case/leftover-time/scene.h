@@ -25,8 +25,8 @@ struct Level {
 constexpr double hitch =
     0.2;  ///< and longer is a frame in which the machine did something else [s]
 
-/// After a frame: all steps up to here, how far the picture is towards the next, and what is saved
-/// [s].
+/// The state after a frame: all steps up to here, how far the picture is towards the next, and what
+/// is saved [s].
 struct After {
   double steps, blend, saved;
   double picture() const { return steps + blend; }
@@ -37,7 +37,7 @@ inline std::string described(const Frame& frame) {
   return frame.pace == 1 ? length : length + " (pace " + grade::number(frame.pace, 17) + ")";
 }
 
-/// What a limit on the frame throws away, if that is the first thing that is wrong.
+/// Says what a limit on the frame throws away, if that is the first thing that is wrong.
 inline std::string cut_short(const std::vector<After>& got, const Level& level,
                              const std::vector<double>& time) {
   const double h = level.h;
@@ -53,7 +53,7 @@ inline std::string cut_short(const std::vector<After>& got, const Level& level,
          grade::number(went, 6) + " s go by: no limit on a frame may throw time away here";
 }
 
-/// What shows only in many frames.
+/// Mistakes that show only in many frames.
 inline std::vector<std::string> of_many_frames(const std::vector<After>& got,
                                                const std::vector<double>& time, double h) {
   std::vector<std::string> found;

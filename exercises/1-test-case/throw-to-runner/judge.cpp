@@ -47,7 +47,7 @@ Vec ask(Student& student, const Throw& one) {
   return {got[0], got[1], got[2]};
 }
 
-// From anywhere to anywhere, and now and then to where it came from.
+// A throw from anywhere to anywhere, and now and then to where it came from.
 Throw anywhere(Random& random, double time) {
   Throw one{random.vector_anywhere(harness_bounds::from),
             random.vector_anywhere(harness_bounds::target),
@@ -64,7 +64,7 @@ Throw anywhere(Random& random, double time) {
   return one;
 }
 
-// From the side; a mate who stands is as tall as one who runs.
+// The paths seen from the side; a mate who stands is as tall as one who runs.
 std::vector<grade::Curve> curves(const Throw& with, const Vec& v) {
   grade::Curve ball{"your ball", {}, {}}, mate{"the mate", {}, {}};
   for (int n = 0; n <= 40; ++n) {

@@ -145,8 +145,8 @@ bool is_nearly_whole(const Owed& owed, double h) {
   return whole > 0 && std::abs(all - whole * h) <= rest_tolerance(all, h).value;
 }
 
-// Of any length, or of about as many steps as it may take, with anything saved that is less than a
-// step.
+// A frame of any length, or of about as many steps as it may take, with anything saved that is less
+// than a step.
 Owed any_frame(Random& random, const Machine& machine) {
   const double h = machine.h;
   Owed owed;

@@ -13,15 +13,15 @@
 
 namespace machine {
 
-/// What draws frames and takes steps, and how long that takes it.
+/// A machine that draws frames and takes steps, and the time that it takes for them.
 struct Machine {
   double draw, cost, h;
   int most;
 
-  // How long the frame behind one of this length is, on average.
+  // The length of the frame behind one of this length, on average.
   double next(double frame) const { return draw + cost * std::min(frame / h, double(most)); }
 
-  // Long after the start.
+  // The length of a frame long after the start.
   double settled() const {
     double frame = draw;
     for (int n = 0; n < 2000; ++n) frame = next(frame);
@@ -54,10 +54,9 @@ inline Machine any_machine(judge::Random& random, double h) {
   Machine machine{random.anywhere(harness_bounds::draw), random.anywhere(harness_bounds::cost), h,
                   static_cast<int>(random.anywhere(harness_bounds::most))};
   constexpr double nearest = 1e-3;
-  if (random.whole(0, 3) == 0)
-    machine.cost = h * (1 + (2 * random.whole(0, 1) - 1) * random.octaves(nearest, 0.5));
+  if (random.whole(0, 3) == 0) machine.cost = h * random.nearly_one(nearest, 0.5);
   if (std::abs(machine.cost / h - 1) < nearest) machine.cost = h;
-  // As much drawing as lets frames settle about at the limit, if it can be so little.
+  // The drawing that lets frames settle about at the limit, if it can be so little.
   const double alone = (h - machine.cost) * machine.most * random.between(0.1, 1.1);
   if (alone > harness_bounds::draw.smallest() && random.whole(0, 1) == 0)
     machine.draw = std::min(alone, harness_bounds::draw.largest());

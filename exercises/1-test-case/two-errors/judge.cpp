@@ -85,7 +85,7 @@ void two_runs(Student& student, const Runs& two) {
   check(finding);
 }
 
-// With C h^p for the error, from a run: whether it is the wanted one with the student's step.
+// Checks, with C h^p for the error, whether the student's step has the wanted one.
 void allows(Student& student, const Wanted& ask) {
   const auto& [wanted, h, error, p] = ask;
   const auto step = [&](Student& who) {
@@ -201,7 +201,7 @@ TEST_CASE("the price of an error is right for a leaf that fell",
   }
 }
 
-TEST_CASE("all three are right for any steps and errors, and for two scenes by turns",
+TEST_CASE("order, step and count are right for any steps and errors, and for two scenes by turns",
           "[1-test-case/two-errors][1 point]") {
   Student student;
   Random random;

@@ -11,7 +11,7 @@
 #include "judge/method.h"
 #include "judge/random.h"
 
-/// What a falling leaf is off by when it is stepped: the largest error of four seconds [m].
+/// The errors of a falling leaf when it is stepped: the largest of four seconds [m].
 struct Leaf {
   harness::Force force;
   judge::Start start;
@@ -46,18 +46,19 @@ struct Runs {
   double order() const { return std::log(error1 / error2) / std::log(h1 / h2); }
 };
 
-/// Whether it can be asked.
+/// Returns whether a value can be asked.
 inline bool is_within(const harness::Bounds& bounds, double value) {
   return value >= bounds.smallest() && value <= bounds.largest();
 }
 
-/// Two that are about alike, or not at all: at most half apart, and down to a millionth.
+/// A value that is about this one, or not at all: at most half apart, and down to a millionth.
 inline double about(judge::Random& random, double value, double apart) {
-  return value + (2 * random.whole(0, 1) - 1) * random.octaves(1e-6, 0.5) * apart;
+  const double side = random.sign();
+  return value + side * random.octaves(1e-6, 0.5) * apart;
 }
 
-/// Of any steps and errors; now and then with a step of a half or about that, or an order that is
-/// nearly whole. The finer run has the smaller error.
+/// Two runs of any steps and errors; now and then with a step of a half or about that, or an order
+/// that is nearly whole. The finer run has the smaller error.
 inline Runs any_runs(judge::Random& random, double h1) {
   const auto& p = harness_bounds::p;
   constexpr double nearest =
@@ -95,9 +96,9 @@ inline Wanted any_wanted(judge::Random& random, double h) {
   return ask;
 }
 
-/// How long a run is whose steps are at most so long; now and then nearly a whole number of them,
-/// and never so nearly that rounding can choose. Only a few are of very many: who counts them one
-/// by one takes long for those.
+/// The duration of a run whose steps are at most so long; now and then nearly a whole number of
+/// them, and never so nearly that rounding can choose. Only a few are of very many: who counts them
+/// one by one takes long for those.
 inline double any_duration(judge::Random& random, double h) {
   constexpr double nearest = 1e-7, many = 1e5;
   const bool may_be_many = random.whole(0, 9) == 0;

@@ -5,6 +5,7 @@
 #include "format_values.h"
 #include "harness.h"
 #include "judge/describe.h"
+#include "judge/numbers.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
@@ -17,9 +18,8 @@ namespace {
 using grade::number;
 
 Vec ask(Student& student, const Vec& camera, const Vec& target, const Lag& lag, double frame) {
-  const std::vector<double> got = student.call(
-      0, {camera.x, camera.y, camera.z, target.x, target.y, target.z, lag.part, lag.fastest, frame},
-      3);
+  const auto numbers = as_numbers(camera, target, lag.part, lag.fastest, frame);
+  const std::vector<double> got = student.call(0, numbers, 3);
   return {got[0], got[1], got[2]};
 }
 
@@ -35,7 +35,7 @@ struct Film {
   std::vector<Vec> camera, target;
 };
 
-// What a camera does, if this is how it moves in a frame.
+// The path of a camera that moves so in a frame.
 template <class Follow>
 Film film(const Shot& shot, Follow follow) {
   Film film{{0}, {shot.camera}, {shot.target}};
@@ -61,8 +61,8 @@ grade::Curve curve(const std::string& name, const Film& film) {
   return curve;
 }
 
-// So far that ten frames leave it flat out, whatever it takes for its rate: the tests of the lag
-// say which is right.
+// A distance so large that ten frames leave it flat out, whatever it takes for its rate: the tests
+// of the lag say which is right.
 constexpr double far_in_seconds = 2;
 
 void follows(Student& student, const Shot& shot, const std::string& which,
@@ -106,7 +106,8 @@ Shot draw(Random& random, double part, const std::vector<double>& frames) {
   return {random.vector(-2, 2), random.vector(4, 9), {part}, frames};
 }
 
-// From so far away that it slows down in the frame of that number, after a part of it.
+// A shot from so far away that the camera slows down in the frame of that number, after a part of
+// it.
 Shot limited(Random& random, const std::vector<double>& frames, std::size_t slows_in) {
   Shot shot = draw(random, random.between(0.05, 0.2), frames);
   double flat_out = frames[slows_in] * random.between(0.2, 0.8);
@@ -117,7 +118,7 @@ Shot limited(Random& random, const std::vector<double>& frames, std::size_t slow
   return shot;
 }
 
-// Any part and any limit, one in four such that it counts within two kilometres.
+// A camera of any part and any limit, one in four such that it counts within two kilometres.
 Lag any_lag(Random& random) {
   Lag lag{random.anywhere(harness_bounds::part), random.anywhere(harness_bounds::fastest)};
   const auto& fastest = harness_bounds::fastest;
@@ -159,7 +160,7 @@ std::vector<double> uneven(Random& random, int count) {
   return frames;
 }
 
-// The same camera in one frame and in many that are as long together: whatever its rate is, it ends
+// Moves a camera in one frame and in many that are as long together: whatever its rate is, it ends
 // in one place.
 void ends_where_one_frame_does(Student& student, const Shot& shot) {
   const Film cut = film(shot, [&](const Vec& camera, const Vec& target, double frame) {
@@ -263,7 +264,7 @@ TEST_CASE("the camera is never faster than it may be, however a run is cut into 
           hint);
 }
 
-TEST_CASE("far away it flies at its highest speed, and where it slows down no cut is seen",
+TEST_CASE("far away the camera flies at its highest speed, and where it slows down no cut is seen",
           "[2-euler/camera-that-lags][2 points]") {
   Student student;
   Random random;

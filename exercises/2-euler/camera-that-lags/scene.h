@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// How far a camera goes in a frame.
+/// A camera's lag, and its way in a frame.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "format_values.h"
 #include "harness/given.h"
 
-/// How a camera lags.
+/// The lag of a camera.
 struct Lag {
   double part;           ///< of the way that it goes in a sixtieth of a second
   double fastest = 1e6;  ///< [m/s]
@@ -18,7 +18,8 @@ struct Lag {
   double rate() const { return -60 * std::log1p(-part); }  ///< [1/s]
   double left(double time) const { return std::pow(1 - part, 60 * time); }
 
-  /// How much of a frame it is as fast as it may be, if it slows down at this distance [s].
+  /// The part of a frame in which it is as fast as it may be, if it slows down at this distance
+  /// [s].
   double flat_out(double distance, double border, double frame) const {
     return std::clamp((distance - border) / fastest, 0.0, frame);
   }

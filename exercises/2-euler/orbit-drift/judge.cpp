@@ -3,6 +3,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "harness.h"
+#include "judge/describe.h"
 #include "judge/session.h"
 #include "judge/tests.h"
 #include "scene.h"
@@ -35,8 +36,8 @@ grade::Plot plot(const drone::Turn& turn, int steps) {
   return {"How far out the drone is", "turns", "distance [radii]", {yours, limit}};
 }
 
-// In so few steps that only the factor itself is right, and not what it is near when they are many;
-// in more and more; and with all that may be asked.
+// Turns in so few steps that only the factor itself is right, and not what it is near when they are
+// many; in more and more; and with all that may be asked.
 std::vector<drone::Turn> drawn(Random& random) {
   std::vector<drone::Turn> turns{drone::Turn::draw(random, 12, 15)};
   for (const double least : {30.0, 100.0, 1000.0, 9000.0})
@@ -46,7 +47,7 @@ std::vector<drone::Turn> drawn(Random& random) {
   return turns;
 }
 
-// Of all sizes, each beside another that wants a step more; now and then just within.
+// Turns of all sizes, each beside another that wants a step more; now and then just within.
 std::vector<drone::Turn> of_all_sizes(Random& random) {
   constexpr int pairs = 100;
   constexpr double nearest = 0.01;
@@ -78,7 +79,7 @@ void keeps_within(Student& student, const std::vector<drone::Turn>& turns,
     grade::Finding finding;
     finding.held = within && got <= drone::most_steps && drone::growth(fewer(got)) > turn.growth;
     finding.asked = "the fewest steps of Euler's method around the circle";
-    finding.input = "growth = " + number(turn.growth, 17);
+    finding.input = named("growth", turn.growth);
     finding.expected =
         "a growth of at most " + number(turn.growth, 8) + ", and a larger one with " + spared;
     finding.got = flown(got);

@@ -15,7 +15,7 @@ namespace drone {
 
 constexpr int most_steps = 200000;  ///< that the judge will fly
 
-/// How far out the drone is after so many steps, and where it was on the way there.
+/// The path of the drone over so many steps.
 /// @param angle  that all of them cover on the circle of one metre
 inline judge::Path fly(int steps, double angle = 2 * std::numbers::pi) {
   const harness::Force leash{harness::Force::spring, {1, 0}};
@@ -28,12 +28,12 @@ inline double growth(int steps, double angle = 2 * std::numbers::pi) {
   return length(fly(steps, angle).states.back().x) - 1;
 }
 
-/// What the designer allows, and the fewest steps that stay within it.
+/// The growth that the designer allows, and the fewest steps that stay within it.
 struct Turn {
   double growth;
   int fewest;
 
-  /// Of a share that is given.
+  /// The turn of a share that is given.
   static Turn of(double growth) {
     int beyond = 0, within = most_steps;
     while (within - beyond > 1) {
@@ -43,8 +43,8 @@ struct Turn {
     return {growth, within};
   }
 
-  /// So far from what the fewest steps do towards what one fewer does; a hundredth of the way from
-  /// either is more than rounding can choose.
+  /// A turn that allows what lies so far from the fewest steps' growth to one fewer's; a hundredth
+  /// of the way from either is more than rounding can choose.
   static Turn between(int steps, double share) {
     const double within = drone::growth(steps), beyond = drone::growth(steps - 1);
     return {within + share * (beyond - within), steps};
@@ -56,7 +56,7 @@ struct Turn {
   }
 };
 
-/// What a number of steps tells that is wrong.
+/// Diagnoses of a wrong number of steps.
 inline std::vector<std::string> what_is_wrong(const Turn& turn, int steps) {
   if (steps < 1) return {"this is no number of steps: " + std::to_string(steps)};
   if (steps == turn.fewest - 1) return {"one step too few: did you round down?"};

@@ -72,7 +72,7 @@ int finest_run(const Scene& scene, const Answer& answer) {
   return static_cast<int>(std::min(1e6, std::round(scene.duration / shortest)));
 }
 
-// What its first questions say that is no run of Euler's method.
+// The diagnosis of first questions that are no run of Euler's method.
 std::string another_method(const Scene& scene, const Answer& answer) {
   const auto [x, v, none] = scene.start;
   const Evaluation &second = answer.asked[1],
@@ -220,7 +220,7 @@ TEST_CASE("finding out steps that will do costs no more than four runs",
           "Stop doubling as soon as the answer is in sight. You need not run it to know it.");
 }
 
-TEST_CASE("they are right from hundreds of steps to thousands, from rest or fast, and by turns",
+TEST_CASE("the steps are right from hundreds of them to thousands, from rest or fast, and by turns",
           "[2-euler/steps-you-can-afford][1 point]") {
   Random random;
   constexpr int scenes = 12;

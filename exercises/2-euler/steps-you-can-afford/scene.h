@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What the steps are wanted for.
+/// The scenes for which steps are wanted.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ struct Scene {
   }
 };
 
-/// What a scene is drawn from.
+/// The kind of a scene, from which it is drawn.
 struct Kind {
   double duration;
   int least = 600, most = 1200;           ///< of the steps that it takes
@@ -49,8 +49,8 @@ inline judge::Start start(judge::Random& random, const Kind& kind) {
   return start;
 }
 
-/// One in which the error goes with the step, within a hundredth, from a quarter of the steps on
-/// and already from 150, so that a good guess can be made from shorter runs.
+/// A scene in which the error goes with the step, within a hundredth, from a quarter of the steps
+/// on and already from 150, so that a good guess can be made from shorter runs.
 inline Scene draw(judge::Random& random, const Kind& kind) {
   for (;;) {
     const harness::Force force = random.wild();
@@ -76,8 +76,8 @@ inline Scene draw(judge::Random& random, const Kind& kind) {
   }
 }
 
-/// So many, of which every two last equally long: from at rest at the origin to far away or fast,
-/// under a push that is weak or strong, and with ever more steps to take.
+/// So many scenes, of which every two last equally long: from at rest at the origin to far away or
+/// fast, under a push that is weak or strong, and with ever more steps to take.
 inline std::vector<Scene> all_kinds(judge::Random& random, int count) {
   constexpr double least = 150, most = 3000, weakest = 1e-4;
   std::vector<Scene> scenes;

@@ -32,8 +32,8 @@ Leash damped(double k, double zeta, double m) {
   return {k, 2 * zeta * std::sqrt(k * m), m};
 }
 
-// Of this stiffness and mass: with any damper, or as far from critical damping as may be, or near
-// it on either side.
+// A leash of this stiffness and mass: with any damper, or as far from critical damping as may be,
+// or near it on either side.
 Leash any_leash(Random& random, double k, double m) {
   constexpr double nearest = 1e-13, least = 1e-6, most = 1e8;  // of zeta
   Leash leash{k, random.anywhere(harness_bounds::c), m};
@@ -41,8 +41,7 @@ Leash any_leash(Random& random, double k, double m) {
   if (kind == 3) leash.c = random.octaves(1e-9, 1e3);
   if (kind == 4) leash.c = random.whole(0, 1) == 0 ? k : m;
   if (kind == 1) leash = damped(k, random.octaves(least, most), m);
-  if (kind == 2 || kind == 5)
-    leash = damped(k, 1 + (2 * random.whole(0, 1) - 1) * random.octaves(nearest, 0.9), m);
+  if (kind == 2 || kind == 5) leash = damped(k, random.nearly_one(nearest, 0.9), m);
   leash.c = std::min(leash.c, harness_bounds::c.largest());
   return leash;
 }

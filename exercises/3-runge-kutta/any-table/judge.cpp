@@ -21,8 +21,8 @@ double hundredths(Random& random, int low, int high) {
 }
 
 // Its weights add up to one, as in every method that is of use.
-Table draw(Random& random, std::size_t stages, int least = -30) {
-  Table table{"the method of a table with " + std::to_string(stages) + " stages", {}, {}};
+ButcherTable draw(Random& random, std::size_t stages, int least = -30) {
+  ButcherTable table{"the method of a table with " + std::to_string(stages) + " stages", {}, {}};
   double left = 1;
   for (std::size_t i = 0; i < stages; ++i) {
     table.parts.emplace_back();
@@ -33,7 +33,7 @@ Table draw(Random& random, std::size_t stages, int least = -30) {
   return table;
 }
 
-Table dormand_prince() {
+ButcherTable dormand_prince() {
   using W = integrate::Dopri5Weights;
   return {"Dormand and Prince's method",
           {{},
@@ -55,7 +55,7 @@ std::string described(const std::vector<double>& row) {
 // tried again at home.
 class Given {
  public:
-  Given(Student& student, const Table& table) {
+  Given(Student& student, const ButcherTable& table) {
     std::vector<double> numbers{static_cast<double>(table.parts.size())};
     for (const auto& row : table.parts) {
       numbers.insert(numbers.end(), row.begin(), row.end());
@@ -74,7 +74,7 @@ class Given {
   std::string rows_;
 };
 
-grade::Finding compare(Student& student, const Table& table, const Scene& scene,
+grade::Finding compare(Student& student, const ButcherTable& table, const Scene& scene,
                        const std::string& hint) {
   const Method method = method_of(table);
   const auto by = [&](const Method& other) {
@@ -98,7 +98,7 @@ grade::Finding compare(Student& student, const Table& table, const Scene& scene,
 
 // Five coarse steps under a force that doesn't change with time: what is wrong with the clock alone
 // is seen by the other tests.
-void follows(Student& student, const Table& table, Random& random) {
+void follows(Student& student, const ButcherTable& table, Random& random) {
   constexpr int steps = 5;
   Scene scene{random.start(), random.between(0.12, 0.25), steps, {}, {}, {}};
   const harness::Force wild = random.wild();
@@ -112,8 +112,8 @@ void follows(Student& student, const Table& table, Random& random) {
                 "Start each step with nothing in hand."));
 }
 
-// Two bodies by turns, at one time, and the first of them again at another.
-void moves_two(Student& student, const Table& table, Random& random) {
+// Steps two bodies by turns, at one time, and the first of them again at another.
+void moves_two(Student& student, const ButcherTable& table, Random& random) {
   double t = random.anywhere(harness_bounds::time);
   const Gentle push{random.vector(-3, 3)};
   const Start bodies[] = {Scene::anywhere(random), Scene::anywhere(random)};
@@ -146,7 +146,7 @@ TEST_CASE("a table that nobody has published is followed to rounding",
           "[3-runge-kutta/any-table][3 points]") {
   Student student;
   Random random;
-  const Table table = draw(random, 4, 1);
+  const ButcherTable table = draw(random, 4, 1);
   const Given given(student, table);
   is_method(student, method_of(table),
             "A stage may go along every slope before it, and each of the sums starts at the start "
@@ -158,7 +158,7 @@ TEST_CASE("each stage asks once, at the time that its row adds up to",
           "[3-runge-kutta/any-table][2 points]") {
   Student student;
   Random random;
-  const Table table = draw(random, 3, 1);
+  const ButcherTable table = draw(random, 3, 1);
   const Given given(student, table);
   evaluates(student, method_of(table), 3, 0,
             "Once for each row. The clock of a stage is t plus h times the sum of that row.", 1);
@@ -177,10 +177,10 @@ TEST_CASE("a short table after Dormand and Prince's finds nothing of it left",
           "[3-runge-kutta/any-table][2 points]") {
   Student student;
   Random random;
-  std::vector<Table> tables{draw(random, 2), dormand_prince(), draw(random, 3)};
+  std::vector<ButcherTable> tables{draw(random, 2), dormand_prince(), draw(random, 3)};
   for (const double rows : harness_bounds::rows.asked())
     tables.push_back(draw(random, static_cast<std::size_t>(rows)));
-  for (const Table& table : tables) {
+  for (const ButcherTable& table : tables) {
     const Given given(student, table);
     follows(student, table, random);
   }
@@ -192,7 +192,7 @@ TEST_CASE("any table is followed, whatever its rows and its weights add up to",
   Random random;
   constexpr int tables = 120;
   for (int n = 0; n < tables; ++n) {
-    const Table table = of_any_numbers(random);
+    const ButcherTable table = of_any_numbers(random);
     const Given given(student, table);
     moves_two(student, table, random);
   }

@@ -14,11 +14,11 @@
 
 namespace judge::any_table {
 
-/// Any rows and any weights, whatever they add up to; one row in four adds up to zero, and so do
-/// one table's weights in four, as those of an error estimate do.
-inline Table of_any_numbers(Random& random) {
+/// A table of any rows and weights, whatever they add up to; one row in four adds up to zero, and
+/// so do one table's weights in four, as those of an error estimate do.
+inline ButcherTable of_any_numbers(Random& random) {
   const auto stages = static_cast<std::size_t>(random.anywhere(harness_bounds::rows));
-  Table table{"the method of a table with " + std::to_string(stages) + " stages", {}, {}};
+  ButcherTable table{"the method of a table with " + std::to_string(stages) + " stages", {}, {}};
   for (std::size_t i = 0; i < stages; ++i) {
     table.parts.emplace_back();
     for (std::size_t j = 0; j < i; ++j)
@@ -48,7 +48,7 @@ struct Gentle {
   }
 };
 
-/// So many steps of a body.
+/// Some steps of a body.
 struct Scene {
   Start start;
   double h = 0;
@@ -63,9 +63,9 @@ struct Scene {
   }
 };
 
-/// Of one step under a gentle push. Each stage is rounded as far as the numbers go that it sums up,
-/// and carries on what was wrong with those before it.
-inline Tolerance rounding_of_a_step(const Table& table, const Start& start, double h) {
+/// The rounding of one step under a gentle push. Each stage is rounded as far as the numbers go
+/// that it sums up, and carries on what was wrong with those before it.
+inline Tolerance rounding_of_a_step(const ButcherTable& table, const Start& start, double h) {
   const auto sum = [&](double first, const std::vector<double>& row, const auto& of_stage) {
     for (std::size_t j = 0; j < row.size(); ++j) first += h * std::abs(row[j]) * of_stage(j);
     return first;

@@ -5,6 +5,7 @@
 
 #include "format_values.h"
 #include "harness.h"
+#include "judge/describe.h"
 #include "judge/diagnose.h"
 #include "judge/random.h"
 #include "judge/session.h"
@@ -28,7 +29,7 @@ double stretch(Complex z, int terms) {
   return std::abs(polynomial(z, terms));
 }
 
-// What the two motions of a spring make of a step; the one that grows more.
+// The stretch in a step of that motion of a spring's two which grows more.
 double worst(double homega, double zeta, int terms, double shrinking) {
   const Complex root = std::sqrt(Complex(zeta * zeta - 1));
   return std::max(stretch(homega * (-shrinking + root), terms),
@@ -39,7 +40,7 @@ double worst(double homega, double zeta, int terms) {
   return worst(homega, zeta, terms, zeta);
 }
 
-// Of h omega. A midpoint step has two terms, Euler's one.
+// The limit of h omega. A midpoint step has two terms, Euler's one.
 double limit(double zeta, int terms, double shrinking) {
   double stable = 0, unstable = furthest;
   for (int halving = 0; halving < 60; ++halving) {
@@ -87,7 +88,7 @@ void check_limit(Student& student, double omega, double zeta, const std::string&
   grade::Finding finding;
   finding.held = near(got, expected);
   finding.asked = "the longest step of RK4 on a spring";
-  finding.input = "omega = " + number(omega, 17) + "/s, zeta = " + number(zeta, 17);
+  finding.input = "omega = " + number(omega, 17) + "/s, " + named("zeta", zeta);
   finding.expected = number(expected, 9) + " s";
   finding.got = number(got, 9) + " s";
   finding.error = number(std::abs(got - expected), 3) + " s";
@@ -102,15 +103,14 @@ void check_limit(Student& student, double omega, double zeta, const std::string&
 }
 
 void check_stretch(Student& student, Complex z) {
-  is_exact("what a step of RK4 does to the size of a motion",
-           "re = " + number(z.real(), 17) + ", im = " + number(z.imag(), 17),
+  is_exact("what a step of RK4 does to the size of a motion", named("re", z.real(), "im", z.imag()),
            student.call(0, {z.real(), z.imag()}, 1).front(), stretch(z, 4),
            rounding(polynomial(std::abs(z), 4).real()),
            "RK4 keeps the terms of e^z up to the fourth power. The size of a complex number is "
            "the root of the sum of its parts squared.");
 }
 
-// Any damping, one in four times nearly critical.
+// A damping of any size, one in four times nearly critical.
 double any_zeta(Random& random) {
   if (random.whole(0, 3) > 0) return random.anywhere(harness_bounds::zeta);
   const double away = random.octaves(1e-9, 0.2);

@@ -44,7 +44,7 @@ Method with_share(double share) {
                 });
 }
 
-// Any share, one in three of them near to one that is special.
+// A share of any size, one in three of them near to one that is special.
 double any_share(Random& random) {
   const double drawn = random.anywhere(harness_bounds::alpha);
   if (random.whole(0, 2) > 0) return drawn;
@@ -77,7 +77,7 @@ void falls(Student& student, double alpha, Random& random) {
   check(finding);
 }
 
-// One step with each of two shares by turns, all of the same length, of one body.
+// Takes one step with each of two shares by turns, all of the same length, of one body.
 void takes_turns(Student& student, Random& random) {
   const double shares[] = {any_share(random), any_share(random)};
   const Start start = random.start();
@@ -120,7 +120,7 @@ void order_two(Student& student, double alpha) {
 
 }  // namespace
 
-TEST_CASE("with half a step it is the midpoint method, with a whole one Heun's",
+TEST_CASE("a look half a step ahead makes the midpoint method, one a whole step ahead Heun's",
           "[3-runge-kutta/midpoint-line][2 points]") {
   Student student;
   look(student, 0.5);
@@ -129,7 +129,7 @@ TEST_CASE("with half a step it is the midpoint method, with a whole one Heun's",
   is_method(student, heun, "With a whole step, both slopes count the same.", 1);
 }
 
-TEST_CASE("it looks twice, at the start and a share of the step ahead",
+TEST_CASE("a step looks twice, at the start and a share of the step ahead",
           "[3-runge-kutta/midpoint-line][2 points]") {
   Student student;
   Random random;

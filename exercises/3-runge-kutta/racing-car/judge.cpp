@@ -21,7 +21,7 @@ TEST_CASE("five steps under a hidden force are Kutta's", "[3-runge-kutta/racing-
             "where they lead?");
 }
 
-TEST_CASE("so is a step of any car, from anywhere, however long it is",
+TEST_CASE("a step of any car is Kutta's, from anywhere, however long it is",
           "[3-runge-kutta/racing-car][1 point]") {
   Student student;
   is_method_everywhere(student, three_eighths,

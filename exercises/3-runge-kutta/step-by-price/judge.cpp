@@ -28,7 +28,7 @@ enum Function { told_tolerance, flies, passes };  // see harness.h
 // More questions than any test needs; after them nothing pulls any more, so that it ends soon.
 constexpr int patience = 15'000;
 
-// How often the acceleration had been asked for, against time.
+// The number of questions so far, against time.
 grade::Plot plot(const Path& path) {
   grade::Curve yours{"yours", {}, {}};
   for (const Evaluation& evaluation : path.evaluations) {
@@ -214,7 +214,7 @@ TEST_CASE("ten thousand times the accuracy costs at most ten times the questions
       spread_evenly(fine.path, scene.duration));
 }
 
-TEST_CASE("in a wind that changes it arrives at the time that was asked for",
+TEST_CASE("in a wind that changes a flight arrives at the time that was asked for",
           "[3-runge-kutta/step-by-price][1 point]") {
   Student student;
   Random random;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What the questions of a flight tell of its steps.
-///
-/// What a wrong moment of a comet's pass often is.
+/// Diagnoses of a flight's steps, from its questions; and of a wrong moment of a comet's pass.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -21,7 +19,7 @@ inline Signs either(const Signs& one, const Signs& other) {
   return one.empty() ? other : one;
 }
 
-/// As many questions as a pair of half steps of RK4 asks.
+/// The number of questions of a pair of half steps of RK4.
 constexpr std::size_t a_step = 12;
 
 /// The time that so many questions, from the n-th on, reach over [s].
@@ -61,7 +59,7 @@ inline Signs coasts_in_short_steps(const Path& path, double duration) {
           " s: let a step grow faster"};
 }
 
-/// How far from a moment, at which the force changes, it asked on either side.
+/// Says how far from a moment, at which the force changes, it asked on either side.
 inline Signs jumps_over(const Path& path, double moment) {
   double before = INFINITY, after = INFINITY;
   for (const Evaluation& asked : path.evaluations) {
@@ -75,7 +73,8 @@ inline Signs jumps_over(const Path& path, double moment) {
           grade::number(before + after, 2) + " s apart: was the step that met it made again?"};
 }
 
-/// Whether it asked the same again and again: a step that is rejected, and tried again as it was.
+/// Says whether it asked the same again and again: a step that is rejected, and tried again as it
+/// was.
 inline Signs asks_the_same(const Path& path) {
   constexpr std::ptrdiff_t too_often = 100;
   std::vector<std::array<double, 7>> asked;
@@ -109,7 +108,7 @@ inline Signs goes_past_the_end(const Path& path, double duration) {
           " s after the end of the flight: the last step has to be cut to what is left"};
 }
 
-/// By how much of a duration the place is further on than the true one, along the path.
+/// The time by which a position is further on than the true one, along the path [s].
 inline double ahead(const Vec& x, const State& truly) {
   return dot(x - truly.x, truly.v) / dot(truly.v, truly.v);
 }
@@ -121,7 +120,7 @@ inline Signs late_at_the_end(const State& end, const State& truly) {
           (by > 0 ? "after" : "before") + " the moment that was asked for"};
 }
 
-/// Whether many questions name a time at which the flight is elsewhere on its path.
+/// Says whether many questions name a time at which the flight is elsewhere on its path.
 inline Signs asks_at_another_time(const Path& path, double duration,
                                   const Acceleration& acceleration) {
   constexpr int parts = 1000;
@@ -149,14 +148,14 @@ inline double way_to_pass(const State& comet, const Vec& a) {
   return bends > 0 ? -dot(comet.x, comet.v) / bends * length(comet.v) : INFINITY;
 }
 
-/// So many may be paid for a pass. Steps that are chosen take 1,000 to 4,000; as near in equal ones
-/// are 7,000 and more.
+/// The questions that may be paid for a pass. Steps that are chosen take 1,000 to 4,000; as near in
+/// equal ones are 7,000 and more.
 constexpr double questions_of_a_pass = 5000;
 
-/// Whoever asks more has asked too much, whatever comes of it.
+/// The number beyond which questions are too many, whatever comes of them.
 constexpr double patience_for_a_pass = 20'000;
 
-/// What was said of a pass.
+/// The answer for a pass.
 struct Given {
   double start, duration;  ///< of the flight [s]
   double time;             ///< that was said [s]
@@ -166,7 +165,7 @@ struct Given {
   bool cut_off;            ///< whether there were so many that nothing pulled any more
 };
 
-/// Whether a question was for just this time.
+/// Returns whether a question was for just this time.
 inline bool asked_at(const Path& path, double time) {
   for (const Evaluation& asked : path.evaluations)
     if (std::abs(asked.t - time) <= 1e-12 * time) return true;

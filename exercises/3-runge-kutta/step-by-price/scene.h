@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What flies, and where it ends.
+/// Flights, and where they end.
 #pragma once
 #include <cmath>
 #include <numbers>
@@ -48,7 +48,7 @@ inline Scene comet(Random& random, double from, double to) {
   return scene;
 }
 
-/// To about the same place on the other side.
+/// A comet to about the same position on the other side.
 inline Scene comet(Random& random) {
   const double angle = random.between(2.2, 2.9);
   return comet(random, angle, angle);
@@ -79,17 +79,17 @@ inline Scene coast(const Start& start, double duration) {
           {start.x + duration * start.v, start.v}};
 }
 
-/// At rest and at the origin, too.
+/// A start at any position and velocity, none too.
 inline Start anywhere(Random& random) {
   return {random.vector_anywhere(harness_bounds::place),
           random.vector_anywhere(harness_bounds::velocity), random.anywhere(harness_bounds::time)};
 }
 
-/// From the origin, by powers of two: however long a first step is, nothing of it is rounded, and
-/// its estimate is zero.
+/// A start from the origin, by powers of two: however long a first step is, nothing of it is
+/// rounded, and its estimate is zero.
 inline Start without_rounding(Random& random) {
   const auto power = [&] {
-    const double sign = 2.0 * random.whole(0, 1) - 1;
+    const double sign = random.sign();
     return std::ldexp(sign, random.whole(-2, 1));
   };
   const double x = power(), y = power(), z = power();

@@ -8,6 +8,7 @@
 
 #include "format_values.h"
 #include "harness.h"
+#include "judge/describe.h"
 #include "judge/diagnose.h"
 #include "judge/random.h"
 #include "judge/session.h"
@@ -30,12 +31,8 @@ Rate factor(double theta, Rate z) {
   return (1.0 + (1 - theta) * z) / (1.0 - theta * z);
 }
 
-std::string with(const std::string& name, double value) {
-  return name + " = " + number(value, 17);
-}
-
-// One of each decade, from the largest down, then its bounds and what is special. The smallest come
-// last: there most ways are alike.
+// Values of each decade, from the largest down, then its bounds and what is special. The smallest
+// come last: there most ways are alike.
 std::vector<double> decades(Random& random, const harness::Bounds& bounds) {
   std::vector<double> values;
   for (double high = bounds.largest(); high > 9 * bounds.smallest(); high /= 10)
@@ -51,14 +48,14 @@ struct Spring {
     return omega * (-zeta + sign * std::sqrt(Rate(zeta * zeta - 1)));
   }
 
-  // By how much the worse of its two motions grows in a step.
+  // The factor by which the worse of its two motions grows in a step.
   double growth(double h) const {
     return std::max(std::abs(factor(theta, h * lambda(1))),
                     std::abs(factor(theta, h * lambda(-1))));
   }
 
-  // Until when the square of the factor's numerator is no larger than that of its denominator, for
-  // the one lambda and the other. From one half on it never is.
+  // The step up to which the square of the factor's numerator is no larger than that of its
+  // denominator, for the one lambda and the other. From one half on it never is.
   double longest() const {
     double found = INFINITY;
     for (const double sign : {1, -1}) {
@@ -77,7 +74,7 @@ struct Spring {
   }
 
   std::string described() const {
-    return with("theta", theta) + ", " + with("omega", omega) + ", " + with("zeta", zeta);
+    return named("theta", theta) + ", " + named("omega", omega) + ", " + named("zeta", zeta);
   }
 };
 
@@ -115,7 +112,7 @@ void holds_until(Student& student, const Spring& spring) {
 
 void brakes(Student& student, double theta, double ch) {
   is_exact("what one step leaves of a velocity on a brake",
-           with("theta", theta) + ", " + with("c h", ch), ask(student, brake, theta, ch),
+           named("theta", theta) + ", " + named("c h", ch), ask(student, brake, theta, ch),
            factor(theta, -ch).real(), rounding((1 + ch) / (1 + theta * ch)),
            "A brake has lambda = -c, and the share of the end stands in the divisor. Long "
            "steps turn the velocity round, and the sign tells.");
@@ -124,15 +121,15 @@ void brakes(Student& student, double theta, double ch) {
 void swings(Student& student, double theta, double homega) {
   const double expected = std::abs(factor(theta, Rate(0, homega)));
   is_exact("what one step leaves of the swing of an undamped spring",
-           with("theta", theta) + ", " + with("h omega", homega),
+           named("theta", theta) + ", " + named("h omega", homega),
            ask(student, swing, theta, homega), expected, rounding(expected),
            "An undamped spring has lambda = i omega. The swing goes with the size of R, which "
            "is a root of two squares.");
 }
 
-// Where the factor of a share of one half is still positive, up to c h = 2, no more is needed.
+// Checks the least theta, which is one half while its factor is still positive, up to c h = 2.
 void stops(Student& student, double ch) {
-  is_exact("the least theta, from one half on, that does not turn a brake round", with("c h", ch),
+  is_exact("the least theta, from one half on, that does not turn a brake round", named("c h", ch),
            ask(student, least, ch), ch > 2 ? (ch - 1) / ch : 0.5, rounding(1),
            "Where is the numerator of R zero? And which theta may the dial not go below?");
 }
@@ -193,7 +190,7 @@ TEST_CASE("the least theta brakes to a stop and no further",
   }
 }
 
-TEST_CASE("the dial does so at every theta, for every brake and spring, however near to another",
+TEST_CASE("the dial is right at every theta, for every brake and spring, however near to another",
           "[4-implicit/blend-of-slopes][1 point]") {
   Student student;
   Random random;

@@ -127,7 +127,7 @@ TEST_CASE("a hundred thousand beads take a step in the time that there is",
   }
 }
 
-TEST_CASE("any chain ends there, short or long, with soft springs beside hard ones, at rest or not",
+TEST_CASE("any chain ends where its slope leads back, short or long, soft or stiff, at rest or not",
           "[4-implicit/chain-of-beads][1 point]") {
   Student student;
   Random random;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// How far the end of a chain's step is off its two lines.
+/// Diagnoses of a chain's end that misses its two lines.
 #pragma once
 #include <cmath>
 #include <string>
@@ -31,7 +31,7 @@ inline std::string who_misses(const Chain& chain, const Beads& end, double withi
          std::to_string(chain.count()) + " beads, first at bead " + std::to_string(first);
 }
 
-// How far the worst line is met, where none is met and all are nearly.
+// Says how far the worst line is met, where none is met and all are nearly.
 inline std::string nearly_met(const Chain& chain, const Beads& end) {
   const double at_first = chain.miss(chain.start, worst(chain, chain.start));
   const double left = chain.miss(end, worst(chain, end)) / at_first;

@@ -9,6 +9,8 @@
 
 #include "format_values.h"
 #include "harness.h"
+#include "judge/describe.h"
+#include "judge/numbers.h"
 #include "judge/random.h"
 #include "judge/rounding.h"
 #include "judge/student.h"
@@ -21,14 +23,14 @@ struct Beads {
   Column x, v;
 };
 
-/// Of beads of 1 kg.
+/// A chain of beads of 1 kg.
 struct Chain {
   Beads start;
   Column k;
   double h = 0;
   double beyond = 0;  ///< of a spring that holds the last bead from beyond; there is none
 
-  /// How stiff the springs are beside the step: h^2 k up to this.
+  /// A chain with springs of any stiffness beside the step: h^2 k up to `stiff`.
   static Chain draw(Random& random, std::size_t count, double stiff) {
     return draw(random, count, stiff, random.between(0.01, 0.04));
   }
@@ -43,8 +45,8 @@ struct Chain {
     return chain;
   }
 
-  /// Any beads and springs, soft ones beside hard ones, and some torn; one chain in four rests, and
-  /// one in four is nowhere stretched.
+  /// A chain of any beads and springs, soft ones beside hard ones, and some torn; one chain in four
+  /// rests, and one in four is nowhere stretched.
   static Chain anywhere(Random& random, std::size_t count) {
     Chain chain;
     chain.h = random.anywhere(harness_bounds::h);
@@ -60,11 +62,7 @@ struct Chain {
   std::size_t count() const { return k.size(); }
 
   Beads after_one(Student& student, const Beads& from) const {
-    Column n{static_cast<double>(count()), h};
-    for (const Column* column : {&from.x, &from.v, &k}) {
-      n.insert(n.end(), column->begin(), column->end());
-    }
-    const Column end = student.call(0, n, 2 * count());
+    const Column end = student.call(0, as_numbers(count(), h, from.x, from.v, k), 2 * count());
     const auto middle = end.begin() + static_cast<std::ptrdiff_t>(count());
     return {{end.begin(), middle}, {middle, end.end()}};
   }
@@ -87,22 +85,23 @@ struct Chain {
     return sum;
   }
 
-  /// By how much the end misses the two lines of backward Euler at a bead [m/s].
+  /// The amount by which an end misses the two lines of backward Euler at a bead [m/s].
   double miss(const Beads& end, std::size_t i) const {
     const double moved = (end.x[i] - start.x[i]) / h - end.v[i];
     const double kicked = start.v[i] + h * acceleration(end, i) - end.v[i];
     return larger(std::abs(moved), std::abs(kicked));
   }
 
-  /// None is faster than all of the energy makes it, whatever was answered.
+  /// The velocity that no bead exceeds, whatever was answered: all of the energy makes it.
   double fastest() const { return std::sqrt(2 * energy(start)); }
 
-  /// Each of an end's numbers is a double, so that its lines cannot be met better than to the
-  /// rounding of what they add up.
+  /// The tolerance of an end: each of its numbers is a double, so that its lines cannot be met
+  /// better than to the rounding of what they add up.
   Tolerance tolerance(const Beads& end) const { return tolerance(end, 0, count(), fastest()); }
 
-  /// Of one bead's lines. In a matrix whose diagonal outweighs the rest an elimination leaves each
-  /// row as wrong as its own numbers are rounded, and those of its neighbours.
+  /// The tolerance of one bead's lines. In a matrix whose diagonal outweighs the rest an
+  /// elimination leaves each row as wrong as its own numbers are rounded, and those of its
+  /// neighbours.
   Tolerance tolerance(const Beads& end, std::size_t bead, double most) const {
     constexpr std::size_t near = 2;
     return tolerance(end, bead - std::min(bead, near), std::min(bead + near + 1, count()), most);
@@ -112,8 +111,8 @@ struct Chain {
     std::string text = std::to_string(count()) + " beads, h = " + grade::number(h, 17);
     if (count() > 6) return text + ", and stiffnesses drawn from the seed";
     for (std::size_t i = 0; i < count(); ++i) {
-      text += "; bead " + std::to_string(i) + ": x = " + grade::number(start.x[i], 17) +
-              ", v = " + grade::number(start.v[i], 17) + ", k = " + grade::number(k[i], 17);
+      text +=
+          "; bead " + std::to_string(i) + ": " + named("x", start.x[i], "v", start.v[i], "k", k[i]);
     }
     return text;
   }

@@ -33,7 +33,7 @@ void meets_its_lines(Student& student, const Drag& drag, const std::string& aske
   check(finding);
 }
 
-// How far the end is from a change of the right length along what the spring asks for.
+// The distance of an end from a change of the right length along what the spring asks for.
 double off(const Drag& drag, const State& end) {
   const Vec change = end.v - drag.start.v, towards = drag.asked_for();
   const double along = dot(change, towards) / length(towards);
@@ -164,7 +164,7 @@ TEST_CASE("a spring that is switched off lets the crate go on",
   }
 }
 
-TEST_CASE("so does a hand without strength, and a crate that rests in the hand stays there",
+TEST_CASE("a hand without strength lets the crate go on, and a crate at rest in it stays there",
           "[4-implicit/dragged-crate][1 point]") {
   Student student;
   Random random;

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "format_values.h"
 #include "harness.h"
 #include "judge/describe.h"
+#include "judge/numbers.h"
 #include "judge/random.h"
 #include "judge/rounding.h"
 #include "judge/student.h"
@@ -41,30 +41,28 @@ struct Drag {
     drag.zeta = random.anywhere(harness_bounds::zeta);
     drag.strongest = random.anywhere(harness_bounds::strongest);
     if (random.whole(0, 3) == 0)
-      drag.strongest = (1 + (2 * random.whole(0, 1) - 1) * random.octaves(1e-9, 0.5)) *
-                       length(drag.change_of_strong()) / drag.h;
+      drag.strongest = random.nearly_one(1e-9, 0.5) * length(drag.change_of_strong()) / drag.h;
     return drag;
   }
 
   State by(Student& student) const {
-    const auto [x, v] = start;
-    const auto n = student.call(
-        0, {x.x, x.y, x.z, v.x, v.y, v.z, h, hand.x, hand.y, hand.z, omega, zeta, strongest}, 6);
-    return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+    const auto numbers = as_numbers(start, h, hand, omega, zeta, strongest);
+    return as_states(student.call(0, numbers, 6))[0];
   }
 
   Vec acceleration(const Vec& x, const Vec& v) const {
     return omega * omega * (hand - x) - 2 * zeta * omega * v;
   }
 
-  /// By how much a step misses that it moves with one velocity and is kicked at one state [m/s].
+  /// The amount by which a step misses that it moves with one velocity and is kicked at one state
+  /// [m/s].
   double miss(const State& end, const Vec& moves_with, const Vec& x, const Vec& v) const {
     const Vec moved = (end.x - start.x) / h - moves_with;
     const Vec kicked = end.v - start.v - h * acceleration(x, v);
     return larger(length(moved), length(kicked));
   }
 
-  /// Of backward Euler: all of it at the end.
+  /// The miss of backward Euler: all of it at the end.
   double miss(const State& end) const { return miss(end, end.v, end.x, end.v); }
 
   /// The change that the spring asks for, times 1 + 2 zeta h omega + (h omega)^2.
@@ -81,20 +79,21 @@ struct Drag {
     return {start.x + h * v, v};
   }
 
-  /// How far an end is from the right one, the place by the velocity that it takes to get there
-  /// [m/s].
+  /// The distance of an end from the right one, the position by the velocity that it takes to get
+  /// there [m/s].
   double apart(const State& end) const {
     return larger(length(end.x - right().x) / h, length(end.v - right().v));
   }
 
-  /// Of that: whoever finds the place first has a velocity as exact as a place over h.
+  /// The tolerance of that: whoever finds the position first has a velocity as exact as a position
+  /// over h.
   Tolerance tolerance_of_end() const {
     return rounding((length(start.x) + length(hand)) / h + 2 * length(start.v));
   }
 
-  /// Each of an end's numbers is a double, so that its lines cannot be met better than to the
-  /// rounding of what they add up. They are the right end's: one's own might be as large as one
-  /// likes.
+  /// The tolerance of a miss: each of an end's numbers is a double, so that its lines cannot be met
+  /// better than to the rounding of what they add up. They are the right end's: one's own might be
+  /// as large as one likes.
   Tolerance tolerance() const {
     const double fastest = length(start.v) + length(asked_for()) / divisor();
     const double places = 2 * length(start.x) + h * fastest + length(hand);
@@ -103,13 +102,12 @@ struct Drag {
   }
 
   std::string described() const {
-    return describe(start, 17) + ", h = " + grade::number(h, 17) +
-           ", hand = " + describe(hand, 17) + ", omega = " + grade::number(omega, 17) +
-           ", zeta = " + grade::number(zeta, 17) + ", strongest = " + grade::number(strongest, 17);
+    return named("x", start.x, "v", start.v, "h", h, "hand", hand, "omega", omega, "zeta", zeta,
+                 "strongest", strongest);
   }
 };
 
-/// What holds of any end that is wrong.
+/// Diagnoses that hold of any wrong end.
 inline std::vector<std::string> what_is_wrong(const Drag& drag, const State& end) {
   if (!is_finite(end)) return {"this is not a finite number: a division by zero?"};
   if (distance(end, drag.start) == 0) return {"the crate never moves"};

@@ -19,7 +19,7 @@ namespace {
 
 using grade::number;
 
-// How far it strays from the truth, after each frame [m].
+// The distance of a leaf from the truth, after each frame [m].
 std::vector<double> strays(const Path& path, const Path& truth) {
   std::vector<double> away;
   for (std::size_t n = 0; n < truth.states.size(); ++n) {
@@ -93,7 +93,7 @@ std::vector<double> all_drags(Random& random) {
   return all;
 }
 
-// All of them together: one may have a wind in which hardly any frame is wrong.
+// Judges all leaves together: one may have a wind in which hardly any frame is wrong.
 void stay_near(const std::vector<Drift>& drifts, const std::string& asked,
                const std::function<std::vector<std::string>()>& remarks = {}) {
   double yours = 0, theirs = 0;
@@ -143,7 +143,7 @@ void stays_near(Student& student, int per_second) {
 
 constexpr int frames = 15;
 
-// Two pairs: each shares the clock, and the first also the frame.
+// Two pairs of leaves: each shares the clock, and the first also the frame.
 std::vector<Leaf> draw_park(Random& random, const Acceleration& wind) {
   const double times[] = {random.anywhere(start_time), random.anywhere(start_time)};
   const double h = random.anywhere(harness_bounds::h);
@@ -187,7 +187,7 @@ void stops(Student& student, const Throw& scene) {
   const Vec thrown = scene.thrown(), all = scene.way();
   const double size = length(thrown), rounded = scene.rounded();
   const Vec along = size > 0 ? thrown / size : Vec{1, 0, 0};
-  // What is left of the throw, along the throw; and how far it came in all, beyond the air.
+  // The rest of the throw, along the throw; and the way in all, beyond the air.
   const auto left = [&](std::size_t n) { return dot(path.states[n].v - scene.calm, along); };
   const Vec way = path.states.back().x - leaf.start.x - leaf.frames * leaf.h * scene.calm;
   double least = size;
@@ -230,7 +230,8 @@ TEST_CASE("at 60 frames a second one question a frame keeps the leaves near thei
   stays_near(student, 60);
 }
 
-TEST_CASE("at 30 frames a second, too", "[4-implicit/leaf-in-the-wind][2 points]") {
+TEST_CASE("at 30 frames a second one question a frame keeps the leaves near their paths, too",
+          "[4-implicit/leaf-in-the-wind][2 points]") {
   Student student;
   stays_near(student, 30);
 }
@@ -244,7 +245,7 @@ TEST_CASE("a thrown leaf stops where it should, and is never thrown back",
   for (const double c : drags) stops(student, Throw::draw(random, c));
 }
 
-TEST_CASE("any leaf does so, at rest or thrown, in any air, and beside others by turns",
+TEST_CASE("any leaf stops or stays near its path, at rest or thrown, in any air, others between",
           "[4-implicit/leaf-in-the-wind][1 point]") {
   Student student;
   Random random;

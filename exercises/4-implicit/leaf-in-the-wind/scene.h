@@ -13,7 +13,7 @@
 
 namespace judge::leaf_in_the_wind {
 
-/// It changes over a few metres and within a few seconds.
+/// A wind that changes over a few metres and within a few seconds.
 inline Acceleration draw_wind(Random& random) {
   const Vec mean = random.vector(-1, 1);
   const Waves gusts{random, 2, 6, 3};
@@ -51,7 +51,7 @@ struct Leaf {
   }
 };
 
-/// Where one may be, and when.
+/// The position and the time at which a leaf may start.
 constexpr harness::Bounds start_place{"x", 0, 50}, start_time{"t", -10, 1000, 0};
 
 /// Frame after frame, each leaf's with the others' between.
@@ -86,7 +86,7 @@ struct Throw {
     return {{c, 1.0 / 60, 30, [=](const Vec&, const Vec&, double) { return calm; }, start}, calm};
   }
 
-  /// At rest, in still air, or carried along, too.
+  /// A throw from anywhere: at rest, in still air, or carried along, too.
   static Throw anywhere(Random& random) {
     Throw drawn = draw(random, random.anywhere(harness_bounds::c));
     const Vec calm = random.vector_anywhere(harness_bounds::velocity);
@@ -101,10 +101,10 @@ struct Throw {
 
   Vec thrown() const { return leaf.start.v - calm; }
 
-  /// So far it comes in all, beyond the air [m].
+  /// The way in all, beyond the air [m].
   Vec way() const { return thrown() / leaf.c; }
 
-  /// Of a velocity [m/s], and of a place [m].
+  /// The rounding of a velocity [m/s], and of a position [m].
   double rounded() const {
     return rounding(leaf.frames, length(leaf.start.v) + length(calm)).value;
   }

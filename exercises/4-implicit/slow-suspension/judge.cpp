@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "format_values.h"
+#include "judge/describe.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/tests.h"
@@ -18,17 +19,17 @@ namespace {
 using grade::number;
 
 std::string text(const Swing& s) {
-  return "x = " + number(s.x, 17) + ", v = " + number(s.v, 17);
+  return named("x", s.x, "v", s.v);
 }
 
-// How often it passes through rest.
+// The number of times that it passes through rest.
 int passes(const std::vector<Swing>& path) {
   int count = 0;
   for (std::size_t n = 1; n < path.size(); ++n) count += (path[n].x < 0) != (path[n - 1].x < 0);
   return count;
 }
 
-// By which angle a step of the trapezoid rule turns a spring.
+// The angle by which a step of the trapezoid rule turns a spring.
 double turned_by(double omega, double h) {
   const Swing next = Suspension{{1, 0}, h, omega, 0, 1}.after_one({1, 0});
   return std::atan2(-next.v / omega, next.x);
@@ -67,7 +68,7 @@ TEST_CASE("each step takes the mean of both slopes", "[4-implicit/slow-suspensio
   }
 }
 
-TEST_CASE("without a damper its energy stays for a minute",
+TEST_CASE("without a damper the energy stays for a minute",
           "[4-implicit/slow-suspension][2 points]") {
   Student student;
   Random random;
@@ -81,7 +82,7 @@ TEST_CASE("without a damper its energy stays for a minute",
     off = std::isfinite(now) ? std::max(off, now) : INFINITY;
   }
   const Tolerance tolerance = rounding(scene.steps, size);
-  // What stands still keeps its energy, too.
+  // A spring that stands still keeps its energy, too.
   const bool swings = 2 * passes(got) > expected;
 
   grade::Finding finding;
@@ -102,7 +103,7 @@ TEST_CASE("without a damper its energy stays for a minute",
   check(finding);
 }
 
-TEST_CASE("in a minute it swings as often as the trapezoid rule lets it",
+TEST_CASE("in a minute the suspension swings as often as the trapezoid rule lets it",
           "[4-implicit/slow-suspension][2 points]") {
   Student student;
   Random random;
@@ -158,7 +159,7 @@ TEST_CASE("told another omega, the trapezoid rule swings at the one that is want
     const Tolerance tolerance = rounding(wanted);
     grade::Finding finding = off_by(std::abs(turned - wanted), tolerance);
     finding.asked = "by which angle a step of the trapezoid rule turns a spring that is told yours";
-    finding.input = "omega = " + number(omega, 17) + ", h = " + number(h, 17);
+    finding.input = named("omega", omega, "h", h);
     finding.expected = number(wanted, 12) + ", which is omega h";
     finding.got = number(turned, 12) + ", told " + number(told, 12) + " rad/s";
     if (!finding.held) {

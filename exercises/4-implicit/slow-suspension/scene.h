@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "format_values.h"
 #include "harness.h"
+#include "judge/describe.h"
 #include "judge/random.h"
 #include "judge/session.h"
 #include "judge/student.h"
@@ -26,13 +26,13 @@ struct Suspension {
 
   static Suspension draw(Random& random, double angle, double zeta, int steps) {
     const double h = random.between(0.01, 0.04), omega = angle / h;
-    const double sign = 2.0 * random.whole(0, 1) - 1;
+    const double sign = random.sign();
     return {
         {random.between(0.1, 0.3), sign * omega * random.between(0.1, 0.3)}, h, omega, zeta, steps};
   }
 
-  // Anything that may be asked, but for a step back with a damper so heavy that it divides by
-  // nearly nothing.
+  // A step of anything that may be asked, but for a step back with a damper so heavy that it
+  // divides by nearly nothing.
   static Suspension anywhere(Random& random) {
     Suspension scene;
     do {
@@ -46,7 +46,7 @@ struct Suspension {
     return scene;
   }
 
-  // Long enough for a swing that is slower by a hundredth to fall behind.
+  // A run long enough for a swing that is slower by a hundredth to fall behind.
   static Suspension a_minute(Random& random) {
     Suspension scene = draw(random, random.between(0.4, 1.2), 0, 0);
     scene.steps = static_cast<int>(60 / scene.h);
@@ -61,15 +61,15 @@ struct Suspension {
     return path;
   }
 
-  // How much smaller the divisor is than what it sums up.
+  // The share of the divisor that cancels: what it sums up over what is left.
   double cancels() const {
     const double half = h * omega / 2, brake = 2 * zeta * half, pull = half * half;
     return (1 + std::abs(brake) + pull) / std::abs(1 + brake + pull);
   }
   bool askable() const { return cancels() <= 100; }
 
-  // What a step sums up, all with one sign, over what it divides by; and what that has lost counts
-  // in full.
+  // The numbers that a step sums up, all with one sign, over what it divides by; and what that has
+  // lost counts in full.
   double summed() const {
     const double half = std::abs(h) * omega / 2, brake = 2 * zeta * half;
     const double x = std::abs(start.x), v = std::abs(start.v) / omega;
@@ -78,7 +78,7 @@ struct Suspension {
     return x + half * v + (1 + half) * pushed / divisor * cancels();
   }
 
-  // From (1 - h/2 A) end = (1 + h/2 A) start, by Cramer's rule.
+  // One step, from (1 - h/2 A) end = (1 + h/2 A) start, by Cramer's rule.
   Swing after_one(const Swing& s) const {
     const double half = h / 2, k = omega * omega, c = 2 * zeta * omega;
     const double top = s.x + half * s.v, bottom = s.v + half * (-k * s.x - c * s.v);
@@ -100,14 +100,12 @@ struct Suspension {
     return most;
   }
 
-  // In units of length, in which the energy is a sum of two squares.
+  // The size in units of length, in which the energy is a sum of two squares.
   double size(const Swing& s) const { return std::hypot(s.x, s.v / omega); }
   double apart(const Swing& a, const Swing& b) const { return size({a.x - b.x, a.v - b.v}); }
 
   std::string described() const {
-    return "x = " + grade::number(start.x, 17) + ", v = " + grade::number(start.v, 17) +
-           ", h = " + grade::number(h, 17) + ", omega = " + grade::number(omega, 17) +
-           ", zeta = " + grade::number(zeta, 17);
+    return named("x", start.x, "v", start.v, "h", h, "omega", omega, "zeta", zeta);
   }
 
   grade::Curve sizes(const std::string& name, const std::vector<Swing>& path) const {

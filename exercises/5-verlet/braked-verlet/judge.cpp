@@ -105,7 +105,7 @@ TEST_CASE("a light damper leaves the limit of the step at h omega = 2",
         "step ahead it lies beyond two.");
 }
 
-TEST_CASE("a critical damper and a heavy one leave it there, too",
+TEST_CASE("a critical damper and a heavy one leave the limit at h omega = 2, too",
           "[5-verlet/braked-verlet][3 points]") {
   Student student;
   for (const double zeta : {1.0, 4.0}) {

@@ -15,7 +15,7 @@ struct Line {
   Vec x, before, a;
   double c = 0, h = 0;
 
-  /// Such that 1 - c h is below zero, which some cut off.
+  /// A step in which 1 - c h is below zero, which some cut off.
   static Line draw() {
     Random random;
     const double h = random.between(0.2, 0.3);
@@ -23,8 +23,8 @@ struct Line {
             h};
   }
 
-  /// Any that may be asked: at rest, far away, hardly braked or hardly pushed; one in eight with
-  /// c h = 2, at which the last distance counts for nothing.
+  /// Any step that may be asked: at rest, far away, hardly braked or hardly pushed; one in eight
+  /// with c h = 2, at which the last distance counts for nothing.
   static Line anywhere(Random& random) {
     Line line{random.vector_anywhere(harness_bounds::place),
               random.vector_anywhere(harness_bounds::place),
@@ -38,21 +38,18 @@ struct Line {
   }
 
   Vec by(Student& student) const {
-    return as_places(
-        student.call(1, {x.x, x.y, x.z, before.x, before.y, before.z, a.x, a.y, a.z, c, h}, 3))[0];
+    return as_vectors(student.call(1, as_numbers(x, before, a, c, h), 3))[0];
   }
 
   double tolerance() const {
     return rounding(length(x) + length(before) + h * h * length(a)).value;
   }
 
-  /// From the place before to the place after.
+  /// The velocity from the place before to the place after.
   Vec velocity(const Vec& next) const { return (next - before) / (2 * h); }
 
   std::string in_words() const {
-    return "x = " + describe(x, 17) + ", x_previous = " + describe(before, 17) +
-           ", a = " + describe(a, 17) + ", c = " + grade::number(c, 17) +
-           ", h = " + grade::number(h, 17);
+    return named("x", x, "x_previous", before, "a", a, "c", c, "h", h);
   }
 };
 

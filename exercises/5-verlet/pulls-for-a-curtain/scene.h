@@ -9,22 +9,19 @@
 #include <utility>
 #include <vector>
 
-#include "format_values.h"
+#include "judge/describe.h"
 
 namespace judge::verlet::pulls_for_a_curtain {
 
 inline constexpr double gravity = 9.81;  ///< [m/s^2]
 
-/// So many substeps of a frame, and iterations in each.
+/// A number of substeps of a frame, and iterations in each.
 struct Split {
   int substeps = 1, iterations = 1;
 
   bool operator==(const Split&) const = default;
 
-  std::string in_words() const {
-    return "substeps = " + std::to_string(substeps) +
-           ", iterations = " + std::to_string(iterations);
-  }
+  std::string in_words() const { return named("substeps", substeps, "iterations", iterations); }
 };
 
 /// The chapter's rule of thumb for a rope's stretch [m].
@@ -66,9 +63,7 @@ struct Curtain {
   }
 
   std::string in_words() const {
-    const auto full = [](double value) { return grade::number(value, 17); };
-    return "links = " + std::to_string(links) + ", frame = " + full(frame) +
-           ", most = " + full(most) + ", move = " + full(move) + ", pull = " + full(pull);
+    return named("links", links, "frame", frame, "most", most, "move", move, "pull", pull);
   }
 };
 
@@ -81,12 +76,10 @@ inline double by_price(const Curtain& of, const Split& split) {
 
 /// A way to a plan: what is taken for the stretch and for the price, and what for the substeps.
 struct Way {
-  const char* says = "";
   double (*stretch)(const Curtain&, const Split&) = by_rule;
   double (*price)(const Curtain&, const Split&) = by_price;
-  int too_few = 0;                              ///< substeps
-  int (*iterations)(const Curtain&) = nullptr;  ///< if they are not tried
-  bool to_the_nearest = false;                  ///< whole number, and not up
+  int too_few = 0;              ///< substeps
+  bool to_the_nearest = false;  ///< whole number, and not up
 
   /// The cheapest with so many iterations.
   Split with(const Curtain& of, int so_many) const {
@@ -99,7 +92,6 @@ struct Way {
   }
 
   Split best(const Curtain& of) const {
-    if (iterations != nullptr) return with(of, iterations(of));
     Split best = with(of, 1);
     for (int so_many = 2; so_many <= of.links; ++so_many) {
       const Split next = with(of, so_many);
@@ -111,7 +103,7 @@ struct Way {
 
 inline const Way right{};
 
-// What people take for the one and for the other.
+// Mistaken stretches and prices.
 inline double step_once(const Curtain& of, const Split& split) {
   return by_rule(of, split) * split.substeps;
 }
@@ -123,12 +115,9 @@ inline double shared(const Curtain& of, const Split& split) {
 }
 /// Some plans of these are right by luck.
 inline const std::vector<Way> often_right{
-    {"", step_once},
-    {"", by_rule, by_price, 1},
-    {"", by_rule, by_price, 0, nullptr, true},
-};
+    {step_once}, {by_rule, by_price, 1}, {by_rule, by_price, 0, true}};
 
-/// What can be said of a single plan that is too dear, or does not hold.
+/// Diagnoses of a single plan that is too dear, or does not hold.
 inline std::vector<std::string> why_wrong(const Curtain& of, const Split& yours) {
   std::vector<std::string> said;
   if (yours.iterations == 1 && right.best(of).iterations > 1) {

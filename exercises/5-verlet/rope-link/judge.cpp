@@ -9,7 +9,7 @@ using namespace judge::verlet::rope_link;
 
 namespace {
 
-// Where the ends are after the pull, if they are where they should be.
+// Checks a pull, and returns the link after it.
 Link check_link(Student& student, const Link& link, const std::string& what,
                 const std::string& hint, Look look = Look::all) {
   const Link after = link.after(student);

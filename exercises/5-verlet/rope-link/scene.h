@@ -27,7 +27,7 @@ struct Link {
     link.longest = high * link.length_now();
     return link;
   }
-  /// So long, and between these.
+  /// A link so long, and between these.
   static Link of_length(Random& random, double now, double shortest, double longest) {
     Link link = draw(random, 1, 1);
     link.b = link.a + now / link.length_now() * (link.b - link.a);
@@ -35,7 +35,7 @@ struct Link {
     link.longest = longest;
     return link;
   }
-  /// Anything that may be asked: any lengths and masses, along an axis too; now and then as far
+  /// Any link that may be asked: any lengths and masses, along an axis too; now and then as far
   /// apart as may be, or nearly as long as a bound.
   static Link anywhere(Random& random) {
     Link link;
@@ -49,8 +49,7 @@ struct Link {
     }
     link.longest = random.anywhere(harness_bounds::longest);
     link.shortest = std::min(link.longest, random.anywhere(harness_bounds::shortest));
-    const double near =
-        link.length_now() * (1 + (2 * random.whole(0, 1) - 1) * random.octaves(1e-12, 0.1));
+    const double near = link.length_now() * random.nearly_one(1e-12, 0.1);
     const int bound = random.whole(0, 5);
     if (bound == 0 && near > harness_bounds::longest.smallest()) link.longest = near;
     if (bound == 1) link.shortest = near;
@@ -61,7 +60,7 @@ struct Link {
     link.inverse_b = random.anywhere(harness_bounds::inverse);
     return link;
   }
-  /// Each bound and each special value once; and a rod, of which both bounds are one.
+  /// Links at each bound and each special value; and a rod, of which both bounds are one.
   static std::vector<Link> at_the_bounds(Random& random) {
     std::vector<Link> links;
     const double now = random.between(1, 2);
@@ -90,21 +89,20 @@ struct Link {
   double tolerance() const { return rounding(length(a) + length(b) + longest).value; }
 
   Link after(Student& student) const {
-    const std::vector<Vec> ends = as_places(student.call(
-        0, {a.x, a.y, a.z, b.x, b.y, b.z, shortest, longest, inverse_a, inverse_b}, 6));
+    const auto numbers = as_numbers(a, b, shortest, longest, inverse_a, inverse_b);
+    const std::vector<Vec> ends = as_vectors(student.call(0, numbers, 6));
     return {ends[0], ends[1], shortest, longest, inverse_a, inverse_b};
   }
 
   std::string in_words() const {
-    const auto full = [](double value) { return grade::number(value, 17); };
-    return "a = " + describe(a, 17) + ", b = " + describe(b, 17) + ", " +
-           grade::number(length_now()) + " m apart, shortest = " + full(shortest) +
-           ", longest = " + full(longest) + ", inverse_a = " + full(inverse_a) +
-           ", inverse_b = " + full(inverse_b);
+    return named("a", a, "b", b) + ", " + grade::number(length_now()) + " m apart, " +
+           named("shortest", shortest, "longest", longest, "inverse_a", inverse_a, "inverse_b",
+                 inverse_b);
   }
 };
 
-/// What is looked at: whether the link has its length, on its line; or whose way was how long, too.
+/// The part of a link that is judged: whether the link has its length, on its line; or whose way
+/// was how long, too.
 enum class Look { length, all };
 
 /// The first thing that is wrong with a link after it was pulled; empty if nothing is.
@@ -140,7 +138,7 @@ inline std::string wrong_with(const Link& before, const Link& after, Look look =
                                                         : "the common centre of mass has moved";
 }
 
-/// What there is to say of one pull.
+/// The finding on one pull.
 inline grade::Finding pulled(const Link& before, const Link& after, const std::string& what,
                              Look look) {
   const std::string wrong = wrong_with(before, after, look);

@@ -20,7 +20,7 @@ struct Fall {
     return {random.between(1, 2), random.between(0.75, 0.9), random.between(8, 12), 0.002};
   }
 
-  /// How high it came, at first and after each bounce.
+  /// The heights to which it came, at first and after each bounce.
   std::vector<double> tops(Student& student, std::size_t count) const {
     std::vector<double> request{top, restitution, g, h, static_cast<double>(steps())};
     const std::vector<double> y = student.call(4, request, steps());
@@ -108,7 +108,7 @@ TEST_CASE("a spark below the floor bounces, and no other does", "[5-verlet/two-p
   bounces(student, Spark::overtaken(random));
 }
 
-TEST_CASE("so does any spark, however deep, however fast, on a floor at any height",
+TEST_CASE("any spark below its floor bounces, however deep, however fast, on a floor at any height",
           "[5-verlet/two-places][1 point]") {
   Student student;
   Random random;

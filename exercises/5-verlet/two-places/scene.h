@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Each of the functions alone, and what people write there.
-///
-/// A spark at the floor, and what is left of its velocity.
+/// The arguments of each function, and a spark at the floor.
 #pragma once
 #include <string>
 #include <vector>
@@ -19,14 +17,14 @@ struct Line {
   Vec x, other, a;  ///< the other is x_previous, or v
   double h = 0;
 
-  // So large a step that no term is lost beside another.
+  // A line with so large a step that no term is lost beside another.
   static Line draw() {
     Random random;
     const Start start = random.start();
     return {start.x, start.v, random.vector(2, 9), random.between(0.3, 0.7)};
   }
 
-  /// That one, and any that may be asked: at rest and with nothing that pushes, too.
+  /// The drawn line, and any that may be asked: at rest and with nothing that pushes, too.
   static std::vector<Line> draw_all(Function function) {
     constexpr int count = 200;
     std::vector<Line> lines{draw()};
@@ -42,16 +40,14 @@ struct Line {
   }
 
   std::vector<Vec> by(Student& student, Function function) const {
-    return as_places(
-        student.call(function, {x.x, x.y, x.z, other.x, other.y, other.z, a.x, a.y, a.z, h}, 3));
+    return as_vectors(student.call(function, as_numbers(x, other, a, h), 3));
   }
 
   Vec next() const { return x + (x - other) + h * h * a; }
   Vec before_start() const { return x - h * other + h * h / 2 * a; }
 
   std::string in_words(const std::string& name) const {
-    return "x = " + describe(x, 17) + ", " + name + " = " + describe(other, 17) +
-           ", a = " + describe(a, 17) + ", h = " + grade::number(h, 17);
+    return named("x", x, name, other, "a", a, "h", h);
   }
 
   Tolerance tolerance() const { return rounding(length(x) + length(other) + length(a)); }
@@ -61,7 +57,7 @@ struct Spark {
   Vec x, x_previous;
   double floor = 0, restitution = 0;
 
-  /// Falls, and is so far below the floor; above it, if that is less than nothing.
+  /// A spark that falls, and is so far below the floor; above it, if that is less than nothing.
   static Spark draw(Random& random, double below) {
     Spark spark{random.start().x, {}, 0, random.between(0.3, 0.9)};
     spark.x_previous = spark.x + Vec{random.between(-0.2, 0.2), random.between(0.2, 0.5),
@@ -70,14 +66,14 @@ struct Spark {
     return spark;
   }
 
-  /// Was below the floor a step ago already, as when the floor rises.
+  /// A spark that was below the floor a step ago already, as when the floor rises.
   static Spark overtaken(Random& random) {
     Spark spark = draw(random, 0.01);
     spark.floor = spark.x_previous.y + random.between(0.05, 0.2);
     return spark;
   }
 
-  /// Deep below any floor or hardly below, upon it, above it; some rise.
+  /// A spark deep below any floor or hardly below, upon it, above it; some rise.
   static Spark anywhere(Random& random) {
     constexpr harness::Bounds below{"below", -100, 100, 0}, distance{"distance", 0, 300};
     Spark spark;
@@ -95,8 +91,8 @@ struct Spark {
   Vec distance() const { return x - x_previous; }
 
   Spark after(Student& student) const {
-    const std::vector<Vec> two = as_places(student.call(
-        3, {x.x, x.y, x.z, x_previous.x, x_previous.y, x_previous.z, floor, restitution}, 6));
+    const auto numbers = as_numbers(x, x_previous, floor, restitution);
+    const std::vector<Vec> two = as_vectors(student.call(3, numbers, 6));
     return {two[0], two[1], floor, restitution};
   }
 
@@ -132,10 +128,8 @@ inline void bounces(Student& student, const Spark& before) {
   const std::string far = grade::number(std::abs(before.floor - before.x.y), 3);
   finding.asked = below ? "a bounce of a spark " + far + " m below the floor"
                         : "no bounce of a spark " + far + " m above the floor";
-  finding.input = "x = " + describe(before.x, 17) +
-                  ", x_previous = " + describe(before.x_previous, 17) +
-                  ", floor = " + grade::number(before.floor, 17) +
-                  ", restitution = " + grade::number(before.restitution, 17);
+  finding.input = named("x", before.x, "x_previous", before.x_previous, "floor", before.floor,
+                        "restitution", before.restitution);
   finding.expected = below
                          ? "x on the floor, and from x_previous to x the last distance, up instead "
                            "of down and times the restitution"

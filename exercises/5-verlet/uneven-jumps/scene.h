@@ -15,15 +15,15 @@ namespace judge::verlet::uneven_jumps {
 
 inline constexpr harness::Bounds any_velocity{"v", 0, 300};  ///< [m/s]
 
-/// Any frame after a last one, now and then one that is nearly as long.
+/// The length of any frame after a last one, now and then one that is nearly as long.
 inline double any_after(Random& random, double last) {
   const auto& h = harness_bounds::h;
   if (random.whole(0, 3) > 0) return random.anywhere(h);
-  const double near = last * (1 + (2 * random.whole(0, 1) - 1) * random.octaves(1e-8, 0.1));
+  const double near = last * random.nearly_one(1e-8, 0.1);
   return std::clamp(near, h.smallest(), h.largest());
 }
 
-/// What the student's step is given.
+/// The arguments of the student's step.
 struct Flight {
   harness::Force force;
   Vec x, x_previous;
@@ -31,15 +31,11 @@ struct Flight {
   std::vector<double> frames;    ///< lengths [s]
 
   std::vector<Vec> by(Student& student) const {
-    std::vector<double> request{static_cast<double>(force.kind)};
-    request.insert(request.end(), force.a.begin(), force.a.end());
-    request.insert(request.end(), {x.x, x.y, x.z, x_previous.x, x_previous.y, x_previous.z, t,
-                                   h_previous, static_cast<double>(frames.size())});
-    request.insert(request.end(), frames.begin(), frames.end());
-    return as_places(student.call(0, request, 3 * frames.size()));
+    const auto numbers = as_numbers(force, x, x_previous, t, h_previous, frames.size(), frames);
+    return as_vectors(student.call(0, numbers, 3 * frames.size()));
   }
 
-  /// One frame of any length after any other, of what is anywhere and has any velocity.
+  /// A flight of one frame of any length after any other, of what is anywhere and has any velocity.
   static Flight anywhere(Random& random, double t) {
     Flight flight{random.any_force(),
                   random.vector_anywhere(harness_bounds::place),
@@ -52,7 +48,7 @@ struct Flight {
     return flight;
   }
 
-  /// What a frame's sum is in size: the ratio of the frames is a factor of what places lose.
+  /// The size of a frame's sum: the ratio of the frames is a factor of what places lose.
   double size() const {
     const Vec v = (x - x_previous) / h_previous;
     const double places = length(x) + length(x_previous), both = h_previous + frames[0];
@@ -61,7 +57,7 @@ struct Flight {
     return 1 + length(x) + frames[0] * (places / h_previous + both * pushes);
   }
 
-  /// The same frames by the corrected formula.
+  /// The places by the corrected formula.
   std::vector<Vec> by_formula() const {
     std::vector<Vec> places{x_previous, x};
     double now = t, last = h_previous;
@@ -75,7 +71,7 @@ struct Flight {
     return {places.begin() + 2, places.end()};
   }
 
-  /// When each frame ends, from the start on [s].
+  /// The ends of the frames, from the start on [s].
   std::vector<double> ends() const {
     std::vector<double> ends;
     double now = 0;
@@ -84,9 +80,8 @@ struct Flight {
   }
 
   std::string in_words() const {
-    std::string text = "x = " + describe(x, 17) + ", x_previous = " + describe(x_previous, 17) +
-                       ", t = " + grade::number(t, 17) +
-                       ", h_previous = " + grade::number(h_previous, 17) + ", then h =";
+    std::string text =
+        named("x", x, "x_previous", x_previous, "t", t, "h_previous", h_previous) + ", then h =";
     for (const double h : frames) text += " " + grade::number(h, 17);
     return text;
   }
@@ -101,7 +96,7 @@ struct Fall {
     return {start.x, 3 * start.v, {0, -random.between(8, 20), 0}, h_previous, h};
   }
 
-  /// Thrown in any way, pulled to any side; now and then two of its places are one.
+  /// A fall thrown in any way, pulled to any side; now and then two of its places are one.
   static Fall anywhere(Random& random) {
     constexpr harness::Bounds gravity{"g", 0, 50};
     if (random.whole(0, 7) == 0) {
@@ -122,15 +117,13 @@ struct Fall {
 
   Vec at(double t) const { return x + t * v + (t * t / 2) * g; }
   Vec by(Student& student) const {
-    const Vec a = at(-h_previous), b = at(h);
-    return as_places(
-        student.call(1, {a.x, a.y, a.z, x.x, x.y, x.z, b.x, b.y, b.z, h_previous, h}, 3))[0];
+    const auto numbers = as_numbers(at(-h_previous), x, at(h), h_previous, h);
+    return as_vectors(student.call(1, numbers, 3))[0];
   }
 
   std::string in_words() const {
-    return "x_previous = " + describe(at(-h_previous), 17) + ", x = " + describe(x, 17) +
-           ", x_next = " + describe(at(h), 17) + ", h_previous = " + grade::number(h_previous, 17) +
-           ", h = " + grade::number(h, 17);
+    return named("x_previous", at(-h_previous), "x", x, "x_next", at(h), "h_previous", h_previous,
+                 "h", h);
   }
 };
 

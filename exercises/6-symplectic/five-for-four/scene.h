@@ -41,7 +41,7 @@ inline std::vector<double> five(double outer) {
 inline const Method asked =
     composed("the composition of five parts", five(1 / (4 - std::cbrt(4.0))));
 
-/// Bends with place and time, and brakes nothing.
+/// A force that bends with position and time, and brakes nothing.
 inline harness::Force draw_force(judge::Random& random) {
   harness::Force force = random.wild();
   force.a[6] = 0;

@@ -64,14 +64,14 @@ Path steps_of(Student& student, const Replay& replay) {
   return student.watch(replay.start, replay.h, replay.steps, replay.force);
 }
 
-// What the step is, by the way that it took.
+// The diagnosis of a step, by the way that it took.
 std::vector<std::string> what_it_is(const Replay& replay, const Path& yours) {
   return diagnose(yours, symplectic_euler, [&](const Method& method) {
     return watch(method, replay.start, replay.h, replay.steps, replay.force);
   });
 }
 
-// What an undo is, by the way back that it took.
+// The diagnosis of an undo, by the way back that it took.
 std::vector<std::string> recognised(const Replay& replay, const Path& yours) {
   if (yours.evaluations.empty() && distance(yours.states.back(), yours.states.front()) == 0)
     return {
@@ -85,7 +85,7 @@ std::vector<std::string> recognised(const Replay& replay, const Path& yours) {
   return found;
 }
 
-// Whether an undo asked at the place and the time of the step that it takes back.
+// Returns whether an undo asked at the position and the time of the step that it takes back.
 bool asked_alike(const Evaluation& yours, const Evaluation& step, double tolerance) {
   return length(yours.x - step.x) <= tolerance && std::abs(yours.t - step.t) <= tolerance;
 }

@@ -50,7 +50,7 @@ TEST_CASE("a few steps of a sledge are braked after the push, by division",
   for (int n = 0; n < 2; ++n) takes(Sledge::draw(random), some(), 5);
 }
 
-TEST_CASE("so is any step, however long, however hard each brake, from wherever it starts",
+TEST_CASE("any step is braked after the push, however long, however hard each brake, from anywhere",
           "[6-symplectic/sledge-that-grips][1 point]") {
   Student student;
   Random random;
@@ -58,7 +58,7 @@ TEST_CASE("so is any step, however long, however hard each brake, from wherever 
   for (int n = 0; n < rides; ++n) takes_steps(student, Ride::anywhere(random));
 }
 
-TEST_CASE("pulled at a rope it ends at one speed, however long the step",
+TEST_CASE("pulled at a rope a sledge ends at one speed, however long the step",
           "[6-symplectic/sledge-that-grips][3 points]") {
   Student student;
   Random random;
@@ -68,7 +68,7 @@ TEST_CASE("pulled at a rope it ends at one speed, however long the step",
   const Vec expected = glide / drawn.c_along + (pull - glide) / drawn.c_across;
   for (const double ch : {0.1, 1.0, 10.0, 1000.0}) {
     const double h = ch / drawn.c_along;
-    // So many that less than a rounding is missing of the final speed.
+    // Steps enough that less than a rounding is missing of the final speed.
     const int steps =
         static_cast<int>(std::log(1 / std::numeric_limits<double>::epsilon()) / std::log1p(ch)) + 1;
     const Ride ride{drawn, random.start(), {harness::Force::falling, {g}}, h, steps, steps};

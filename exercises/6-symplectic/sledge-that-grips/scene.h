@@ -8,6 +8,7 @@
 #include "format_values.h"
 #include "harness.h"
 #include "judge/describe.h"
+#include "judge/numbers.h"
 #include "judge/random.h"
 #include "judge/student.h"
 
@@ -24,7 +25,7 @@ struct Sledge {
     return {way / length(way), random.between(0.5, 1.5), random.between(50, 150)};
   }
 
-  /// Pushed, then braked, then moved.
+  /// The right step: pushed, then braked, then moved.
   void step(State& s, double t, double h, const harness::Force& push) const {
     const Vec pushed = s.v + h * push(s.x, s.v, t), glide = dot(pushed, along) * along;
     s.v = glide / (1 + c_along * h) + (pushed - glide) / (1 + c_across * h);
@@ -56,7 +57,7 @@ struct Ride {
     return ride;
   }
 
-  /// Of the numbers that a step sums before it brakes.
+  /// The size of the numbers that a step sums before it brakes.
   double size() const {
     const Vec a = push(start.x, start.v, start.t);
     return 1 + length(start.x) + (1 + h) * (length(start.v) + h * length(a));
@@ -73,24 +74,15 @@ struct Ride {
   }
 
   std::vector<State> by(judge::Student& student) const {
-    const Vec &d = sledge.along, &x = start.x, &v = start.v;
-    std::vector<double> arguments{
-        d.x, d.y, d.z, sledge.c_along, sledge.c_across, static_cast<double>(push.kind)};
-    arguments.insert(arguments.end(), push.a.begin(), push.a.end());
-    arguments.insert(arguments.end(), {x.x, x.y, x.z, v.x, v.y, v.z, start.t, h,
-                                       static_cast<double>(steps), static_cast<double>(every)});
-    const auto count = static_cast<std::size_t>(steps / every);
-    const std::vector<double> said = student.call(0, arguments, 6 * count);
-    std::vector<State> states;
-    for (auto next = said.begin(); next != said.end(); next += 6) {
-      states.push_back({{next[0], next[1], next[2]}, {next[3], next[4], next[5]}});
-    }
-    return states;
+    const auto numbers = judge::as_numbers(sledge.along, sledge.c_along, sledge.c_across, push,
+                                           start.x, start.v, start.t, h, steps, every);
+    return judge::as_states(
+        student.call(0, numbers, static_cast<std::size_t>(6 * (steps / every))));
   }
 
   std::string input() const {
-    return judge::describe(start) + ", h = " + grade::number(h, 17) + "; runners along " +
-           judge::describe(sledge.along, 17) + ", drag " + grade::number(sledge.c_along, 17) +
+    return judge::describe(start) + ", " + judge::named("h", h) + "; runners along " +
+           judge::describe(sledge.along) + ", drag " + grade::number(sledge.c_along, 17) +
            "/s and " + grade::number(sledge.c_across, 17) + "/s";
   }
 };

@@ -42,8 +42,9 @@ TEST_CASE("a few steps of hidden stars are those of symplectic Euler",
     takes(student, draw(random, static_cast<int>(count)), 0.01, 1);
 }
 
-TEST_CASE("so is a step of any few, heavy beside light, near beside far, fast or at rest",
-          "[6-symplectic/stars-that-wander][1 point]") {
+TEST_CASE(
+    "a step of any few stars is symplectic Euler's, heavy or light, near or far, fast or still",
+    "[6-symplectic/stars-that-wander][1 point]") {
   Student student;
   Random random;
   constexpr int groups = 200;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What there is to say of stars that went wrong.
-///
-/// What the tests say of stars that are not where they should be.
+/// Diagnoses of stars that are not where they should be, and what the tests say of them.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -14,7 +12,7 @@
 
 namespace stars {
 
-/// What there is to say of a student's first step.
+/// Diagnoses of a student's first step.
 inline std::vector<std::string> what_is_wrong(const Stars& yours, const Stars& right) {
   const double off = apart(yours, right);
   if (!std::isfinite(off))
@@ -53,7 +51,8 @@ inline grade::Finding asked(const std::string& what, const Stars& start, double 
   return finding;
 }
 
-// What feels no pull keeps everything, too: the first kick must be there, to a half at least.
+// Checks that stars are kicked, since what feels no pull keeps everything, too: the first kick must
+// be there, to a half at least.
 inline void check_kicks(const Stars& start, const Stars& yours, const Stars& right,
                         grade::Finding finding) {
   for (std::size_t i = 0; i < start.at.size(); ++i) {

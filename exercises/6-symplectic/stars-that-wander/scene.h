@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Stars that pull on each other, as the judge steps them, and as the student's code does.
-///
-/// What a step does to the areas between neighbouring starts.
+/// Stars that pull on each other, as the judge steps them, and as the student's code does; and the
+/// areas between neighbouring starts, which a step keeps.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 
 #include "format_values.h"
 #include "judge/describe.h"
+#include "judge/numbers.h"
 #include "judge/random.h"
 #include "judge/student.h"
 
@@ -24,7 +24,7 @@ struct Stars {
   std::vector<double> mu;
 };
 
-// In a ring, so that no two meet within the second or two of a test.
+// Stars in a ring, so that no two meet within the second or two of a test.
 inline Stars draw(judge::Random& random, int count) {
   Stars stars;
   for (int i = 0; i < count; ++i) {
@@ -37,8 +37,8 @@ inline Stars draw(judge::Random& random, int count) {
   return stars;
 }
 
-// With any distances between them, each of any mass and any velocity; some in one row along an
-// axis.
+// Stars with any distances between them, each of any mass and any velocity; some in one row along
+// an axis.
 inline Stars draw_anywhere(judge::Random& random, int count) {
   constexpr harness::Bounds apart{"apart", 0.01, 100}, v{"v", 0, 100}, mu{"mu", 0, 100};
   Stars stars;
@@ -51,7 +51,7 @@ inline Stars draw_anywhere(judge::Random& random, int count) {
   return stars;
 }
 
-// Of the numbers that are summed up in a step: the places, the ways, and the kicks.
+// The size of the numbers that are summed up in a step: the positions, the ways, and the kicks.
 inline double size(const Stars& stars, double h) {
   double sum = 0;
   for (std::size_t i = 0; i < stars.at.size(); ++i) {
@@ -64,7 +64,7 @@ inline double size(const Stars& stars, double h) {
   return sum;
 }
 
-// Two that turn around each other on ellipses in four seconds or so, and together stay.
+// Two stars that turn around each other on ellipses in four seconds or so, and together stay.
 inline Stars draw_pair(judge::Random& random) {
   const double a = random.between(0.5, 1), b = random.between(1.5, 2);
   const double apart = random.between(1, 1.2), speed = std::sqrt((a + b) / apart) * 1.15;
@@ -86,7 +86,7 @@ inline void right_step(Stars& stars, double h) {
   }
 }
 
-// After each step.
+// The right states after each step.
 inline std::vector<Stars> by_method(Stars stars, double h, int steps) {
   std::vector<Stars> run;
   for (int n = 0; n < steps; ++n) {
@@ -97,20 +97,15 @@ inline std::vector<Stars> by_method(Stars stars, double h, int steps) {
 }
 
 inline std::vector<Stars> by(judge::Student& student, const Stars& stars, double h, int steps) {
-  std::vector<double> arguments{double(steps), h, double(stars.mu.size())};
-  for (std::size_t i = 0; i < stars.mu.size(); ++i) {
-    const State& s = stars.at[i];
-    arguments.insert(arguments.end(), {s.x.x, s.x.y, s.x.z, s.v.x, s.v.y, s.v.z, stars.mu[i]});
-  }
-  const std::vector<double> said =
-      student.call(0, arguments, static_cast<std::size_t>(steps) * stars.mu.size() * 6);
-  std::vector<Stars> run(static_cast<std::size_t>(steps), stars);
-  auto next = said.begin();
-  for (Stars& now : run) {
-    for (State& s : now.at) {
-      s = {{next[0], next[1], next[2]}, {next[3], next[4], next[5]}};
-      next += 6;
-    }
+  const std::size_t count = stars.mu.size(), all = static_cast<std::size_t>(steps) * count;
+  std::vector<double> arguments = judge::as_numbers(steps, h, count);
+  for (std::size_t i = 0; i < count; ++i)
+    judge::append(arguments, judge::as_numbers(stars.at[i], stars.mu[i]));
+  const std::vector<State> states = judge::as_states(student.call(0, arguments, 6 * all));
+  std::vector<Stars> run;
+  for (std::size_t n = 0; n < all; n += count) {
+    const auto first = states.begin() + static_cast<std::ptrdiff_t>(n);
+    run.push_back({{first, first + static_cast<std::ptrdiff_t>(count)}, stars.mu});
   }
   return run;
 }
@@ -118,10 +113,10 @@ inline std::vector<Stars> by(judge::Student& student, const Stars& stars, double
 inline std::string describe(const Stars& stars, double h) {
   std::string text;
   for (std::size_t i = 0; i < stars.mu.size(); ++i) {
-    text += "star " + std::to_string(i + 1) + ": " + judge::describe(stars.at[i], 17) +
-            ", mu = " + grade::number(stars.mu[i], 17) + "; ";
+    text += "star " + std::to_string(i + 1) + ": " + judge::describe(stars.at[i]) + ", " +
+            judge::named("mu", stars.mu[i]) + "; ";
   }
-  return text + "h = " + grade::number(h, 17);
+  return text + judge::named("h", h);
 }
 
 /// The largest difference of a star's state; infinite if a number is not finite.
@@ -134,7 +129,7 @@ inline double apart(const Stars& a, const Stars& b) {
   return largest;
 }
 
-// How fast the whole moves.
+// The velocity of the whole.
 inline Vec drift(const Stars& stars) {
   Vec momentum;
   double mass = 0;
@@ -169,7 +164,7 @@ inline double area(const std::vector<double>& mu, const Aside& a, const Aside& b
   return sum;
 }
 
-/// What a step makes of `aside`: the difference of two steps from a little to either side.
+/// The ways aside after a step: the difference of two steps from a little to either side.
 /// @param step  callable `(Stars) -> Stars`
 template <class Step>
 Aside carried(const Step& step, const Stars& start, const Aside& aside, double share) {

@@ -165,7 +165,7 @@ TEST_CASE("after days a minute is as long as the first one",
   check(finding);
 }
 
-TEST_CASE("it strikes at each whole second, and never in between",
+TEST_CASE("the clock strikes at each whole second, and never in between",
           "[7-which-to-use/clock-in-a-float][2 points]") {
   Student student;
   Random random;
@@ -174,7 +174,7 @@ TEST_CASE("it strikes at each whole second, and never in between",
   strikes_each_second(student, rate, random.whole(hour, 3 * hour) * rate, 600);
 }
 
-TEST_CASE("at any rate it is right to the last digit, and strikes with the right tick",
+TEST_CASE("at any rate the clock is right to the last digit, and strikes with the right tick",
           "[7-which-to-use/clock-in-a-float][1 point]") {
   constexpr harness::Bounds any_rate{"rate", 1, 1000, 2, 24, 60, 64};
   constexpr int clocks = 60;

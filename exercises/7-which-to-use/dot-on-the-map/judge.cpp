@@ -103,7 +103,7 @@ TEST_CASE("the longest stable step of four methods is right to a millionth",
   finds_longest(student, random, w, random.between(5, 6) / w);
 }
 
-TEST_CASE("so it is on the softest spring and the stiffest, for any `most`",
+TEST_CASE("the longest stable step is right on the softest spring and the stiffest, for any `most`",
           "[7-which-to-use/dot-on-the-map][1 point]") {
   Student student;
   Random random;

@@ -86,7 +86,7 @@ struct Method {
   double limit;  ///< [s]
 };
 
-/// Of frequency w and drag c per second, zeta below one.
+/// The methods on a spring of frequency w and drag c per second, zeta below one.
 inline std::vector<Method> methods(double w, double zeta) {
   const double k = w * w, c = 2 * zeta * w, root = std::sqrt(1 + zeta * zeta);
   return {
@@ -96,12 +96,12 @@ inline std::vector<Method> methods(double w, double zeta) {
        {{{{1, c, -k}, {0, 1}, {0, -k}, {1}}}, {1, c, 0}},
        2 * (root + zeta) / w},
       {"backward Euler", {{{{1, c}, {0, 1}, {0, -k}, {1}}}, {1, c, k}}, INFINITY},
-      // As much as a step may grow that is stable.
+      // It grows as much as a stable step may.
       {"a turn that grows by a ten-billionth", {{{{0}, {1 + 1e-10}, {-1 - 1e-10}, {0}}}}, INFINITY},
   };
 }
 
-/// What a longest stable step tells that is none.
+/// Diagnoses of a longest stable step that is none.
 inline std::vector<std::string> what_is_wrong(double got, double expected, double most) {
   if (!(got > 1e-6 * expected)) return {"no step was found stable: is the growth right?"};
   if (std::abs(got / expected - 1) < 0.01)

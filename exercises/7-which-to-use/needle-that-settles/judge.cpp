@@ -23,7 +23,7 @@ struct Beginning {
     return {{random.between(-2, 2), random.between(-20, 20)}, random.between(4, 12)};
   }
 
-  // So far away that it is behind one that trails, too.
+  // A start so far away that it is behind one that trails, too.
   static Beginning draw_fast(Random& random) {
     return {{random.between(-9, -8), random.between(-40, -20)}, random.between(4, 12)};
   }
@@ -43,7 +43,7 @@ std::string described(const needle::State& state) {
   return "x = " + number(state.x, 12) + ", v = " + number(state.v, 12);
 }
 
-// How large the numbers are that a right answer sums, in place and velocity.
+// The size of the numbers that a right answer sums, in position and velocity.
 double size(const Beginning& start, const needle::State& before, const Frame& frame) {
   const double way =
       std::abs(before.x) + std::abs(frame.target) + std::abs(frame.u) * (frame.h + 2 / start.omega);
@@ -56,7 +56,7 @@ Tolerance tiny_steps(double size, double angle) {
           "the judge takes steps of a thousandth of 1/omega, and what they are off is below this"};
 }
 
-/// What is looked at.
+/// The part of a state that is judged.
 enum Look { place, both };
 
 bool right_when_fresh(const Beginning& start, const needle::State& before, const Frame& frame,
@@ -95,7 +95,7 @@ grade::Finding finding_of(const Seen& seen, const Tolerance& tolerance, const st
   return finding;
 }
 
-/// What frames are asked for.
+/// The question to which frames belong.
 struct Asked {
   std::string what, hint;
   Look look = both;
@@ -147,7 +147,7 @@ void frames_of_any_length(Student& student, Random& random, Velocity u, Asked as
     }
     check(start, target, with, z / start.omega);
   }
-  // What stands in for the exponential while omega h is small is worst just below where it ends.
+  // A stand-in for the exponential while omega h is small is worst just below where it ends.
   asked.says =
       "other frames came out right, and one of this length does not: does something else stand in "
       "for the exponential, such as the start of its series?";

@@ -19,7 +19,7 @@ struct State {
   double x, v;
 };
 
-/// How a needle is pulled, with the time in units of 1/omega, so that all are equally stiff.
+/// A needle and its pull, with the time in units of 1/omega, so that all are equally stiff.
 struct Needle {
   double omega;
 
@@ -33,7 +33,8 @@ struct Needle {
     };
   }
 
-  /// By tiny steps; after so long that nothing is left of the start, where it follows.
+  /// The state after a frame, by tiny steps; after so long that nothing is left of the start, where
+  /// it follows.
   State after(const State& from, const Frame& frame) const {
     if (omega * frame.h > 60) return {frame.end() - 2 * frame.u / omega, frame.u};
     return seen(judge::truth(start(from), omega * frame.h, 1, 1, pull(frame)).states.back());

@@ -53,7 +53,7 @@ struct Flight {
   }
 };
 
-// One that is over, and how far off equal steps of the two methods end for the whole budget;
+// A flight that is over, and how far off equal steps of the two methods end for the whole budget;
 // Verlet asks once to begin.
 struct Landing {
   Flight flight;
@@ -125,7 +125,7 @@ std::vector<std::string> recognise(const Landing& landing) {
   return found;
 }
 
-// How far off a landing may be, and where that comes from.
+// The distance that a landing may be off, and where that comes from.
 struct Bound {
   std::function<double(const Landing&)> of;
   std::string from;
@@ -196,13 +196,13 @@ TEST_CASE("within the budget the shuttle lands as near as equal steps bring it",
       "Take RK4, and divide the flight into equal steps for a start.");
 }
 
-TEST_CASE("it lands twenty times nearer than RK4 in equal steps",
+TEST_CASE("the shuttle lands twenty times nearer than RK4 in equal steps",
           "[7-which-to-use/shuttle-on-a-budget][3 points]") {
   lands_within(share_of_rk4(20),
                "Take short steps where the planet is near, and long ones where it is far.");
 }
 
-TEST_CASE("it lands eighty times nearer than RK4 in equal steps",
+TEST_CASE("the shuttle lands eighty times nearer than RK4 in equal steps",
           "[7-which-to-use/shuttle-on-a-budget][4 points]") {
   lands_within(share_of_rk4(80),
                "A circle of radius r takes a time in proportion to r^(3/2). And is all of "

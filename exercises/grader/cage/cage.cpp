@@ -41,7 +41,8 @@ fs::path fresh_folder() {
   return name;
 }
 
-/// Whether the user that root becomes can get there; root's own home is often closed to others.
+/// Returns whether the user that root becomes can get there; root's own home is often closed to
+/// others.
 bool reachable(const fs::path& folder) {
   if (!unprivileged() || !fs::exists(folder)) return true;
   for (fs::path at = fs::canonical(folder);; at = at.parent_path()) {

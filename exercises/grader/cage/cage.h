@@ -16,7 +16,7 @@ enum class Sandbox {
   none,        ///< limits only: for a student's own code on the student's own machine
 };
 
-/// Where the grader keeps what it brought along.
+/// The files and folders that the grader brought along.
 struct Kit {
   std::string harness;        ///< folder with the precompiled given.h, call.h and harness.o
   std::string filters;        ///< folder with run.bpf and compile.bpf
@@ -29,7 +29,7 @@ struct Kit {
   std::vector<std::string> libraries = {};      ///< files that a checked program is linked with
 };
 
-/// What a driver is made for: to be scored, or to be run once more under a checker of memory. That
+/// The purpose of a driver: to be scored, or to be run once more under a checker of memory. That
 /// needs the shared libraries of the system, and more address space than there is memory.
 /// Or to be run by its own main, under the same checker, for whoever wrote it.
 enum class Build { scored, checked, own };

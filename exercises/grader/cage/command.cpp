@@ -41,13 +41,15 @@ const Words bubblewrap = {"bwrap",
                           "--json-status-fd",
                           "4"};
 
-/// Of a compiler, and of a program with a checker of memory, which has a thread of its own.
+/// The limit for a compiler, and for a program with a checker of memory, which has a thread of its
+/// own.
 constexpr const char* most_processes = "24";
 
-/// In steps, each with its own exit code; $0 is the compiler, behind it stand its flags, and in
-/// the environment what differs from build to build. What the object defines strongly, and main,
-/// are printed for the grader to look at; the driver goes out on descriptor 3. What the linker
-/// would have compiled once more, and nm would have read in place of the object, is not taken.
+/// The steps of a compilation, each with its own exit code; $0 is the compiler, behind it stand its
+/// flags, and in the environment what differs from build to build. What the object defines
+/// strongly, and main, are printed for the grader to look at; the driver goes out on descriptor 3.
+/// What the linker would have compiled once more, and nm would have read in place of the object, is
+/// not taken.
 const std::string compile_script = R"(printf READY >&3
 "$0" "$@" -fno-lto -fmax-errors=5 -ftemplate-backtrace-limit=3 \
   -fdiagnostics-color=never -pipe $DEFINED -Iharness \
@@ -84,7 +86,7 @@ std::optional<uid_t> unprivileged() {
   return 60578 + static_cast<uid_t>(::getpid()) % 600;
 }
 
-Words leash(Sandbox sandbox, const Limits& limits, int open_files) {
+Words limits_prefix(Sandbox sandbox, const Limits& limits, int open_files) {
   Words words;
   if (const auto user = unprivileged()) {
     const std::string id = std::to_string(*user);
@@ -105,7 +107,7 @@ Words leash(Sandbox sandbox, const Limits& limits, int open_files) {
 }
 
 Words run_command(Sandbox sandbox, const Limits& limits) {
-  Words words = leash(sandbox, limits, 16);
+  Words words = limits_prefix(sandbox, limits, 16);
   if (sandbox == Sandbox::none) {
     words.push_back("/proc/self/fd/8");
     return words;
@@ -119,7 +121,7 @@ Words run_command(Sandbox sandbox, const Limits& limits) {
 Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits) {
   Limits unlimited = limits;
   unlimited.memory = no_limit;
-  Words words = leash(sandbox, unlimited, 16);
+  Words words = limits_prefix(sandbox, unlimited, 16);
   if (sandbox == Sandbox::none) {
     words.push_back("/proc/self/fd/8");
     return words;
@@ -138,7 +140,7 @@ Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits) {
 
 Words compile_command(const Kit& kit, const Words& harness, const std::string& header,
                       const Limits& limits, Build build) {
-  Words words = leash(Sandbox::bubblewrap, limits, 64);
+  Words words = limits_prefix(Sandbox::bubblewrap, limits, 64);
   add(words, bubblewrap);
   add(words, {"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C", "--setenv", "TMPDIR"});
   words.push_back("/job");
@@ -159,7 +161,7 @@ Words compile_command(const Kit& kit, const Words& harness, const std::string& h
 
 Words compile_command(const Kit& kit, const std::string& folder, const Limits& limits,
                       Build build) {
-  Words words = leash(Sandbox::none, limits, 64);
+  Words words = limits_prefix(Sandbox::none, limits, 64);
   add(words, {"env", "--chdir", folder, "TMPDIR=" + folder});
   for (const auto& [name, value] : variables(build)) words.push_back(name + "=" + value);
   add(words, {"/bin/sh", "-c", compile_script, kit.compiler});

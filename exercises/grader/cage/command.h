@@ -18,13 +18,13 @@ using Words = std::vector<std::string>;
 /// processes does not hold for root. Nothing for all others.
 std::optional<uid_t> unprivileged();
 
-/// What comes before any command: setpriv, to another user for root, and prlimit, for the limits.
-Words leash(Sandbox sandbox, const Limits& limits, int open_files);
+/// The words before any command: setpriv, to another user for root, and prlimit, for the limits.
+Words limits_prefix(Sandbox sandbox, const Limits& limits, int open_files);
 
 /// Starts the driver on descriptor 8 under the filter on descriptor 9.
 Words run_command(Sandbox sandbox, const Limits& limits);
 
-/// The same for a driver with a checker of memory, which finds its libraries; descriptor 10 is the
+/// Starts a driver with a checker of memory, which finds its libraries; descriptor 10 is the
 /// program that limits it.
 Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits);
 
@@ -34,7 +34,7 @@ Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits);
 Words compile_command(const Kit& kit, const Words& harness, const std::string& header,
                       const Limits& limits, Build build);
 
-/// The same in a folder that holds all these by their names.
+/// Compiles in a folder that holds all these by their names.
 Words compile_command(const Kit& kit, const std::string& folder, const Limits& limits, Build build);
 
 }  // namespace cage

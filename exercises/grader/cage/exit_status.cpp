@@ -23,16 +23,17 @@ void signalled(Ended& ended, int signal, const Limits& limits) {
 
 }  // namespace
 
-void tell_end(Ended& ended, int status, const Limits& limits, const std::string* told) {
+void decode_status(Ended& ended, int status, const Limits& limits, const std::string* status_text) {
   // bubblewrap gives an exit code only for a program that it could start, and nobody but us can
   // signal bubblewrap itself.
-  if (told && (told->find("\"exit-code\"") == std::string::npos || !WIFEXITED(status))) {
+  if (status_text &&
+      (status_text->find("\"exit-code\"") == std::string::npos || !WIFEXITED(status))) {
     ended.how = How::never_started;
     return;
   }
   if (WIFSIGNALED(status)) return signalled(ended, WTERMSIG(status), limits);
   const int code = WEXITSTATUS(status);
-  if (told && code > signal_base && code < signal_base + NSIG)
+  if (status_text && code > signal_base && code < signal_base + NSIG)
     return signalled(ended, code - signal_base, limits);
   ended.how = How::exited;
   ended.code = code;

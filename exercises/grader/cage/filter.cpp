@@ -76,7 +76,7 @@ class Filter {
   scmp_filter_ctx context_;
 };
 
-/// What a program needs that computes, allocates, prints and ends.
+/// The calls that a program needs that computes, allocates, prints and ends.
 void allow_to_run(Filter& filter) {
   filter.rule(SCMP_ACT_ALLOW,
               "read write readv writev close fstat lseek mmap munmap mremap mprotect brk "

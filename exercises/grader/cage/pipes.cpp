@@ -56,7 +56,7 @@ void Process::Pipes::start(const std::vector<std::string>& command,
   given.insert(given.end(), files.begin(), files.end());
 
   tells_status_ = tells_status;
-  others_ = children();
+  before_ = children();
   start_ = Clock::now();
   deadline_ = start_ + std::chrono::duration_cast<Clock::duration>(
                            std::chrono::duration<double>(limits_.wall));
@@ -72,7 +72,7 @@ void Process::Pipes::start(const std::vector<std::string>& command,
   err_ = std::move(err.read);
   reply_ = std::move(reply.read);
   status_ = std::move(status.read);
-  for (const File* pipe : {&in_, &out_, &err_, &reply_, &status_}) never_block(*pipe);
+  for (const File* pipe : {&in_, &out_, &err_, &reply_, &status_}) set_nonblocking(*pipe);
 }
 
 int Process::Pipes::until_deadline() const {
@@ -80,7 +80,7 @@ int Process::Pipes::until_deadline() const {
   return static_cast<int>(std::max<long>(0, left.count()));
 }
 
-void Process::Pipes::turn(std::size_t wanted, std::span<const std::byte>* unsent) {
+void Process::Pipes::poll_once(std::size_t wanted, std::span<const std::byte>* unsent) {
   std::vector<pollfd> waiting = {{handle_.get(), POLLIN, 0}};
   for (const File* pipe : {&out_, &err_, &status_})
     if (*pipe) waiting.push_back({pipe->get(), POLLIN, 0});
@@ -92,8 +92,8 @@ void Process::Pipes::turn(std::size_t wanted, std::span<const std::byte>* unsent
   if (ready == 0 && until_deadline() == 0) return stop(Ended::How::wall_limit);
   if (in_ && unsent) write_input(*unsent);
   read_pipes(wanted);
-  if (chatter_ > limits_.chatter) return stop(Ended::How::chatter_limit);
-  if (waiting.front().revents != 0) bury();
+  if (printed_ > limits_.output) return stop(Ended::How::output_limit);
+  if (waiting.front().revents != 0) reap();
 }
 
 void Process::Pipes::write_input(std::span<const std::byte>& unsent) {
@@ -107,13 +107,13 @@ void Process::Pipes::write_input(std::span<const std::byte>& unsent) {
 void Process::Pipes::read_pipes(std::size_t wanted) {
   if (given_ > ahead) answer_.erase(0, std::exchange(given_, 0));
   if (available() < wanted) take(reply_, answer_, std::max(wanted, ahead) - available());
-  read_chatter(out_, ended_.out);
-  read_chatter(err_, ended_.err);
-  take(status_, told_, ahead);
+  read_output(out_, ended_.out);
+  read_output(err_, ended_.err);
+  take(status_, status_text_, ahead);
 }
 
-void Process::Pipes::read_chatter(File& pipe, std::string& to) {
-  chatter_ += take(pipe, to, ahead);
+void Process::Pipes::read_output(File& pipe, std::string& to) {
+  printed_ += take(pipe, to, ahead);
   shorten(to);
 }
 
@@ -130,27 +130,27 @@ void Process::Pipes::discard_answer() {
   ended_.unread += available();
   answer_.clear();
   given_ = 0;
-  if (!over_ && ended_.unread > limits_.chatter) stop(Ended::How::chatter_limit);
+  if (!over_ && ended_.unread > limits_.output) stop(Ended::How::output_limit);
 }
 
 void Process::Pipes::stop(Ended::How how) {
   if (over_) return;
   stopped_ = how;
-  bury();
+  reap();
 }
 
-void Process::Pipes::bury() {
-  const Remains remains = take_down(program_, others_);
+void Process::Pipes::reap() {
+  const Reaped reaped = kill_and_reap(program_, before_);
   over_ = true;
   // Nobody is left to write, so the pipes hold only what fits into them.
   read_pipes(available() + (1 << 20));
-  ended_.processor = remains.processor;
-  ended_.peak_kilobytes = remains.peak_kilobytes;
+  ended_.processor = reaped.processor;
+  ended_.peak_kilobytes = reaped.peak_kilobytes;
   ended_.wall = std::chrono::duration<double>(Clock::now() - start_).count();
   if (stopped_)
     ended_.how = *stopped_;
   else
-    tell_end(ended_, remains.status, limits_, tells_status_ ? &told_ : nullptr);
+    decode_status(ended_, reaped.status, limits_, tells_status_ ? &status_text_ : nullptr);
 }
 
 }  // namespace cage

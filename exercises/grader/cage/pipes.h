@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What a Process holds: the pipes, and one turn of waiting on all of them at once.
+/// The inside of a Process: the pipes, and one turn of waiting on all of them at once.
 #pragma once
 #include <optional>
 
@@ -11,7 +11,8 @@ namespace cage {
 
 class Process::Pipes {
  public:
-  /// How far the answer is read before anybody asks for it; beyond, the program has to wait.
+  /// The part of an answer that is read before anybody asks for it [bytes]; beyond, the program has
+  /// to wait.
   static constexpr std::size_t ahead = 65536;
 
   explicit Pipes(const Limits& limits) : limits_(limits) {}
@@ -26,7 +27,7 @@ class Process::Pipes {
   /// Waits until something happens on any pipe, and takes it in.
   /// @param wanted  how long the answer has to become before it is left in the pipe
   /// @param unsent  for the program's standard input; what was written is taken off its front
-  void turn(std::size_t wanted, std::span<const std::byte>* unsent = nullptr);
+  void poll_once(std::size_t wanted, std::span<const std::byte>* unsent = nullptr);
 
   /// Ends the program now.
   void stop(Ended::How how);
@@ -50,18 +51,18 @@ class Process::Pipes {
   int until_deadline() const;
   void write_input(std::span<const std::byte>& unsent);
   void read_pipes(std::size_t wanted);
-  void read_chatter(File& pipe, std::string& kept);
-  void bury();  ///< kills and reaps it, and takes in what it left in the pipes
+  void read_output(File& pipe, std::string& kept);
+  void reap();  ///< kills and reaps the program, and reads what it left in the pipes
 
   Limits limits_;
   Clock::time_point start_, deadline_;
-  std::vector<pid_t> others_;
+  std::vector<pid_t> before_;
   pid_t program_ = 0;
   File handle_, in_, out_, err_, reply_, status_;
   bool tells_status_ = false, over_ = false;
   std::optional<Ended::How> stopped_;
-  std::size_t chatter_ = 0, given_ = 0;
-  std::string answer_, told_;
+  std::size_t printed_ = 0, given_ = 0;
+  std::string answer_, status_text_;
   Ended ended_;
 };
 

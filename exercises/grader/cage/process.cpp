@@ -28,7 +28,7 @@ Process::Process(const std::vector<std::string>& command,
                  std::filesystem::path folder)
     : pipes_(std::make_unique<Pipes>(limits)), folder_(std::move(folder)) {
   ::signal(SIGPIPE, SIG_IGN);  // a program that stops reading must not end us
-  adopt_orphans();
+  become_subreaper();
   pipes_->start(command, files, tells_status(command));
 }
 
@@ -39,12 +39,12 @@ Process::~Process() {
 }
 
 bool Process::send(std::span<const std::byte> bytes) {
-  while (!bytes.empty() && pipes_->writable()) pipes_->turn(Pipes::ahead, &bytes);
+  while (!bytes.empty() && pipes_->writable()) pipes_->poll_once(Pipes::ahead, &bytes);
   return bytes.empty();
 }
 
 bool Process::receive(std::span<std::byte> bytes) {
-  while (pipes_->available() < bytes.size() && pipes_->readable()) pipes_->turn(bytes.size());
+  while (pipes_->available() < bytes.size() && pipes_->readable()) pipes_->poll_once(bytes.size());
   if (pipes_->available() < bytes.size()) return false;
   pipes_->give(bytes);
   return true;
@@ -52,8 +52,8 @@ bool Process::receive(std::span<std::byte> bytes) {
 
 std::string Process::receive_all(std::size_t most) {
   pipes_->close_input();
-  while (pipes_->readable() && pipes_->available() <= most) pipes_->turn(most + 1);
-  if (pipes_->available() > most) pipes_->stop(How::chatter_limit);
+  while (pipes_->readable() && pipes_->available() <= most) pipes_->poll_once(most + 1);
+  if (pipes_->available() > most) pipes_->stop(How::output_limit);
   std::string answer(std::min(pipes_->available(), most), '\0');
   pipes_->give(std::as_writable_bytes(std::span(answer)));
   return answer;
@@ -63,7 +63,7 @@ Ended Process::finish() {
   pipes_->close_input();
   while (!pipes_->over()) {
     pipes_->discard_answer();
-    pipes_->turn(Pipes::ahead);
+    pipes_->poll_once(Pipes::ahead);
   }
   pipes_->discard_answer();
   return pipes_->ended();

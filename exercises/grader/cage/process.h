@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// A program that runs beside us on a short leash: pipes, limits, and an end that is certain.
+/// A program that runs beside us within limits: its pipes, and an end that is certain.
 #pragma once
 #include <chrono>
 #include <cstddef>
@@ -32,21 +32,21 @@ class File {
 /// Bytes as a file that has no name and cannot be changed any more.
 File sealed(std::string_view content);
 
-/// For a program that may have as much address space as it likes.
+/// The address space of a program that may have as much as it likes.
 inline constexpr std::size_t no_limit = static_cast<std::size_t>(-1);
 
-/// What a program may use.
+/// The limits of a program.
 struct Limits {
   double processor = 3;                ///< processor time [s]
   double wall = 10;                    ///< time on the clock [s]
   std::size_t memory = 1'000'000'000;  ///< address space [bytes]
   std::size_t file = 64 << 20;         ///< the longest file it writes [bytes]
-  std::size_t chatter = 1 << 20;       ///< on stdout and stderr together [bytes]
+  std::size_t output = 1 << 20;        ///< on stdout and stderr together [bytes]
 };
 
-/// How a program ended.
+/// The end of a program.
 struct Ended {
-  enum class How { exited, signalled, wall_limit, processor_limit, chatter_limit, never_started };
+  enum class How { exited, signalled, wall_limit, processor_limit, output_limit, never_started };
   How how = How::never_started;
   int code = 0;             ///< its exit code, or the number of the signal
   double processor = 0;     ///< used [s]
@@ -74,7 +74,7 @@ class Process {
   /// Waits for exactly as many bytes of its answer; false if it ends or meets a limit before.
   bool receive(std::span<std::byte> bytes);
 
-  /// All of its answer until its end, but no more than `most` bytes; more is a chatter_limit.
+  /// All of its answer until its end, but no more than `most` bytes; more is an output_limit.
   std::string receive_all(std::size_t most);
 
   /// Closes its standard input, lets it come to its end, and takes everything down with it.

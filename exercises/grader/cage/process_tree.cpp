@@ -20,21 +20,21 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-void wait_for(pid_t child, pid_t program, Remains& remains) {
+void wait_for(pid_t child, pid_t program, Reaped& reaped) {
   int status = 0;
   rusage used{};
   pid_t done;
   do done = ::wait4(child, &status, 0, &used);
   while (done < 0 && errno == EINTR);
   if (done != child) return;
-  if (child == program) remains.status = status;
-  remains.processor += seconds(used.ru_utime) + seconds(used.ru_stime);
-  remains.peak_kilobytes = std::max(remains.peak_kilobytes, used.ru_maxrss);
+  if (child == program) reaped.status = status;
+  reaped.processor += seconds(used.ru_utime) + seconds(used.ru_stime);
+  reaped.peak_kilobytes = std::max(reaped.peak_kilobytes, used.ru_maxrss);
 }
 
 }  // namespace
 
-void adopt_orphans() {
+void become_subreaper() {
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
   ::signal(SIGCHLD, SIG_DFL);  // ignored, as some parents leave it, the kernel would wait for us
 }
@@ -49,16 +49,16 @@ std::vector<pid_t> children() {
   return found;
 }
 
-Remains take_down(pid_t program, const std::vector<pid_t>& others) {
-  Remains remains;
+Reaped kill_and_reap(pid_t program, const std::vector<pid_t>& others) {
+  Reaped reaped;
   std::vector<pid_t> left = {program};
   while (!left.empty()) {
     for (const pid_t child : left) ::kill(child, SIGKILL);
-    for (const pid_t child : left) wait_for(child, program, remains);
+    for (const pid_t child : left) wait_for(child, program, reaped);
     left = children();
     std::erase_if(left, [&](pid_t child) { return std::ranges::count(others, child) > 0; });
   }
-  return remains;
+  return reaped;
 }
 
 }  // namespace cage

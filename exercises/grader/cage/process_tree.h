@@ -10,13 +10,13 @@ namespace cage {
 
 /// From now on the orphans among our descendants become our children, so that none can hide: this
 /// process is a child subreaper.
-void adopt_orphans();
+void become_subreaper();
 
 /// The children of this process, also the zombies: dead, and not yet reaped.
 std::vector<pid_t> children();
 
-/// What a program and its descendants came to.
-struct Remains {
+/// The end of a program, and what it and its descendants used.
+struct Reaped {
   int status = 0;           ///< of the program itself, as wait gives it
   double processor = 0;     ///< of all together [s]
   long peak_kilobytes = 0;  ///< of the largest
@@ -24,6 +24,6 @@ struct Remains {
 
 /// Kills (SIGKILL) the program and every child of ours that is not among `others`, and reaps them
 /// until none is left; so nothing else may start children in between.
-Remains take_down(pid_t program, const std::vector<pid_t>& others);
+Reaped kill_and_reap(pid_t program, const std::vector<pid_t>& others);
 
 }  // namespace cage

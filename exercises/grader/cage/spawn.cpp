@@ -24,7 +24,7 @@ File lifted(int descriptor) {
   return copy;
 }
 
-/// What posix_spawn does with the descriptors, in this order.
+/// The actions of posix_spawn on the descriptors, in this order.
 class Actions {
  public:
   Actions() { ::posix_spawn_file_actions_init(&actions_); }
@@ -78,7 +78,7 @@ Pipe open_pipe() {
   return {lifted(read.get()), lifted(write.get())};
 }
 
-void never_block(const File& file) {
+void set_nonblocking(const File& file) {
   ::fcntl(file.get(), F_SETFL, ::fcntl(file.get(), F_GETFL) | O_NONBLOCK);
 }
 

@@ -20,7 +20,7 @@ struct Pipe {
 Pipe open_pipe();
 
 /// Reads and writes on it come back at once.
-void never_block(const File& file);
+void set_nonblocking(const File& file);
 
 /// Starts a program (posix_spawn) in a session of its own, with default signals and a fixed
 /// environment.

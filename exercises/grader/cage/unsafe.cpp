@@ -10,7 +10,7 @@ namespace cage {
 
 namespace {
 
-/// How bubblewrap says that it failed, and what helps.
+/// Bubblewrap's words for a failure, and what helps.
 struct Trouble {
   const char *said, *help;
 };

@@ -13,7 +13,7 @@
 #include "class/write_tables.h"
 #include "exit_codes.h"
 #include "format_values.h"
-#include "report/escape.h"
+#include "printable.h"
 #include "report/files.h"
 #include "report/folder.h"
 #include "submission.h"
@@ -24,17 +24,17 @@ namespace {
 constexpr const char* written[] = {"grades.csv", "report.csv", "summary.html"};
 constexpr const char* tables[] = {"grades.csv", "report.csv", "summary.html", Class::part_folder};
 
-/// A student of this name would stand where a table goes.
-const Student* in_the_way(const std::vector<Student>& students) {
+/// The student whose name is that of a table; null if there is none.
+const Student* named_like_a_table(const std::vector<Student>& students) {
   for (const Student& student : students) {
     if (std::ranges::find(tables, student.name) != std::end(tables)) return &student;
   }
   return nullptr;
 }
 
-/// What stands in place of a file or folder of the grader's, or a table that would be lost in a
-/// folder in which no grader has been; empty if there is none.
-std::string not_ours(const Class& work) {
+/// The name of something that stands in place of a file or folder of the grader's, or of a table
+/// that would be lost in a folder in which no grader has been; empty if there is none.
+std::string foreign_file(const Class& work) {
   const std::filesystem::path lock = Lock::file_in(work.results), part = Class::part_folder;
   if (no_file(lock)) return lock.filename();
   if (no_folder(work.results / part)) return part;
@@ -48,13 +48,13 @@ std::string not_ours(const Class& work) {
 }
 
 /// A link on the way to a submission's report, or in place of one of its files; empty if none is.
-std::filesystem::path not_ours(const Class& work, const Job& job) {
+std::filesystem::path irregular_path(const Class& work, const Job& job) {
   std::filesystem::path at = work.results;
   for (const auto& name : std::filesystem::path(job.student.name) / job.exercise.name) {
     at /= name;
     if (std::filesystem::is_symlink(std::filesystem::symlink_status(at))) return at;
   }
-  const std::string file = never_made(at);
+  const std::string file = irregular_file(at);
   return file.empty() ? "" : at / file;
 }
 
@@ -70,7 +70,8 @@ void print_some(const char* what, const std::vector<std::string>& names) {
 /// A backup of hard links has the same files: what somebody writes there is written here.
 void print_linked(const std::vector<Job>& jobs) {
   const auto linked = std::ranges::count_if(jobs, [](const Job& job) {
-    return take_in(job.student.folder, job.exercise.chapter(), job.exercise.header()).linked;
+    return read_submission(job.student.folder, job.exercise.chapter(), job.exercise.header())
+        .linked;
   });
   if (linked > 0) {
     std::printf("%s with more than one hard link, as a backup makes them\n",
@@ -86,8 +87,8 @@ bool can_be_read_by_others(const std::filesystem::path& file) {
 }
 
 /// The names of those that are not among the others.
-std::vector<std::string> beside(const std::vector<Exercise>& all,
-                                const std::vector<Exercise>& others) {
+std::vector<std::string> not_among(const std::vector<Exercise>& all,
+                                   const std::vector<Exercise>& others) {
   std::vector<std::string> names;
   for (const Exercise& one : all) {
     if (std::ranges::find(others, one.name, &Exercise::name) == others.end())
@@ -96,25 +97,26 @@ std::vector<std::string> beside(const std::vector<Exercise>& all,
   return names;
 }
 
-int grade_roll(const Roll& roll, const Class& work) {
-  const std::vector<Exercise> handed = handed_in(roll.students, grade::exercises());
+int grade_students(const ClassList& list, const Class& work) {
+  const std::vector<Exercise> handed = handed_in(list.students, grade::exercises());
   const std::vector<Exercise> exercises = work.partial()          ? work.exercises
                                           : work.assigned.empty() ? handed
                                                                   : work.assigned;
-  if (!work.assigned.empty()) print_some("Handed in, but not assigned", beside(handed, exercises));
+  if (!work.assigned.empty())
+    print_some("Handed in, but not assigned", not_among(handed, exercises));
   if (exercises.empty()) {
     return refuse(Exit::unreadable, "nobody handed in an exercise; it should be called STUDENT/" +
                                         grade::exercises().front().name +
                                         ".h or like another that --list names");
   }
-  for (const std::string& name : without_exercise(roll.students, grade::exercises()))
+  for (const std::string& name : without_exercise(list.students, grade::exercises()))
     std::printf("Belongs to no exercise: %s\n", printable_name(name).c_str());
-  const std::vector<Job> all = all_jobs(work, roll.students, exercises);
+  const std::vector<Job> all = all_jobs(work, list.students, exercises);
   for (const Job& job : all)
-    if (const auto other = not_ours(work, job); !other.empty()) throw NotOwn(other);
+    if (const auto other = irregular_path(work, job); !other.empty()) throw NotOwn(other);
   std::vector<Job> jobs = all;
   std::erase_if(jobs, [](const Job& job) { return !job.asked; });
-  const std::vector<Job> part = part_of(jobs, work.shard);
+  const std::vector<Job> part = jobs_of(jobs, work.shard);
   jobs = part;
   print_linked(part);
   const std::size_t before = jobs.size();
@@ -137,33 +139,33 @@ int grade_roll(const Roll& roll, const Class& work) {
                     "nobody is graded, since " + obstacle->why);
     }
   }
-  if (work.shard.of == 1) return write_tables(roll, exercises, all, work);
+  if (work.shard.of == 1) return write_tables(list, exercises, all, work);
   std::printf("Part %zu of %zu is done; without --shard, the tables are made\n", work.shard.part,
               work.shard.of);
-  return exit_code(collect(roll.students, exercises, part).all());
+  return exit_code(collect(list.students, exercises, part).all());
 }
 
 }  // namespace
 
 int grade_class(const Class& work) {
-  Roll roll;
+  ClassList list;
   try {
-    roll = call_roll(work.submissions);
+    list = read_students(work.submissions);
   } catch (const std::filesystem::filesystem_error& error) {
     return refuse(Exit::unreadable, "can't read the folder '" +
                                         printable_name(work.submissions.string()) +
                                         "': " + error.code().message());
   }
-  print_some("Not a student's folder", roll.ignored);
-  if (roll.students.empty()) {
+  print_some("Not a student's folder", list.ignored);
+  if (list.students.empty()) {
     return refuse(Exit::unreadable, "there is no student's folder in '" +
                                         printable_name(work.submissions.string()) + "'");
   }
-  if (const Student* student = in_the_way(roll.students)) {
+  if (const Student* student = named_like_a_table(list.students)) {
     return refuse(Exit::bad_input, "a student's folder can't be called " + student->name +
                                        ", since a table is; rename it");
   }
-  if (const std::string name = not_ours(work); !name.empty()) {
+  if (const std::string name = foreign_file(work); !name.empty()) {
     return refuse(Exit::bad_input, "'" + printable_name(work.results.string()) + "' holds a " +
                                        name +
                                        " that is not the grader's own; name another folder "
@@ -181,7 +183,7 @@ int grade_class(const Class& work) {
                                        "'; wait for it, or name another folder");
   }
   try {
-    return grade_roll(roll, work);
+    return grade_students(list, work);
   } catch (const Interrupted& stopped) {
     return refuse(Exit::try_again, stopped.what());
   }

@@ -31,7 +31,7 @@ struct Class {
 
   bool partial() const { return !exercises.empty(); }
 
-  /// Where the tables go: those of a part of the exercises never replace those of all.
+  /// The folder of the tables: those of a part of the exercises never replace those of all.
   std::filesystem::path tables() const { return partial() ? results / part_folder : results; }
   static constexpr const char* part_folder = "part";
 };

@@ -19,7 +19,7 @@ std::vector<Job> all_jobs(const Class& work, const std::vector<Student>& student
   return jobs;
 }
 
-std::vector<Job> part_of(const std::vector<Job>& jobs, const Shard& shard) {
+std::vector<Job> jobs_of(const std::vector<Job>& jobs, const Shard& shard) {
   std::vector<Job> part;
   for (std::size_t i = shard.part - 1; i < jobs.size(); i += shard.of) part.push_back(jobs[i]);
   return part;
@@ -42,7 +42,8 @@ bool is_done(const Job& job, std::uint64_t seed) {
       report.sandbox != cage::Sandbox::bubblewrap) {
     return false;
   }
-  const Submission now = take_in(job.student.folder, job.exercise.chapter(), job.exercise.header());
+  const Submission now =
+      read_submission(job.student.folder, job.exercise.chapter(), job.exercise.header());
   if (!now.refused.empty()) return report.sha256.empty() && report.why == now.refused;
   return report.sha256 == sha256(now.text);
 }

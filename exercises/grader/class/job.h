@@ -22,13 +22,14 @@ struct Job {
 std::vector<Job> all_jobs(const Class& work, const std::vector<Student>& students,
                           const std::vector<Exercise>& exercises);
 
-/// Those of one shard.
-std::vector<Job> part_of(const std::vector<Job>& jobs, const Shard& shard);
+/// The jobs of one shard.
+std::vector<Job> jobs_of(const std::vector<Job>& jobs, const Shard& shard);
 
 /// The report that is kept; a GRADER_ERROR if there is none.
 Report kept_report(const Job& job);
 
-/// Whether the kept report is of this grader, this seed and these very bytes, and no GRADER_ERROR.
+/// Returns whether the kept report is of this grader, this seed and these very bytes, and no
+/// GRADER_ERROR.
 bool is_done(const Job& job, std::uint64_t seed);
 
 /// The arguments with which the grader grades it.

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "report/escape.h"
+#include "printable.h"
 #include "report/files.h"
 
 namespace grade {

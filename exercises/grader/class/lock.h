@@ -11,7 +11,7 @@ namespace grade {
 /// Holds a folder for as long as it lives. Graders of parts may share it, one of the whole may not.
 class Lock {
  public:
-  /// Which file is held. It stays, and shows that a grader has been there.
+  /// The file that is held. It stays, and shows that a grader has been there.
   static std::filesystem::path file_in(const std::filesystem::path& results) {
     return results / ".lock";
   }
@@ -26,7 +26,7 @@ class Lock {
   Lock(const Lock&) = delete;
   Lock& operator=(const Lock&) = delete;
 
-  /// Whether no other grader had it.
+  /// Returns whether no other grader had it.
   bool held() const { return held_; }
 
  private:

@@ -5,15 +5,13 @@
 
 #include "class/page_style.h"
 #include "class/summary.h"
+#include "format_values.h"
+#include "printable.h"
 #include "report/escape.h"
 #include "report/words.h"
 
 namespace grade {
 namespace {
-
-std::string count_of(std::size_t number, const char* thing) {
-  return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
-}
 
 /// The bytes of a path as a link.
 std::string link(const std::string& path) {
@@ -114,8 +112,8 @@ std::string summary_html(const Results& results) {
              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
              "<title>Grades of a class</title>\n<style>") +
          page_style + "</style>\n</head>\n<body>\n<main>\n<h1>Grades of a class</h1>\n<p>" +
-         count_of(results.students.size(), "student") + ", " +
-         count_of(results.exercises.size(), "exercise") + ", seed " + seed +
+         counted(results.students.size(), "student") + ", " +
+         counted(results.exercises.size(), "exercise") + ", seed " + seed +
          ". Shares are of those whose submission was taken.</p>\n" +
          [&] {
            std::string sections;

@@ -24,7 +24,7 @@ std::system_error failure(const char* what) {
   return {errno, std::generic_category(), what};
 }
 
-/// In the child, where nothing may be allocated any more.
+/// Becomes the grader, in the child, where nothing may be allocated any more.
 [[noreturn]] void become(char* const* arguments, pid_t parent) {
   sigset_t none;
   sigemptyset(&none);
@@ -54,8 +54,8 @@ Running start(const std::vector<ChildProcess>& children, std::size_t index) {
           std::chrono::steady_clock::now() + children[index].limit};
 }
 
-/// Those that wait for their turn, which comes in their order, but never while their owner's one
-/// before runs.
+/// The children that wait for their turn, which comes in their order, but never while their owner's
+/// one before runs.
 class Queue {
  public:
   explicit Queue(const std::vector<ChildProcess>& children)
@@ -87,7 +87,7 @@ class Queue {
 
 void run_all(const std::vector<ChildProcess>& children, std::size_t at_a_time,
              const std::function<void(std::size_t, bool)>& ended) {
-  cage::adopt_orphans();
+  cage::become_subreaper();
   const Interruption interruption;
   RunningChildren running;
   Queue queue(children);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "report/escape.h"
+#include "printable.h"
 #include "report/words.h"
 
 namespace grade {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// How far the grading of a class has come.
+/// The progress of a class's grading.
 #pragma once
 #include <chrono>
 #include <cstddef>

@@ -24,7 +24,7 @@ struct Results {
     return asked[student * exercises.size() + exercise];
   }
 
-  /// Those that are there.
+  /// The reports that are there.
   std::vector<Report> all() const;
 };
 

@@ -43,7 +43,7 @@ void Interruption::take() const {
 RunningChildren::~RunningChildren() {
   for (const Running& one : all_) kill(-one.process, SIGKILL);
   all_.clear();
-  bury_strangers();
+  reap_orphans();
 }
 
 void RunningChildren::wait(const Interruption& interruption) const {
@@ -69,11 +69,11 @@ std::vector<RunningChildren::Ended> RunningChildren::ended() {
     if (over || late) tasks.push_back({one.task, late});
     return over || late;
   });
-  bury_strangers();
+  reap_orphans();
   return tasks;
 }
 
-std::vector<pid_t> RunningChildren::strangers() const {
+std::vector<pid_t> RunningChildren::orphans() const {
   std::vector<pid_t> found = cage::children();
   std::erase_if(
       found, [&](pid_t child) { return std::ranges::count(all_, child, &Running::process) > 0; });
@@ -82,8 +82,8 @@ std::vector<pid_t> RunningChildren::strangers() const {
 
 // Kills and reaps them. Orphans of a task that was killed come to us, the subreaper, and when these
 // are gone, theirs.
-void RunningChildren::bury_strangers() const {
-  for (std::vector<pid_t> others = strangers(); !others.empty(); others = strangers()) {
+void RunningChildren::reap_orphans() const {
+  for (std::vector<pid_t> others = orphans(); !others.empty(); others = orphans()) {
     for (const pid_t other : others) kill(other, SIGKILL);
     for (const pid_t other : others) waitpid(other, nullptr, 0);
   }

@@ -56,8 +56,8 @@ class RunningChildren {
   std::vector<Ended> ended();
 
  private:
-  std::vector<pid_t> strangers() const;
-  void bury_strangers() const;
+  std::vector<pid_t> orphans() const;
+  void reap_orphans() const;
 
   std::vector<Running> all_;
 };

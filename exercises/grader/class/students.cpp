@@ -41,7 +41,7 @@ std::vector<std::string> unknown(const Student& student, const std::vector<Exerc
   return found;
 }
 
-// So that nobody's many hide another's one.
+// The first few of a student's names, so that one student's many hide nobody's one.
 std::vector<std::string> first_few(std::vector<std::string> names, const std::string& student) {
   constexpr std::size_t most = 3;
   if (names.size() <= most) return names;
@@ -62,19 +62,19 @@ bool has(const Student& student, const Exercise& exercise) {
   return false;
 }
 
-Roll call_roll(const std::filesystem::path& submissions) {
-  Roll roll;
+ClassList read_students(const std::filesystem::path& submissions) {
+  ClassList list;
   for (const auto& entry : std::filesystem::directory_iterator(submissions)) {
     const std::string name = entry.path().filename().string();
     if (is_folder(entry) && !name.starts_with('.')) {
-      roll.students.push_back({name, entry.path()});
+      list.students.push_back({name, entry.path()});
     } else {
-      roll.ignored.push_back(name);
+      list.ignored.push_back(name);
     }
   }
-  std::ranges::sort(roll.students, {}, &Student::name);
-  std::ranges::sort(roll.ignored);
-  return roll;
+  std::ranges::sort(list.students, {}, &Student::name);
+  std::ranges::sort(list.ignored);
+  return list;
 }
 
 std::vector<Exercise> handed_in(const std::vector<Student>& students,

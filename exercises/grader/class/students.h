@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Who handed in what.
+/// The students of a class, and what they handed in.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -16,7 +16,7 @@ struct Student {
   std::filesystem::path folder;
 };
 
-struct Roll {
+struct ClassList {
   std::vector<Student> students;  ///< by name
   std::vector<std::string>
       ignored;  ///< names of what is no student's: files, links, hidden folders
@@ -24,13 +24,13 @@ struct Roll {
 
 /// The folders in this one. Links are not followed.
 /// @throws std::filesystem::filesystem_error  it cannot be read
-Roll call_roll(const std::filesystem::path& submissions);
+ClassList read_students(const std::filesystem::path& submissions);
 
-/// Whether there is a file, or anything else, of the right name: in the chapter's folder or, as
-/// Moodle hands files out, in the student's own.
+/// Returns whether there is a file, or anything else, of the right name: in the chapter's folder
+/// or, as Moodle hands files out, in the student's own.
 bool has(const Student& student, const Exercise& exercise);
 
-/// Those of the exercises for which somebody has a file, or anything else, of the right name.
+/// The exercises for which somebody has a file, or anything else, of the right name.
 std::vector<Exercise> handed_in(const std::vector<Student>& students,
                                 const std::vector<Exercise>& exercises);
 

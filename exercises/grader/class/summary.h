@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What the summary page shows, counted.
+/// The counts that the summary page shows.
 #pragma once
 #include <cstddef>
 #include <map>
@@ -17,7 +17,7 @@ struct TestCount {
   std::size_t held = 0;
 };
 
-/// What became of one exercise. Whoever's submission was not taken, or has no grade, is not among
+/// The outcome of one exercise. Whoever's submission was not taken, or has no grade, is not among
 /// those that were judged.
 struct ExerciseCount {
   std::size_t judged = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #include "class/results.h"
-#include "report/escape.h"
+#include "printable.h"
 #include "report/words.h"
 
 namespace grade {

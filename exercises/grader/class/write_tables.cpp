@@ -7,7 +7,7 @@
 
 #include "exit_codes.h"
 #include "format_values.h"
-#include "report/escape.h"
+#include "printable.h"
 #include "report/files.h"
 #include "report/words.h"
 
@@ -26,9 +26,9 @@ int refuse_stale(const std::vector<Job>& jobs) {
 
 }  // namespace
 
-int write_tables(const Roll& roll, const std::vector<Exercise>& exercises,
+int write_tables(const ClassList& list, const std::vector<Exercise>& exercises,
                  const std::vector<Job>& jobs, const Class& work) {
-  const Results results = collect(roll.students, exercises, jobs);
+  const Results results = collect(list.students, exercises, jobs);
   const std::vector<Job> old = stale(jobs, results, work.seed);
   if (!old.empty()) return refuse_stale(old);
   const std::filesystem::path tables = work.tables();
@@ -38,7 +38,7 @@ int write_tables(const Roll& roll, const std::vector<Exercise>& exercises,
   write_whole(tables / "summary.html", summary_html(results));
   const std::vector<Report> reports = results.all();
   const auto failed = std::ranges::count_if(reports, std::not_fn(is_graded));
-  std::printf("%s, %s: see %s\n", counted(roll.students.size(), "student").c_str(),
+  std::printf("%s, %s: see %s\n", counted(list.students.size(), "student").c_str(),
               counted(exercises.size(), "exercise").c_str(),
               printable_name((tables / "summary.html").string()).c_str());
   if (failed > 0) {

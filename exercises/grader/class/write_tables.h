@@ -10,7 +10,7 @@ namespace grade {
 
 /// Writes the tables and the page, unless they would mix graders.
 /// @returns the exit code
-int write_tables(const Roll& roll, const std::vector<Exercise>& exercises,
+int write_tables(const ClassList& list, const std::vector<Exercise>& exercises,
                  const std::vector<Job>& jobs, const Class& work);
 
 }  // namespace grade

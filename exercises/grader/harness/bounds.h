@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What may be asked of an argument, as an exercise's harness.h says it.
+/// The values that may be asked of an argument, as an exercise's harness.h says it.
 #ifndef BOUNDS_H
 #define BOUNDS_H
 #include <array>
@@ -15,7 +15,7 @@ namespace harness {
 /// Of a vector its length counts, of a list how many it holds.
 class Bounds {
  public:
-  /// Of what has none, such as a force.
+  /// The bounds of an argument that has none, such as a force.
   constexpr Bounds() = default;
 
   /// @param name  as the task calls it

@@ -15,7 +15,7 @@ namespace harness {
 // Numbers on the pipe: a tag, how many follow, and these.
 inline constexpr double question = 1, result = 2;
 
-/// What pushes there, as the judge says it.
+/// The acceleration there, as the judge says it.
 Vec ask(const Vec& x, const Vec& v, double t);
 
 class Call {
@@ -23,7 +23,7 @@ class Call {
   Call(int function, std::vector<double> arguments)
       : function_(function), arguments_(std::move(arguments)) {}
 
-  /// Which of the exercise's functions is meant, counted from 0.
+  /// The number of the exercise's function that is meant, counted from 0.
   int function() const { return function_; }
 
   /// The next argument.
@@ -72,6 +72,6 @@ class Call {
 
 }  // namespace harness
 
-/// What an exercise's harness.h defines: calls the student's code and answers.
+/// Calls the student's code and answers; an exercise's harness.h defines it.
 void answer(harness::Call& call);
 #endif

@@ -9,10 +9,10 @@
 
 extern "C" {
 
-/// Of the C library.
+/// The end of the stack, by the C library.
 extern void* __libc_stack_end;
 
-/// Only there with the checker.
+/// The checker's own, which is null without it.
 [[gnu::weak]] void __asan_unpoison_memory_region(const volatile void* begin, std::size_t size);
 
 /// Takes the place of the checker's own: what the stack holds may be written anew.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What a student's own main is compiled with, see cage.cpp.
+/// The header that a student's own main is compiled with, see cage.cpp.
 #ifndef OWN_H
 #define OWN_H
 #include <cstdio>

@@ -9,7 +9,7 @@
 
 namespace harness {
 
-/// What the judge asks for: a force, a start, and steps.
+/// The run that the judge asks for: a force, a start, and steps.
 struct Run {
   Acceleration acceleration;
   Vec x, v;

@@ -14,7 +14,7 @@
 #else
 namespace harness {
 
-/// Only the proofs look at what is asked.
+/// A stand-in that watches nothing: only the proofs look at what is asked.
 template <class... Arguments>
 struct Watches {
   template <std::size_t count>
@@ -48,7 +48,7 @@ class Wanted<Result(Arguments...)> {
     return call_(std::forward<Arguments>(arguments)...);
   }
 
-  /// What may be asked of each argument, as the line of harness.h says it.
+  /// Says what may be asked of each argument, as the line of harness.h says it.
   template <std::size_t count>
   void within(const Bounds (&bounds)[count], int line) const {
     static_assert(count == sizeof...(Arguments), "bounds for each argument, or harness::any");

@@ -7,6 +7,10 @@ namespace judge {
 
 using grade::number;
 
+std::string describe(double value, int digits) {
+  return number(value, digits);
+}
+
 std::string describe(const Vec& a, int digits) {
   return "(" + number(a.x, digits) + ", " + number(a.y, digits) + ", " + number(a.z, digits) + ")";
 }

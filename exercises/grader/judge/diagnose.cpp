@@ -98,7 +98,8 @@ std::size_t first_elsewhere(const Path& yours, const Path& expected) {
   return n;
 }
 
-// Those of a step, and the one to begin with of a method that carries its last.
+// The number of evaluations of a step, with the one to begin with of a method that carries its
+// last.
 std::size_t in_first_step(const Path& path) {
   const std::size_t steps = path.states.size() - 1;
   return path.evaluations.size() / steps + path.evaluations.size() % steps;
@@ -132,7 +133,8 @@ std::string clock(double t, const Path& path, double tolerance) {
   return number(t);
 }
 
-// In the terms of the first step: by its x, v and t, and by the first acceleration.
+// The place of an evaluation in the terms of the first step: by its x, v and t, and by the first
+// acceleration.
 std::string where(const Evaluation& asked, const Path& expected, double tolerance) {
   const State& start = expected.states.front();
   const Vec a = expected.evaluations.front().a;

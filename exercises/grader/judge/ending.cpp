@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string>
 
-#include "broken_rule.h"
+#include "failed_assertion.h"
 #include "format_values.h"
 #include "judge/session.h"
 #include "printable.h"
@@ -52,7 +52,7 @@ void note_signal(const cage::Ended& ended) {
          "the end of an array, a pointer to nothing, a whole number too large for its type, or a "
          "function that ends without its return.",
          ended.err);
-  } else if (const std::string rule = grade::broken_rule(ended.err);
+  } else if (const std::string rule = grade::failed_assertion(ended.err);
              ended.code == SIGABRT && !rule.empty()) {
     note(Verdict::runtime_error, "Your code was stopped where it " + rule + ".");
   } else {
@@ -92,7 +92,7 @@ void note_exit(const cage::Ended& ended, Moment moment) {
     note(Verdict::incomplete,
          "The program ended before it had answered. Does your code call exit?");
   } else if (ended.unread > 0) {
-    note_nonsense();
+    note_protocol_error();
   }
 }
 
@@ -106,7 +106,7 @@ std::unique_ptr<cage::Process> start_driver() {
       cage::run(now.sandbox, *now.kit, *now.driver, limits, now.build, now.arguments)));
 }
 
-void note_nonsense() {
+void note_protocol_error() {
   note(Verdict::protocol_error,
        "What came back is not an answer. Does your code write to descriptor 3?");
 }
@@ -132,9 +132,9 @@ void note_ending(const cage::Ended& ended, Moment moment) {
                   "Your code did not come back within " + grade::seconds(session().limits) +
                       ". Is there a loop that never ends, such as one that waits for t == end? Or "
                       "work that grows faster than what it is asked for?");
-    case How::chatter_limit:
-      return note(Verdict::output_limit, "Your code printed more than " +
-                                             grade::megabytes(session().limits.chatter) + ".");
+    case How::output_limit:
+      return note(Verdict::output_limit,
+                  "Your code printed more than " + grade::megabytes(session().limits.output) + ".");
     case How::never_started:
       // The canary has run there just before, and nothing of the code has run that could say this.
       if (ended.err.find("bwrap: execvp /driver: ") != ended.err.npos)

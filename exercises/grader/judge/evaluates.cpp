@@ -13,7 +13,7 @@ namespace {
 
 using grade::number;
 
-// What the method would have asked, had it come to the student's own states: a path that is wrong
+// The evaluations of the method, had it come to the student's own states: a path that is wrong
 // for another reason is another test's.
 std::vector<Evaluation> places(const Method& method, const Path& yours, const Case& with) {
   std::vector<Evaluation> all;

@@ -61,18 +61,6 @@ double furthest_apart(const std::vector<double>& a, const std::vector<double>& b
   return found;
 }
 
-// From its nearest point to its furthest, within a tenth: what stands still keeps its energy, too.
-bool goes_round(const Orbit& orbit, const Path& path) {
-  double nearest = INFINITY, furthest = 0;
-  for (const State& state : path.states) {
-    nearest = std::min(nearest, length(state.x));
-    furthest = std::max(furthest, length(state.x));
-  }
-  const double e = orbit.eccentricity;
-  return std::abs(nearest - (1 - e)) < 0.1 && std::abs(furthest - (1 + e)) < 0.1 &&
-         length(path.states[path.states.size() / 2].x - path.states[1].x) > 0;
-}
-
 }  // namespace
 
 void has_energy_of(Student& student, const Method& method, double eccentricity, int count,
@@ -98,30 +86,6 @@ void has_energy_of(Student& student, const Method& method, double eccentricity, 
   if (!finding.held) {
     finding.hint = hint;
     finding.plot = plot({curve("yours", turns, got), curve(method.name, turns, expected)});
-  }
-  check(finding);
-}
-
-void keeps_energy(Student& student, double eccentricity, int count, int per_turn, double sway,
-                  const std::string& hint, int function) {
-  const Turns turns(eccentricity, count, per_turn);
-  const Path path = turns.by(student, function);
-  const std::vector<double> got = energy_error(turns.orbit, path);
-  const double first = largest(got, 0, 0.1), last = largest(got, 0.9, 1);
-  const bool round = goes_round(turns.orbit, path);
-
-  grade::Finding finding = asked(turns, count, per_turn);
-  finding.held = round && largest(got, 0, 1) <= sway && last <= 1.2 * first + sway * 1e-9;
-  finding.expected =
-      "the energy sways by at most " + number(sway) + " of itself and does not drift";
-  finding.got = "at most " + number(first, 4) + " in the first tenth of the time, " +
-                number(last, 4) + " in the last";
-  finding.error = round ? "it drifts, or sways too far" : "it does not go round the orbit";
-  finding.tolerance = number(sway) + ", and 1.2 times the first tenth";
-  finding.tolerance_from = "a sway that repeats each turn is sampled at other points of it";
-  if (!finding.held) {
-    finding.hint = hint;
-    finding.plot = plot({curve("yours", turns, got)});
   }
   check(finding);
 }

@@ -26,7 +26,7 @@ grade::Finding compare(const State& got, const State& expected, double size) {
   return finding;
 }
 
-// What is asked of each step.
+// The question for each step.
 struct Asked {
   const Method& method;
   const std::string& hint;

@@ -13,7 +13,7 @@ namespace {
 
 using grade::number;
 
-// So many steps let even a damping of a tenth show on which side of its limit a method is.
+// Enough steps to let even a damping of a tenth show on which side of its limit a method is.
 constexpr int steps_until = 20000, every = 100;
 constexpr double margin = 0.02, bounded = 100, exploded = 1000;
 
@@ -36,7 +36,7 @@ bool moves(const Path& path) {
   });
 }
 
-// Whether what is not a number at last has become too large first.
+// Returns whether what is NaN at last has become too large first.
 bool grows_before(const Path& path, std::size_t broken) {
   return broken > 0 &&
          distance(path.states[broken - 1], State{}) > bounded * distance(path.states[0], State{});

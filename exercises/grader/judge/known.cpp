@@ -27,7 +27,7 @@ std::map<std::string, Ways>& all() {
 
 constexpr double rounding_aside = 1e-10;  // ten digits
 
-// How far apart, as a share of the size; what is no number is alike too, in the same place.
+// The distance of two numbers as a share of their size; NaN is alike too, in the same place.
 double apart(double one, double other, double size) {
   if (one == other || (std::isnan(one) && std::isnan(other))) return 0;
   const double share = std::abs(one - other) / size;
@@ -38,14 +38,14 @@ double size_of(const Evaluation& asked) {
   return length(asked.x) + length(asked.v) + std::abs(asked.t);
 }
 
-// What is no number is alike in a question: its answer will tell.
+// NaN is alike in a question: its answer will tell.
 bool alike(const Evaluation& one, const Evaluation& other) {
   const double most = rounding_aside * size_of(one);
   return !(length(one.x - other.x) > most) && !(length(one.v - other.v) > most) &&
          !(std::abs(one.t - other.t) > most);
 }
 
-// What is no longer as the student did it.
+// Thrown where a way no longer does as the student did.
 struct Differs {};
 
 // The exchange that is gone through again, and how far.
@@ -65,7 +65,7 @@ double apart(const Exchange& exchange, const std::vector<double>& answer) {
   return largest;
 }
 
-// Of the way; nothing if it asks elsewhere, or throws where the student's answer came.
+// The answer of a way; nothing if it asks elsewhere, or throws where the student's answer came.
 std::vector<double> answer_of(Answer way, const Exchange& exchange) {
   replay = {&exchange, 0};
   harness::Call call(exchange.function, exchange.arguments);
@@ -77,14 +77,14 @@ std::vector<double> answer_of(Answer way, const Exchange& exchange) {
   return call.answer();
 }
 
-// How far its answer is from the student's; infinite if it has none.
+// The distance of a way's answer from the student's; infinite if it has none.
 double apart(Answer way, const Exchange& exchange) {
   const std::vector<double> answer = answer_of(way, exchange);
   return apart(exchange, answer);
 }
 
-// From one of the exchanges on, in their order: a harness may keep what one call gives it for the
-// next. No further than to what is too far.
+// The largest distance from one of the exchanges on, in their order: a harness may keep what one
+// call gives it for the next. No further than to what is too far.
 double apart(Answer way, std::span<const Exchange> exchanges, double too_far) {
   double largest = 0;
   for (const Exchange& exchange : exchanges) {
@@ -98,7 +98,7 @@ double apart_alone(Answer way, std::span<const Exchange> exchanges, double too_f
   return in_a_process([&] { return apart(way, exchanges, too_far); });
 }
 
-// All these ways, each program anew.
+// The largest distances of all these ways, each program anew.
 std::vector<double> apart_alone(const std::vector<Answer>& ways, const Programs& programs,
                                 double too_far) {
   std::vector<double> largest(ways.size(), 0.0);
@@ -111,7 +111,7 @@ std::vector<double> apart_alone(const std::vector<Answer>& ways, const Programs&
   return largest;
 }
 
-// Whether the student's numbers are those of a way, but for what a float loses of each.
+// Returns whether the student's numbers are those of a way, but for what a float loses of each.
 bool is_of_floats(Answer way, const Programs& programs) {
   const auto compare = [&] {
     bool some = false;
@@ -131,7 +131,7 @@ bool is_of_floats(Answer way, const Programs& programs) {
   return in_a_process(compare) == 1;
 }
 
-// How many exchanges there are before the first that is wrong.
+// The number of exchanges before the first that is wrong.
 std::size_t count_right(Answer right, std::span<const Exchange> exchanges) {
   const double count = in_a_process([&] {
     double before = 0;
@@ -144,7 +144,7 @@ std::size_t count_right(Answer right, std::span<const Exchange> exchanges) {
   return std::isfinite(count) ? static_cast<std::size_t>(count) : exchanges.size();
 }
 
-// What those say that are as near as any, but for rounding; each sentence once.
+// The sentences of the ways that are as near as any, but for rounding; each once.
 std::vector<std::string> nearest_of(const std::vector<std::pair<double, const char*>>& ways) {
   constexpr double rounding = 1e-13;
   std::vector<std::string> says;
@@ -175,7 +175,7 @@ std::vector<std::string> Known::recognised(const std::string& exercise, const Pr
   const auto& [right, wrong] = found->second;
   const double off = apart_alone({right}, programs, INFINITY)[0];
   if (off == 0) return {};
-  // What is as near to the right answers as to those of a wrong way is not recognised.
+  // Answers as near to the right ones as to those of a wrong way are not recognised.
   const double near = std::min(rounding_aside, off / 10);
   std::vector<Answer> ways;
   for (const Known::Way& way : wrong) ways.push_back(way.answer);

@@ -19,7 +19,7 @@ struct Exchange {
   std::vector<double> answer;
 };
 
-/// What each program was asked in which the student's code ran, in its order.
+/// The exchanges of each program in which the student's code ran, in their order.
 using Programs = std::vector<std::vector<Exchange>>;
 
 /// An exercise's solution and its wrong ways, each beside its harness.h; known.mjs writes it.
@@ -41,7 +41,7 @@ class Known {
   /// The first exchange that is wrong; null if there is none, or if others must come before it.
   static const Exchange* first_wrong(const std::string& exercise, const Programs& programs);
 
-  /// Whether this is the right answer, to ten digits, if it is all that is asked.
+  /// Returns whether this is the right answer, to ten digits, if it is all that is asked.
   static bool is_right(const std::string& exercise, const Exchange& exchange);
 };
 

@@ -12,7 +12,7 @@
 namespace judge {
 namespace {
 
-// What a sentence calls a method, if that is not its name.
+// The words that a sentence has for a method, if these are not its name.
 std::string called(std::string_view name) {
   static constexpr std::pair<std::string_view, const char*> phrases[] = {
       {"Euler", "Euler's method"},
@@ -72,7 +72,6 @@ const Method symplectic_euler_position_first = of_the_book<measure::SymplecticEu
 const Method midpoint = of_the_book<measure::Midpoint>();
 const Method heun = of_the_book<measure::Heun>();
 const Method rk4 = of_the_book<measure::Rk4>();
-const Method constant_acceleration = of_the_book<measure::ConstantAcceleration>();
 const Method velocity_verlet = of_the_book<measure::VelocityVerlet>();
 const Method yoshida4 = of_the_book<measure::Yoshida4>();
 const Method position_verlet{"position Verlet", begin_position_verlet};

@@ -24,7 +24,7 @@ struct Method {
 Method method(std::string name, Step step);
 
 extern const Method euler, symplectic_euler, symplectic_euler_position_first, midpoint, heun, rk4,
-    velocity_verlet, constant_acceleration, position_verlet, yoshida4;
+    velocity_verlet, position_verlet, yoshida4;
 
 /// All of them, to recognise a student's by.
 const std::vector<Method>& methods();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Where something went, and where it was asked what pushes it.
+/// A path of states, and the positions at which the force was evaluated.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -19,7 +19,7 @@ struct Start {
   double t = 0;  ///< [s]
 };
 
-/// A place at which a method asked for the acceleration.
+/// A position at which a method asked for the acceleration.
 struct Evaluation {
   Vec x, v;
   double t = 0;
@@ -42,7 +42,7 @@ constexpr double larger(double a, double b) {
   return a > b || a != a ? a : b;
 }
 
-/// The larger of the two distances, place and velocity, each in its own unit; NaN if one of them
+/// The larger of the two distances, position and velocity, each in its own unit; NaN if one of them
 /// is.
 double distance(const State& a, const State& b);
 

@@ -10,7 +10,7 @@
 namespace judge {
 namespace {
 
-// How much smaller than the largest the smallest is that comes, if nothing else is said: mostly,
+// The smallest number that comes, as a share of the largest, if nothing else is said: mostly,
 // and now and then.
 constexpr double sizes = 0x1p-30, all_sizes = 0x1p-44;
 
@@ -44,6 +44,15 @@ double Random::octaves(double low, double high) {
 
 int Random::whole(int low, int high) {
   return low + static_cast<int>(numbers_() % static_cast<std::uint64_t>(high - low + 1));
+}
+
+double Random::sign() {
+  return 2 * whole(0, 1) - 1;
+}
+
+double Random::nearly_one(double least, double most) {
+  const double side = sign();
+  return 1 + side * octaves(least, most);
 }
 
 Vec Random::vector(double low, double high) {
@@ -80,16 +89,17 @@ Vec Random::vector_anywhere(const harness::Bounds& bounds) {
   const double size = anywhere(bounds);
   Vec drawn = vector(-1, 1);
   if (whole(0, 3) == 0) {
-    const int axis = whole(0, 2), side = 2 * whole(0, 1) - 1;
+    const int axis = whole(0, 2);
+    const double side = sign();
     drawn = side * Vec{axis == 0 ? 1.0 : 0, axis == 1 ? 1.0 : 0, axis == 2 ? 1.0 : 0};
   }
   return size / length(drawn) * drawn;
 }
 
 Start Random::start() {
-  const Vec sign{whole(0, 1) * 2.0 - 1, whole(0, 1) * 2.0 - 1, whole(0, 1) * 2.0 - 1};
+  const Vec side{sign(), sign(), sign()};
   const Vec x = vector(0.4, 1.2), v = vector(0.4, 1.2);
-  return {{sign.x * x.x, sign.y * x.y, sign.z * x.z}, {v.x, -v.y, v.z}, between(0.1, 0.9)};
+  return {{side.x * x.x, side.y * x.y, side.z * x.z}, {v.x, -v.y, v.z}, between(0.1, 0.9)};
 }
 
 harness::Force Random::wild() {

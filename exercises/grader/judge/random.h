@@ -22,16 +22,21 @@ class Random {
   double between(const harness::Bounds& bounds);  ///< from the smallest to the largest
   double octaves(double low, double high);        ///< as often between 1 and 2 as between 2 and 4
   int whole(int low, int high);                   ///< both may be drawn
+  double sign();                                  ///< 1 or -1
+
+  /// A factor that is off 1 by so much at least and at most, to either side, with all sizes alike.
+  double nearly_one(double least, double most);
+
   Vec vector(double low, double high);
 
-  /// What is to be asked of an argument: its bounds, what is special, and so many drawn between.
+  /// All values to be asked of an argument: its bounds, what is special, and so many drawn between.
   std::vector<double> all_of(const harness::Bounds& bounds, int drawn);
 
   /// One of those that are asked by name, or any between, or any with all sizes alike: a few
   /// hundred cross every threshold that a program may have set.
   double anywhere(const harness::Bounds& bounds);
 
-  /// So long, to any side; one in four along an axis.
+  /// A vector of such a length, to any side; one in four along an axis.
   Vec vector_anywhere(const harness::Bounds& length);
 
   /// About 1 in size, and not along an axis.
@@ -41,7 +46,7 @@ class Random {
   /// 1 per second.
   harness::Force wild();
 
-  /// That one, or one in four times gravity alone, or nothing at all.
+  /// A wild force, or one in four times gravity alone, or nothing at all.
   harness::Force any_force();
 
  private:

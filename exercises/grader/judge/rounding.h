@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// How far apart two right answers may be that differ only in the order of their sums.
+/// The distance of two right answers that differ only in the order of their sums.
 #pragma once
 #include <limits>
 #include <string>

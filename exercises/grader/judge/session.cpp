@@ -89,7 +89,7 @@ std::string escaped(const std::string& name) {
   return text;
 }
 
-// Whether what was wrong is right in a program that has just begun.
+// Returns whether what was wrong is right in a program that has just begun.
 bool is_remembered() {
   const Exchange* wrong = Known::first_wrong(session().exercise, session().programs);
   if (!wrong || !wrong->evaluations.empty()) return false;
@@ -99,7 +99,8 @@ bool is_remembered() {
   return Known::is_right(session().exercise, alone);
 }
 
-// What a known wrong way says comes first, and what the judge says besides, but for the same again.
+// The diagnoses: a known wrong way's first, then what the judge says besides, but for the same
+// again.
 std::vector<std::string> with_known(const std::vector<std::string>& others) {
   std::vector<std::string> all = Known::recognised(session().exercise, session().programs);
   if (all.empty() && is_remembered())

@@ -56,8 +56,8 @@ std::vector<grade::TestResult> tests_of(const std::string& exercise);
 /// Thrown out of a test when the student's code does not go on.
 struct Stopped {};
 
-/// What is off by so much and may be off by the tolerance. What was asked, what is right and what
-/// came are still to be said.
+/// A finding that is off by so much and may be off by the tolerance. What was asked, what is right
+/// and what came are still to be said.
 /// @param unit  of both, such as " m"
 grade::Finding off_by(double off, const Tolerance& tolerance, const std::string& unit = "");
 

@@ -6,32 +6,20 @@
 
 #include "harness/call.h"
 #include "judge/ending.h"
+#include "judge/numbers.h"
 #include "judge/session.h"
 
 namespace judge {
 namespace {
 
-void append(std::vector<double>& numbers, const Vec& vector) {
-  numbers.insert(numbers.end(), {vector.x, vector.y, vector.z});
-}
-
 std::vector<double> request(const harness::Force& force, const Start& start, double h, int steps,
                             int every) {
-  std::vector<double> numbers{static_cast<double>(force.kind)};
-  numbers.insert(numbers.end(), force.a.begin(), force.a.end());
-  append(numbers, start.x);
-  append(numbers, start.v);
-  numbers.insert(numbers.end(),
-                 {start.t, h, static_cast<double>(steps), static_cast<double>(every)});
-  return numbers;
+  return as_numbers(force, start.x, start.v, start.t, h, steps, every);
 }
 
 Path as_path(const Start& start, double h, int every, const std::vector<double>& numbers) {
-  Path path{start.t, h, every, {{start.x, start.v}}, {}};
-  for (std::size_t n = 0; n + 6 <= numbers.size(); n += 6) {
-    path.states.push_back({{numbers[n], numbers[n + 1], numbers[n + 2]},
-                           {numbers[n + 3], numbers[n + 4], numbers[n + 5]}});
-  }
+  Path path{start.t, h, every, as_states(numbers), {}};
+  path.states.insert(path.states.begin(), State{start.x, start.v});
   return path;
 }
 
@@ -84,15 +72,14 @@ std::vector<double> Student::call(int function, const std::vector<double>& argum
                                   std::size_t wanted) {
   if (session().stopped()) throw Stopped();
   evaluations_.clear();
-  std::vector<double> request{static_cast<double>(function), static_cast<double>(arguments.size())};
-  request.insert(request.end(), arguments.begin(), arguments.end());
+  const std::vector<double> request = as_numbers(function, arguments.size(), arguments);
   if (!process_->send(std::as_bytes(std::span(request)))) stop();
   for (;;) {
     const std::vector<double> head = receive(2);
     if (head[0] == harness::result && head[1] == static_cast<double>(wanted)) break;
     if (head[0] != harness::question || head[1] != 7 || !acceleration_) {
       process_.reset();
-      head[0] == harness::result ? note_other_count(head[1], wanted) : note_nonsense();
+      head[0] == harness::result ? note_other_count(head[1], wanted) : note_protocol_error();
       throw Stopped();
     }
     answer_question();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What can be asked of a student's code. Each of these ends the test with a finding that teaches
+/// Questions to a student's code. Each of these ends the test with a finding that teaches
 /// if the answer is wrong.
 #pragma once
 #include <functional>
@@ -52,12 +52,6 @@ void is_stable_until(Student& student, double zeta, double limit, const std::str
 /// @param per_turn  steps of each turn
 void has_energy_of(Student& student, const Method& method, double eccentricity, int turns,
                    int per_turn, const std::string& hint, int function = 0);
-
-/// Over many turns of an orbit the energy sways and does not drift: in the last tenth no further
-/// than 1.2 times as far as in the first, and never further than `sway` of itself. Any method may
-/// do it.
-void keeps_energy(Student& student, double eccentricity, int turns, int per_turn, double sway,
-                  const std::string& hint, int function = 0);
 
 /// There and, in another program, back again, with -h: the start, to rounding.
 void runs_backwards(Student& student, const std::string& hint, int function = 0);

@@ -12,7 +12,8 @@ namespace {
 
 /// Free room between the outermost points and the edge, in widths and heights.
 constexpr double room = 0.04;
-/// How far around the others the student's curve is followed, in their widths and heights.
+/// The distance to which the student's curve is followed around the others, in their widths and
+/// heights.
 constexpr double surroundings = 1;
 
 void add(Curve& curve, const Curve& from, std::size_t i) {

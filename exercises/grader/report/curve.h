@@ -23,12 +23,13 @@ struct Box {
   double left, right, bottom, top;
 };
 
-/// What a picture has to show: all of the curves; but where the student's, the first, goes far away
-/// from the others, only these and their surroundings. Nothing if there is not a single point.
+/// The part of the plane that a picture shows: all of the curves; but where the student's, the
+/// first, goes far away from the others, only these and their surroundings. Nothing if there is not
+/// a single point.
 /// @param curves  of finite points
 std::optional<Box> view(const std::vector<Curve>& curves);
 
-/// Whether part of the curve lies outside.
+/// Returns whether part of the curve lies outside.
 bool leaves(const Curve& curve, const Box& box);
 
 }  // namespace grade

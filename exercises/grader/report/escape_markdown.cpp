@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "printable.h"
 #include "replace_all.h"
 #include "report/escape.h"
 
@@ -18,7 +19,7 @@ std::string escaped(char c) {
   return c == '&' ? "&amp;" : std::string(1, c);
 }
 
-/// What a line starts with may make it a list, a heading or a rule.
+/// Escapes the start of a line that would make it a list, a heading or a rule.
 void disarm_start(std::string& line) {
   const std::size_t digits = line.find_first_not_of("0123456789");
   if (digits == std::string::npos) return;

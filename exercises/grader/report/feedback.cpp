@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include "report/feedback.h"
 
+#include "printable.h"
 #include "report/escape.h"
 #include "report/plot.h"
 #include "report/words.h"

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "cage/process.h"
-#include "report/escape.h"
+#include "printable.h"
 #include "untrusted_files.h"
 
 namespace grade {

@@ -15,7 +15,7 @@ namespace grade {
 /// @throws std::system_error  one line that says what could not be written, and why
 void write_whole(const std::filesystem::path& file, std::string_view text);
 
-/// Where the grader keeps a file or a folder of its own stands something else. One line says where.
+/// Something else stands in the place of a file or a folder of the grader's. One line says where.
 struct NotOwn : std::runtime_error {
   explicit NotOwn(const std::filesystem::path& what);
 };
@@ -28,10 +28,10 @@ inline constexpr std::size_t longest_own = 64 << 20;
 std::optional<std::string> read_whole(const std::filesystem::path& file,
                                       std::size_t most = longest_own);
 
-/// Whether something other than a file stands there, a link too.
+/// Returns whether something other than a file stands there, a link too.
 bool no_file(const std::filesystem::path& path);
 
-/// Whether something other than a folder stands there, a link too.
+/// Returns whether something other than a folder stands there, a link too.
 bool no_folder(const std::filesystem::path& path);
 
 }  // namespace grade

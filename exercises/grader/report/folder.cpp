@@ -31,14 +31,14 @@ void write_rest(const Report& report, const std::filesystem::path& folder,
 
 }  // namespace
 
-std::string never_made(const std::filesystem::path& folder) {
+std::string irregular_file(const std::filesystem::path& folder) {
   for (const char* name : files)
     if (no_file(folder / name)) return name;
   return no_folder(folder / plots) ? plots : "";
 }
 
-std::string in_the_way(const std::filesystem::path& folder) {
-  if (const std::string other = never_made(folder); !other.empty()) return other;
+std::string foreign_file(const std::filesystem::path& folder) {
+  if (const std::string other = irregular_file(folder); !other.empty()) return other;
   if (const auto text = read_whole(folder / "report.json"); text && report_from(*text)) return "";
   for (const char* name : files)
     if (std::filesystem::exists(folder / name)) return name;

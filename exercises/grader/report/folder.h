@@ -19,13 +19,13 @@ enum class Emit { gradescope, junit };
 /// @throws std::system_error  one line that says what could not be written, and why
 void emit(const Report& report, const std::filesystem::path& folder, const std::set<Emit>& emits);
 
-/// The name of what stands there in place of a file or a folder of the grader's and is neither,
-/// such as a link or a pipe; empty if nothing does.
-std::string never_made(const std::filesystem::path& folder);
+/// The name of a link, a pipe or the like that stands there in place of a file or a folder of the
+/// grader's; empty if none does.
+std::string irregular_file(const std::filesystem::path& folder);
 
 /// The name of a file there that would be lost, if this is not a folder of the grader's own; empty
 /// if nothing would be.
-std::string in_the_way(const std::filesystem::path& folder);
+std::string foreign_file(const std::filesystem::path& folder);
 
 /// Says that a grading is under way: until keep() replaces it, the folder tells of a grader that
 /// was stopped before it came to a verdict. Makes the folder.

@@ -6,8 +6,8 @@
 
 namespace grade {
 
-/// What gnuplot prints for this script, with its own defaults and none of the user's; nothing if
-/// there is no gnuplot, or it fails.
+/// Returns what gnuplot prints for this script, with its own defaults and none of the user's;
+/// nothing if there is no gnuplot, or it fails.
 std::optional<std::string> gnuplot(std::string_view script);
 
 }  // namespace grade

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "report/escape.h"
+#include "printable.h"
 #include "report/words.h"
 
 namespace grade {
@@ -44,7 +44,7 @@ std::string summary(const Report& report) {
 
 }  // namespace
 
-// What was asked and with which seed would help others, so that nothing shows before the marks do.
+// Nothing shows before the marks do: what was asked, and with which seed, would help others.
 std::string gradescope(const Report& report) {
   Json all{{"score", report.score},
            {"execution_time", std::isfinite(report.seconds) ? report.seconds : 0},

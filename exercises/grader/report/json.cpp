@@ -36,7 +36,7 @@ struct Write {
   void operator()(const char* name, const auto& value) const { all[name] = value; }
   void operator()(const char* name, Verdict value) const { all[name] = grade::name(value); }
   void operator()(const char* name, cage::Sandbox value) const { all[name] = grade::name(value); }
-  /// As text, since a program may read a number of JSON with fewer digits.
+  /// A number as text, since a program may read a number of JSON with fewer digits.
   void operator()(const char* name, std::uint64_t value) const {
     all[name] = std::to_string(value);
   }

@@ -10,7 +10,7 @@
 
 namespace grade {
 
-/// Which schema it is.
+/// The name of its schema.
 inline constexpr const char* report_schema = "one-step-at-a-time/report/v1";
 
 /// The report as JSON in ASCII. All of it but the block `volatile` is the same for the same

@@ -16,10 +16,10 @@ namespace grade {
 /// nothing if no curve has a point, or gnuplot cannot draw it.
 std::optional<std::string> svg(const Plot& plot);
 
-/// Whether any curve has a point.
+/// Returns whether any curve has a point.
 bool can_be_drawn(const Plot& plot);
 
-/// Why there is no picture where there was one to be drawn, in a few words.
+/// The reason why there is no picture where there was one to be drawn, in a few words.
 std::string_view why_no_picture(const Plot& plot);
 
 /// The pictures in `folder`/plots that have the names of the grader's.

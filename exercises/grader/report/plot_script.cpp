@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "report/escape.h"
+#include "printable.h"
 
 namespace grade {
 namespace {
@@ -30,7 +30,7 @@ constexpr std::array styles{"lc rgb '#c8420a' lw 2.2 pt 7 ps 0.5",
                             "lc rgb '#0b63b0' lw 1.6 dt (2,3) pt 4 ps 0.6",
                             "lc rgb '#00784f' lw 1.6 dt (12,4,2,4) pt 8 ps 0.7"};
 
-/// What gnuplot would take for more than a letter, it is given as a number.
+/// A text for gnuplot: what it would take for more than a letter is given as a number.
 std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : printable_name(text)) {
@@ -56,7 +56,7 @@ std::string for_gnuplot(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-/// Of curves that are drawn in powers of ten, too, gnuplot is told the numbers themselves.
+/// The labels of axes in powers of ten, which are the numbers themselves.
 std::string for_gnuplot(double value, const Plot& plot) {
   return for_gnuplot(plot.logarithmic ? std::pow(10, value) : value);
 }
@@ -67,8 +67,8 @@ std::string range(const char* axis, double low, double high, const Plot& plot) {
          for_gnuplot(high, plot) + "]\n";
 }
 
-/// What lies far outside is as good as at a thousand times the view's width, where gnuplot's own
-/// arithmetic still holds.
+/// Points within reach: one that lies far outside is as good as at a thousand times the view's
+/// width, where gnuplot's own arithmetic still holds.
 double clamped(double value, double low, double high) {
   constexpr double far = 1000;
   const double width = std::max(high - low, std::abs(high) + std::abs(low));

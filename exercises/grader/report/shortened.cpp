@@ -20,7 +20,8 @@ std::ptrdiff_t significant_digits(const std::string& text) {
                                                 mantissa.end(), [](char c) { return c != '.'; });
 }
 
-// What has more digits does not look round, such as a little more than one, or less than a half.
+// A number with more digits does not look round, such as a little more than one, or less than a
+// half.
 std::string in_short(double value, int digits) {
   constexpr int all = 17;
   const auto looks_round = [&](const std::string& text) {
@@ -55,7 +56,7 @@ std::vector<std::string> numbers_in(const std::string& text, int digits) {
   return all;
 }
 
-/// Whether all numbers of the one text are among those of the other.
+/// Returns whether all numbers of the one text are among those of the other.
 bool alike(const std::string& expected, const std::string& got, int digits) {
   const auto came = numbers_in(got, digits);
   return std::ranges::all_of(numbers_in(expected, digits), [&](const std::string& wanted) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "printable.h"
-#include "report/escape.h"
 #include "report/plot.h"
 #include "report/shortened.h"
 #include "report/words.h"
@@ -115,7 +114,7 @@ std::string section(const TestResult& test, const Paint& paint) {
   return text;
 }
 
-/// What a failed test comes to, in a line.
+/// The outcome of a failed test, in a line.
 std::string in_short(const TestResult& test) {
   for (const Finding& finding : test.findings) {
     if (finding.held) continue;
@@ -155,7 +154,7 @@ std::string ignored(const Report& report) {
 std::string terminal(const Report& report, bool colour, bool all, const Place& place) {
   const Paint paint(colour);
   const bool full = report.verdict == Verdict::accepted;
-  // What the checker of memory says of a crash is more exact than what its signal tells.
+  // The checker of memory says of a crash what is more exact than what its signal tells.
   const bool stopped = report.verdict == Verdict::runtime_error && !report.memory.empty();
   std::string text = printable(report.exercise) + ": " +
                      (full ? paint.good(headline(report)) : paint.bad(headline(report))) + "\n" +

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "printable.h"
 #include "replace_all.h"
-#include "report/escape.h"
 #include "report/shortened.h"
 
 namespace grade {
@@ -25,7 +25,7 @@ bool is_plain(const std::string& file) {
   return std::all_of(file.begin(), file.end(), plain);
 }
 
-/// Whether the tests had begun, and came to no end.
+/// Returns whether the tests had begun, and came to no end.
 bool has_ended(Verdict verdict) {
   constexpr Verdict before[] = {Verdict::compile_error, Verdict::compile_limit, Verdict::link_error,
                                 Verdict::rejected, Verdict::grader_error};
@@ -39,13 +39,13 @@ std::string word(const std::string& file) {
   return is_plain(path) ? path : "'" + replace_all(path, "'", "'\\''") + "'";
 }
 
-/// Where it is said to be, if a shell can be told so.
+/// The place as it was called, if a shell can be told so.
 Place sayable(const Place& place) {
   const Place unseen{.file = place.file};
   return word(place.grade).empty() || word(place.exercises).empty() ? unseen : place;
 }
 
-/// How to begin with the exercise behind this one in the book.
+/// The commands to begin the exercise behind this one in the book.
 std::vector<std::string> commands_for_next(const std::string& exercise, const Place& place) {
   const std::string grade = word(place.grade);
   const std::vector<Exercise> all = exercises();

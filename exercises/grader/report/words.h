@@ -10,10 +10,10 @@
 
 namespace grade {
 
-/// What a verdict means, in one sentence to the student.
+/// The meaning of a verdict, in one sentence to the student.
 std::string_view sentence(Verdict verdict);
 
-/// Whether there is a grade: not if the grader failed.
+/// Returns whether there is a grade: not if the grader failed.
 bool is_graded(const Report& report);
 
 /// `PARTIAL, 4 of 10 points`, or that there is no grade
@@ -26,7 +26,7 @@ std::string_view outcome(const Report& report, const TestResult& test);
 /// Points earned in this test.
 int earned(const TestResult& test);
 
-/// Whether an error is a number with what it counts, and no sentence.
+/// Returns whether an error is a number with what it counts, and no sentence.
 bool is_size(const std::string& error);
 
 /// One thing that was found, with its label; labels are at most nine letters long.
@@ -35,22 +35,22 @@ struct Line {
 };
 std::vector<Line> lines(const Finding& finding);
 
-/// Whether its picture can be drawn.
+/// Returns whether its picture can be drawn.
 bool has_plot(const Finding& finding);
 
-/// Where the grader, the exercises and the submission are, as a shell finds them.
+/// The places of the grader, the exercises and the submission, as a shell finds them.
 struct Place {
   std::string grade = "build/exercises/grade", exercises = "exercises";
   std::string file = {};  ///< empty: a header with the exercise's own name
 };
 
-/// What to run next, as commands for a shell. None of them overwrites a file.
+/// The commands to run next, for a shell. None of them overwrites a file.
 /// @param seen  from where the student called the grader, unless that is the folder in which the
 ///              exercises were unpacked. A name with letters that nobody could see is replaced by
 ///              the one that it has there.
 std::vector<std::string> next_commands(const Report& report, const Place& seen = {});
 
-/// With which seed, grader and sandbox it was graded, as a sentence.
+/// The sentence that says with which seed, grader and sandbox it was graded.
 std::string provenance(const Report& report);
 
 /// `bubblewrap` or `none`

@@ -23,7 +23,7 @@ Ended end_of(const std::string& script, double seconds = 10) {
 }
 
 std::vector<std::string> leashed(const std::string& script, const cage::Limits& limits) {
-  std::vector<std::string> command = cage::leash(cage::Sandbox::none, limits, 64);
+  std::vector<std::string> command = cage::limits_prefix(cage::Sandbox::none, limits, 64);
   for (const std::string& word : shell(script)) command.push_back(word);
   return command;
 }
@@ -87,7 +87,7 @@ TEST_CASE("A program that computes is ended at its processor time, even if it ig
 
 TEST_CASE("A program that prints without end is killed, and its first and last words are kept") {
   const Ended ended = end_of("yes; yes >&2");
-  CHECK(ended.how == How::chatter_limit);
+  CHECK(ended.how == How::output_limit);
   CHECK(ended.out.size() == 2 * 16384 + 7);
 }
 
@@ -99,10 +99,10 @@ TEST_CASE("Of a long text its start and its end are kept") {
 }
 
 TEST_CASE("A program that answers without end is killed, whether asked or not") {
-  CHECK(end_of("yes >&3").how == How::chatter_limit);
+  CHECK(end_of("yes >&3").how == How::output_limit);
   Process process(shell("yes >&3"), {}, within(10));
   CHECK(process.receive_all(1000).size() == 1000);
-  CHECK(process.finish().how == How::chatter_limit);
+  CHECK(process.finish().how == How::output_limit);
 }
 
 TEST_CASE("A program that answers instead of reading meets the deadline, and not our memory") {

@@ -74,7 +74,7 @@ test('graded again, only what changed is graded', () => {
   assert.equal(room.grade(['--seed', '7'], { STAND_IN_VERSION: 'two' }).graded.length, 4);
 });
 
-test('what was not there is graded as soon as it is', () => {
+test('a submission that was not there is graded as soon as it is', () => {
   for (const more of [[], ['--assigned', 'assigned']]) {
     const room = classroom(three);
     writeFileSync(room.path('assigned'), '2-second/three');
@@ -85,7 +85,7 @@ test('what was not there is graded as soon as it is', () => {
   }
 });
 
-test('what has more than one name, as in a backup of hard links, is graded, and it is said once', () => {
+test('a file of more than one name, as in a backup of hard links, is graded, and that is said once', () => {
   const room = classroom(three);
   linkSync(room.path('submissions/bob/1-first/one.h'), room.path('backup'));
   const { status, stdout } = room.grade();
@@ -310,7 +310,7 @@ test('whoever hands in much that is slow waits alone', () => {
   assert.deepEqual(rows(room.read('grades.csv')).slice(1), ['ada,10,10,10,30,30', 'bob,4,,,4,10', 'cy,4,,,4,10']);
 });
 
-test('one job takes them in the order of their names', () => {
+test('one job takes submissions in the order of their names', () => {
   const room = classroom(slowest);
   const words = ['--class', room.submissions, '--out', room.results, '--jobs', '1'];
   assert.equal(spawnSync(GRADE, words, { env: room.environment({ STAND_IN_SECONDS: '0' }) }).status, 0);

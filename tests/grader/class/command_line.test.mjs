@@ -103,7 +103,7 @@ test('exit codes say whether it was graded, or by --exit-status verdict how', ()
   assert.equal(code('again.h', '--exit-status', 'verdict'), 75);
 });
 
-test('without --out it only prints; with it, it writes as well', () => {
+test('without --out the grader only prints; with it, it writes as well', () => {
   const before = readdirSync(folder);
   assert.match(run('1-first/one', 'some.h').stdout, /^1-first\/one: PARTIAL, 4 of 10 points$/m);
   assert.deepEqual(readdirSync(folder), before);
@@ -257,7 +257,7 @@ test('colours come on terminals only', () => {
   assert.ok(!run('1-first/one', 'some.h').stdout.includes('\x1b'));
 });
 
-test('it lists exercises, says its version and helps', () => {
+test('the grader lists exercises, says its version and helps', () => {
   assert.equal(run('--list').stdout, '1-first/one\n1-first/two\n2-second/three\n');
   assert.match(run('--version').stdout, /^1-first\/one +one$/m);
   const { status, stdout } = run('--help');

@@ -44,7 +44,7 @@ for (const [width, colours] of [
   [390, 'light'],
   [390, 'dark'],
 ]) {
-  test(`${width} pixels, ${colours}: nothing amiss, nothing loaded, no scrolling sideways`, async () => {
+  test(`the summary page at ${width} pixels, ${colours}: nothing amiss, nothing loaded, no scrolling sideways`, async () => {
     const tab = await open(width, colours);
     await tab.evaluate(axe);
     const { violations } = await tab.evaluate(() => axe.run(document, { preload: false }));
@@ -57,7 +57,7 @@ for (const [width, colours] of [
   });
 }
 
-test('its HTML is valid', async () => {
+test('the HTML of the summary page is valid', async () => {
   const report = await new HtmlValidate({ extends: ['html-validate:recommended'], root: true }).validateFile(page);
   assert.deepEqual(
     report.results.flatMap(result => result.messages).map(m => `${m.line}: ${m.message}`),
@@ -65,14 +65,14 @@ test('its HTML is valid', async () => {
   );
 });
 
-test('its links lead to the feedback, whatever a student is called', async () => {
+test('the links of the summary page lead to the feedback, whatever a student is called', async () => {
   const tab = await open(1280, 'light');
   const links = await tab.$$eval('a', all => all.map(a => a.href));
   assert.equal(links.length, 5 * 3);
   for (const link of links) assert.ok(existsSync(fileURLToPath(link)), link);
 });
 
-test('it counts what the reports say', async () => {
+test('the summary page counts what the reports say', async () => {
   const tab = await open(1280, 'light');
   const first = await tab.$eval('section', section => section.innerText.replace(/\s+/g, ' '));
   assert.match(first, /^1-first\/one /);

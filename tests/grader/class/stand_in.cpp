@@ -126,9 +126,9 @@ std::optional<Obstacle> calibrate(Request& request) {
 void check_memory(const Request&, Report&) {}
 
 Report grade_submission(const Request& request, const SoFar& so_far) {
-  Report report = begun(request);
+  Report report = blank_report(request);
   const Submission taken =
-      take_in(request.submission, request.exercise.chapter(), request.exercise.header());
+      read_submission(request.submission, request.exercise.chapter(), request.exercise.header());
   report.unreadable = taken.unreadable;
   std::ofstream(setting("STAND_IN_LOG", "/dev/null"), std::ios::app)
       << request.submission.filename().string() << " " << request.exercise.name << "\n";

@@ -10,7 +10,7 @@
 
 int main(int count, char** arguments) {
   if (count < 2) return 2;
-  cage::adopt_orphans();
+  cage::become_subreaper();
   const pid_t program = ::fork();
   if (program == 0) {
     ::execvp(arguments[1], arguments + 1);
@@ -20,6 +20,6 @@ int main(int count, char** arguments) {
   int status = 0;
   ::waitpid(program, &status, 0);
   const bool left = !cage::children().empty();
-  while (!cage::children().empty()) cage::take_down(cage::children().front(), {});
+  while (!cage::children().empty()) cage::kill_and_reap(cage::children().front(), {});
   return left ? 99 : WIFEXITED(status) ? WEXITSTATUS(status) : 98;
 }

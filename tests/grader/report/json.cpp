@@ -34,7 +34,7 @@ TEST_CASE("only the times of a report change") {
   CHECK(constant(to_json(slow)).size() > to_json(slow).size() - 120);
 }
 
-TEST_CASE("a time that is not a number is null in JSON") {
+TEST_CASE("a time that is NaN is null in JSON") {
   Report report = sample();
   report.seconds = std::nan("");
   report.run_seconds = INFINITY;
@@ -53,7 +53,7 @@ TEST_CASE("JSON is ASCII without a command, whatever a student wrote") {
   CHECK(report_from(json)->why.find("##[error]forged") != std::string::npos);
 }
 
-TEST_CASE("what is not a whole report is none") {
+TEST_CASE("what is not a whole report cannot be read") {
   const std::string json = to_json(sample());
   for (std::size_t size = 0; size + 2 < json.size(); size += 7) {
     CHECK_FALSE(report_from(json.substr(0, size)));
@@ -62,7 +62,7 @@ TEST_CASE("what is not a whole report is none") {
     CHECK_FALSE(report_from(text));
 }
 
-TEST_CASE("a report that lacks a member is none") {
+TEST_CASE("a report that lacks a member cannot be read") {
   const std::string json = to_json(sample());
   const std::regex member("\n( *)\"(\\w+)\": ");
   int lacking = 0;

@@ -94,19 +94,19 @@ TEST_CASE("a report takes the place of the one before, and so do its plots") {
 
 TEST_CASE("a file that is not the grader's own is in its way") {
   const Folder folder;
-  CHECK(in_the_way(folder.path / "none").empty());
+  CHECK(foreign_file(folder.path / "none").empty());
   std::filesystem::create_directory(folder.path / "plots");
   write_whole(folder.path / "plots/mine.svg", "not the grader's");
-  CHECK(in_the_way(folder.path).empty());
+  CHECK(foreign_file(folder.path).empty());
   for (const char* mine :
        {"report.json", "feedback.md", "results.json", "junit.xml", "plots/test-1.svg"}) {
     write_whole(folder.path / mine, "{}");
-    CHECK(in_the_way(folder.path) == mine);
+    CHECK(foreign_file(folder.path) == mine);
     std::filesystem::remove(folder.path / mine);
   }
   Report report = sample();
   keep(report, folder.path, both);
-  CHECK(in_the_way(folder.path).empty());
+  CHECK(foreign_file(folder.path).empty());
 }
 
 TEST_CASE("other formats are made of what report.json holds") {

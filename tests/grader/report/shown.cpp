@@ -81,7 +81,7 @@ TEST_CASE("a student's text does nothing in the feedback") {
   CHECK(has(text, "grade 2-euler/orbit-drift orbit-drift.h "));
 }
 
-TEST_CASE("neither does it in one line") {
+TEST_CASE("a student's text does nothing in a line of the feedback") {
   Report report = hostile_sample();
   std::string line = hostile;
   std::ranges::replace(line, '\n', ' ');

@@ -1,4 +1,4 @@
-// Fails: in a wind that changes it arrives at the time that was asked for
+// Fails: in a wind that changes a flight arrives at the time that was asked for
 // Says: Steps that are chosen are longer where less accuracy is wanted
 // Known: no, it ends where any other does that is as near
 // SPDX-License-Identifier: MIT-0

@@ -1,4 +1,4 @@
-// Fails: any chain ends there, short or long, with soft springs beside hard ones, at rest or not
+// Fails: any chain ends where its slope leads back, short or long, soft or stiff, at rest or not
 // Says: the matrix is kept from the last step, and another chain gets it, too
 // SPDX-License-Identifier: MIT-0
 #pragma once

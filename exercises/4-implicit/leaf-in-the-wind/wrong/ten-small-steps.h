@@ -1,4 +1,4 @@
-// Fails: at 30 frames a second, too
+// Fails: at 30 frames a second one question a frame keeps the leaves near their paths, too
 // Says: it asks 10 times in each frame
 // SPDX-License-Identifier: MIT-0
 #pragma once

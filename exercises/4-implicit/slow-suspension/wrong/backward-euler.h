@@ -1,4 +1,4 @@
-// Fails: without a damper its energy stays for a minute
+// Fails: without a damper the energy stays for a minute
 // Says: this is backward Euler
 // SPDX-License-Identifier: MIT-0
 #pragma once

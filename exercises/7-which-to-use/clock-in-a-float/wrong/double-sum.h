@@ -1,4 +1,4 @@
-// Fails: it strikes at each whole second, and never in between
+// Fails: the clock strikes at each whole second, and never in between
 // Says: a sum in doubles: a tick is rounded, and each addition rounds again, and the sum of so many ticks adds all of that up
 // SPDX-License-Identifier: MIT-0
 #pragma once

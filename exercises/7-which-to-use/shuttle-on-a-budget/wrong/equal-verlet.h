@@ -1,4 +1,4 @@
-// Fails: it lands twenty times nearer than RK4 in equal steps
+// Fails: the shuttle lands twenty times nearer than RK4 in equal steps
 // Says: this is velocity Verlet in 1199 equal steps
 // SPDX-License-Identifier: MIT-0
 #pragma once

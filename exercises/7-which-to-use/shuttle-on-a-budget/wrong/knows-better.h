@@ -1,4 +1,4 @@
-// Fails: it lands eighty times nearer than RK4 in equal steps
+// Fails: the shuttle lands eighty times nearer than RK4 in equal steps
 // Says: more than half of the evaluations were never spent
 // SPDX-License-Identifier: MIT-0
 #pragma once

@@ -1,4 +1,4 @@
-// Fails: it lands twenty times nearer than RK4 in equal steps
+// Fails: the shuttle lands twenty times nearer than RK4 in equal steps
 // Says: the last question is for 0.0191 s after the end: does the flight end at its very second?
 // SPDX-License-Identifier: MIT-0
 #pragma once

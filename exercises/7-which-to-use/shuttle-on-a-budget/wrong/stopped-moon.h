@@ -1,4 +1,4 @@
-// Fails: it lands twenty times nearer than RK4 in equal steps
+// Fails: the shuttle lands twenty times nearer than RK4 in equal steps
 // Says: no question is for the second half of the flight; the moons move, and t says when
 // SPDX-License-Identifier: MIT-0
 #pragma once

@@ -1,4 +1,4 @@
-// Fails: it lands eighty times nearer than RK4 in equal steps
+// Fails: the shuttle lands eighty times nearer than RK4 in equal steps
 // Says: no two questions are for one time, as in velocity Verlet, which asks once a step and has order two; an orbit this smooth rewards a higher order
 // SPDX-License-Identifier: MIT-0
 #pragma once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-#include "broken_rule.h"
+#include "failed_assertion.h"
 
 #include <string_view>
 #include <utility>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most = 200;  // The student's code may have printed it, and made it long.
 
-/// What stands between two marks; empty if one of them is missing.
+/// The text between two marks; empty if one of them is missing.
 std::string between(const std::string& text, std::string_view begin, std::string_view end) {
   const std::size_t mark = text.find(begin);
   if (mark == text.npos) return {};
@@ -29,7 +29,7 @@ std::string thrown(const std::string& printed) {
 
 }  // namespace
 
-std::string broken_rule(const std::string& printed) {
+std::string failed_assertion(const std::string& printed) {
   constexpr std::pair<std::string_view, const char*> known[] = {
       {"__hi < __lo", "gives std::clamp its bounds in the wrong order"},
       {"empty()", "takes an element of an empty container"},

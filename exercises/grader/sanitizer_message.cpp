@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT-0
-#include "told_by_checker.h"
+#include "sanitizer_message.h"
 
 #include <algorithm>
 #include <cctype>
 #include <regex>
 
-#include "broken_rule.h"
+#include "failed_assertion.h"
 #include "printable.h"
 
 namespace grade {
@@ -29,7 +29,8 @@ std::string kind_of(const std::string& printed) {
   return printed.substr(begin, end - begin);
 }
 
-// What the checker of undefined behaviour says, such as: index 2 out of bounds for type 'Vec [2]'.
+// The message of the checker of undefined behaviour, such as: index 2 out of bounds for type 'Vec
+// [2]'.
 std::string undefined(const std::string& printed) {
   const std::string mark = ": runtime error: ";
   const std::size_t at = printed.find(mark);
@@ -71,14 +72,14 @@ std::string what_happened(const std::string& kind, bool writes) {
 
 }  // namespace
 
-std::string told_by_checker(const std::string& printed, const std::string& header) {
+std::string sanitizer_message(const std::string& printed, const std::string& header) {
   if (const std::string error = undefined(printed); !error.empty())
     return "Your code does what C++ gives no meaning to" + line_of(printed, header) + ": " + error +
            ".";
   const std::string kind = kind_of(printed);
   if (kind.empty() || kind == "hard") return {};
   if (kind == "ABRT") {
-    const std::string rule = broken_rule(printed);
+    const std::string rule = failed_assertion(printed);
     return "Your code " + (rule.empty() ? "calls abort" : rule) + line_of(printed, header) + ".";
   }
   return "Your code " + what_happened(kind, contains(printed, "WRITE of size")) +

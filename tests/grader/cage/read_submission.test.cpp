@@ -18,7 +18,7 @@ const std::string text = "inline void step() {}\n";
 const std::string header = "orbit-drift.h";
 
 Submission take(const fs::path& path) {
-  return grade::take_in(path, "2-euler", header);
+  return grade::read_submission(path, "2-euler", header);
 }
 
 /// What is said of a file with this content.

@@ -4,7 +4,7 @@
 
 namespace grade {
 
-Report begun(const Request& request) {
+Report blank_report(const Request& request) {
   Report report;
   report.exercise = request.exercise.name;
   report.version = version(request.exercise);
