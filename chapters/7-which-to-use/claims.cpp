@@ -11,16 +11,16 @@
 #include <string>
 #include <vector>
 
-#include "asks.h"
-#include "entrants.h"
+#include "choose/contests.h"
+#include "choose/entrants.h"
 #include "float_floor.h"
 #include "level_by_choice.h"
 #include "map.h"
 #include "measure/many_starts.h"
 #include "measure/method_of.h"
 #include "measure/methods.h"
-#include "off.h"
 #include "particles.h"
+#include "position_error.h"
 #include "poster.h"
 #include "verdicts.h"
 #include "work_precision.h"
@@ -755,6 +755,7 @@ TEST_CASE(
 
 TEST_CASE("Euler's jump is eight centimetres off, and the exact step asks as often") {
   CHECK_THAT(errors(euler)["jump"], WithinAbs(8.2, 0.05));
+  CHECK(thrown_ball.v0 == height_of_jump.v0);  // the ball of `choose`
   CHECK(price(method::constant_acceleration, height_of_jump, frame) ==
         price(euler, height_of_jump, frame));
 }

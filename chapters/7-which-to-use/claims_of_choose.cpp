@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "asks.h"
-#include "contests.h"
-#include "entrants.h"
+#include "choose/contests.h"
+#include "choose/entrants.h"
+#include "level.h"
 
 using Catch::Matchers::WithinRel;
 using measure::Method;

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "asks.h"
-#include "entrants.h"
+#include "choose/entrants.h"
 #include "kerb.h"
 #include "measure/methods.h"
 #include "measure/stability.h"

@@ -9,10 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "entrants.h"
+#include "choose/entrants.h"
 #include "particles.h"
 #include "peers.h"
-#include "prices.h"
 #include "work_precision.h"
 
 using Catch::Matchers::WithinAbs;

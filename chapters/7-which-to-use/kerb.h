@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "asks.h"
-#include "entrants.h"
+#include "../cast.h"
+#include "choose/entrants.h"
 #include "integrate/dopri5.h"
 #include "measure/record.h"
 #include "measure/run.h"

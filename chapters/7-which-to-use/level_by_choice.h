@@ -8,10 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "contests.h"
-#include "entrants.h"
+#include "choose/contests.h"
+#include "choose/entrants.h"
+#include "level.h"
 #include "measure/record.h"
-#include "off.h"
+#include "position_error.h"
 
 inline constexpr double centimetre = 0.01;  ///< the largest error that the level may show [m]
 

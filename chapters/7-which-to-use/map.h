@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "entrants.h"
+#include "choose/entrants.h"
 #include "measure/record.h"
 #include "measure/stability.h"
 #include "scenes/spring.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "contest.h"
-#include "entrants.h"
+#include "choose/contest.h"
+#include "choose/entrants.h"
 #include "measure/record.h"
 #include "verdicts.h"
 

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "entrants.h"
+#include "choose/entrants.h"
 #include "float_floor.h"
 #include "kerb.h"
 #include "level.h"
 #include "level_by_choice.h"
 #include "map.h"
-#include "off.h"
 #include "particles.h"
 #include "peers.h"
+#include "position_error.h"
 #include "poster.h"
 #include "verdicts.h"
 #include "work_precision.h"

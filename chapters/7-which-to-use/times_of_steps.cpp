@@ -7,13 +7,12 @@
 #include <type_traits>
 
 #include "../times.h"
+#include "choose/entrants.h"
 #include "folded.h"
 #include "level.h"
-#include "loops.h"
 #include "measure/methods.h"
 #include "measure/time_of.h"
 #include "particles.h"
-#include "prices.h"
 
 namespace {
 
@@ -33,7 +32,7 @@ template <class Scene>
 auto special_methods(const Scene& scene) {
   using namespace measure;
   const std::tuple<LinearDampingImplicitLast, LinearDampingExact> dampers;
-  if constexpr (std::is_same_v<Scene, Ball>) {
+  if constexpr (std::is_same_v<Scene, scenes::Ball>) {
     return std::tuple<ConstantAcceleration>();
   } else if constexpr (std::is_same_v<Scene, scenes::Spring<>>) {
     return std::tuple_cat(std::tuple(SpringExact(), folded_once(scene), BackwardEulerSpring()),

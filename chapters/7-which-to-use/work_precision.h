@@ -6,13 +6,12 @@
 #include <cmath>
 #include <string>
 
-#include "entrants.h"
+#include "choose/entrants.h"
 #include "level.h"
 #include "measure/energy.h"
 #include "measure/record.h"
 #include "measure/times.h"
-#include "off.h"
-#include "prices.h"
+#include "position_error.h"
 
 inline constexpr int rates[] = {30, 60, 120, 240, 480, 960};  ///< steps a second
 inline constexpr double watched = 60;                         ///< how long energy is watched [s]

@@ -12,10 +12,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "7-which-to-use/bill.h"
 #include "7-which-to-use/folded.h"
 #include "7-which-to-use/level.h"
-#include "7-which-to-use/loops.h"
+#include "choose/cost.h"
 #include "live/figure.h"
 #include "live/implicit.h"
 #include "live/run.h"
@@ -50,12 +49,12 @@ template <class Scene, class Step>
 constexpr bool is_for(const Step&) {
   using namespace measure;
   if constexpr (std::is_same_v<Step, LinearDampingImplicitLast>) {
-    return !std::is_same_v<Scene, Ball> && requires(const Scene scene) { scene.damping(); };
+    return !std::is_same_v<Scene, scenes::Ball> && requires(const Scene scene) { scene.damping(); };
   } else if constexpr (std::is_same_v<Step, BackwardEulerSpring> ||
                        std::is_same_v<Step, SpringFolded>) {
     return requires(const Scene scene) { scene.omega, scene.zeta; };
   } else if constexpr (std::is_same_v<Step, ConstantAcceleration>) {
-    return std::is_same_v<Scene, Ball>;
+    return std::is_same_v<Scene, scenes::Ball>;
   } else {
     return true;
   }

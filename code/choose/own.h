@@ -17,7 +17,7 @@
 #include <system_error>
 #include <vector>
 
-#include "prices.h"
+#include "choose/cost.h"
 
 extern char** environ;
 
@@ -49,6 +49,7 @@ class OwnFolder {
 };
 
 /// Runs a program and waits for its end.
+/// @param command  the program and its arguments
 /// @param errors  file for what it writes on stderr; empty: it goes where ours goes
 /// @returns  its exit code, or -1
 inline int run(const std::vector<std::string>& command, const std::string& errors = "") {
@@ -79,8 +80,12 @@ inline std::string first_error(const std::string& file) {
   return "the compiler does not say why";
 }
 
-/// Compiles one of this chapter's programs for a scene.
-/// @param more  besides what all are compiled with
+/// Compiles a program of this folder for a scene.
+/// @param program  its source
+/// @param scene  the reader's header
+/// @param folder  for the compiler's messages
+/// @param more  flags besides those that all are compiled with
+/// @param out  the file that it becomes
 /// @throws std::invalid_argument  the scene doesn't compile; one line that says why
 inline void compile(const std::string& program, const std::string& scene, const OwnFolder& folder,
                     const std::vector<std::string>& more, const std::string& out) {

@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <vector>
 
+#include "choose/cost.h"
+#include "choose/own_scene.h"
 #include "measure/methods.h"
 #include "measure/time_of.h"
 #include "measure/times.h"
-#include "own_scene.h"
-#include "prices.h"
 
 int main() {
   const OwnScene scene;

@@ -6,7 +6,7 @@
 // choose, 2 after one line on stderr.
 #include SCENE
 
-#include "own_scene.h"
+#include "choose/own_scene.h"
 // The scene comes first, since these know it.
 #include <cstdio>
 #include <exception>
@@ -14,8 +14,8 @@
 #include <fstream>
 #include <string>
 
-#include "answer.h"
-#include "chart.h"
+#include "choose/answer.h"
+#include "choose/chart.h"
 
 int main(int argc, char** argv) {
   if (argc != 8) return 2;

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "contest.h"
+#include "choose/contest.h"
 
 /// How an answer is written.
 enum class Format { text, csv, json };

@@ -13,7 +13,7 @@
 #include <string>
 #include <system_error>
 
-#include "contest.h"
+#include "choose/contest.h"
 
 /// A program that reads from a pipe; ends with this.
 class Pipe {
@@ -75,6 +75,7 @@ inline std::string blocks_of(const Contest& found, const Bounds& bounds) {
 inline constexpr std::array named{"#0b63b0", "#c8420a", "#00784f", "#8436b0"};
 
 /// A line for each method, the best of them thick, and a point for adaptive steps.
+/// @param found  all entries
 /// @param column  of the price in blocks_of
 inline std::string lines_of(const Contest& found, int column) {
   std::string plot = "plot bound with lines lc '#b0125b' dt 2 title 'bound'";
@@ -120,7 +121,10 @@ inline void entitle(const std::string& file, const std::string& title) {
 }
 
 /// Draws what was tried on the way, against both prices.
+/// @param found  all entries
+/// @param bounds  what was asked for
 /// @param scene  what it is called
+/// @param file  that the drawing goes into, as SVG
 /// @throws std::runtime_error  one line that says what is missing
 inline void draw_chart(const Contest& found, const Bounds& bounds, const std::string& scene,
                        const std::string& file) {

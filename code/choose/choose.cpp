@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "answer.h"
-#include "chart.h"
-#include "contests.h"
-#include "own.h"
+#include "choose/answer.h"
+#include "choose/chart.h"
+#include "choose/contests.h"
+#include "choose/own.h"
 
 namespace {
 
@@ -60,8 +60,8 @@ scenes::LinearDrag<> drag_of(const Parameters& p) {
   return {.c = p.drag};
 }
 
-Ball ball_of(const Parameters&) {
-  return height_of_jump;
+scenes::Ball ball_of(const Parameters&) {
+  return thrown_ball;
 }
 
 /// One scene that can be asked for.

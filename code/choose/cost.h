@@ -1,8 +1,18 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What a step is charged: evaluations, of the acceleration and of its derivatives.
+/// The cost of a step in evaluations, of the acceleration and of its derivatives; and of how many
+/// bodies its time is taken. The live figure of chapter 7 counts by this, too.
 #pragma once
+#include <cstddef>
+
 #include "measure/evaluations.h"
+
+inline constexpr std::size_t one_body = 1;                ///< each step waits for the last
+inline constexpr std::size_t in_a_loop = 512;             ///< throughput
+inline constexpr std::size_t beyond_the_cache = 100'000;  ///< memory
+
+/// A step so short that nothing explodes while it is timed [s].
+inline constexpr double brief_step = 1e-6;
 
 /// What the derivatives of a scene are billed: one evaluation, or as many as it asks for them.
 template <class Scene>

@@ -12,13 +12,15 @@
 #include <type_traits>
 #include <vector>
 
-#include "entrants.h"
+#include "choose/entrants.h"
 #include "frames/recorded.h"
 #include "integrate/dopri5.h"
-#include "level.h"
 #include "measure/error.h"
-#include "prices.h"
+#include "scenes/ball.h"
 #include "scenes/linear_drag.h"
+#include "scenes/orbit.h"
+#include "scenes/pendulum.h"
+#include "scenes/spring.h"
 
 /// What is wanted of a method.
 struct Bounds {
@@ -123,8 +125,8 @@ inline bool nearer(const Attempt& one, const Attempt& other, const Bounds& bound
   return miss(one, bounds) < miss(other, bounds);
 }
 
-/// Compares what a player sees at the end of a frame with the truth, and keeps the worst.
-/// @param size  how far the motion gets
+/// Compares the state at the end of a frame with the truth, and keeps the worst: the error as a
+/// share of `size`, which is how far the motion gets, and the change of the energy.
 template <class Scene, class Vec>
 void see(Attempt& worst, const Scene& scene, const scenes::State<Vec>& now, const Vec& truth,
          double size) {
@@ -248,7 +250,7 @@ inline const char* timed_as(const scenes::Pendulum<>&) {
 inline const char* timed_as(const scenes::LinearDrag<>&) {
   return "leaf";
 }
-inline const char* timed_as(const Ball&) {
+inline const char* timed_as(const scenes::Ball&) {
   return "jump";
 }
 
