@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What `choose` answers, as text, as CSV and as JSON.
+/// What `choose` answers, as text and as JSON.
 #pragma once
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -10,14 +10,13 @@
 #include "choose/contest.h"
 
 /// How an answer is written.
-enum class Format { text, csv, json };
+enum class Format { text, json };
 
 /// @throws std::invalid_argument  there is none of that name
 inline Format format_of(const std::string& name) {
   if (name == "text") return Format::text;
-  if (name == "csv") return Format::csv;
   if (name == "json") return Format::json;
-  throw std::invalid_argument("there is no format '" + name + "'; there are text, csv, json");
+  throw std::invalid_argument("there is no format '" + name + "'; there are text, json");
 }
 
 /// "1 step", "2 steps".
@@ -143,27 +142,7 @@ inline std::vector<Entry> all_of(const Contest& found) {
   return all;
 }
 
-/// One line for each entry below the names of the columns. What is not known is left empty.
-inline void print_csv(const Contest& found) {
-  std::printf(
-      "function,header,good,steps_per_frame,tolerance,evaluations_per_second,"
-      "microseconds_per_frame_for_1000,error,error_in_uneven_frames,energy_change\n");
-  const auto number = [](double value) {
-    return std::isnan(value) ? std::string() : brief(value, 17);
-  };
-  for (const Entry& entry : all_of(found)) {
-    const Attempt& last = entry.last;
-    const std::string function(entry.method->function), header(entry.method->header);
-    std::printf(
-        "%s,%s,%s,%s,%s,%s,%s,%s,%s,%s\n", function.c_str(), header.c_str(),
-        entry.good ? "true" : "false", last.substeps ? std::to_string(last.substeps).c_str() : "",
-        last.substeps ? "" : number(last.tolerance).c_str(), number(entry.evaluations).c_str(),
-        number(entry.microseconds).c_str(), number(last.error).c_str(),
-        number(entry.uneven).c_str(), found.keeps_energy ? number(last.energy).c_str() : "");
-  }
-}
-
-/// The same as a list of objects. What is not known, or not finite, is null.
+/// All entries as a list of objects. What is not known, or not finite, is null.
 inline void print_json(const Contest& found) {
   auto entries = nlohmann::ordered_json::array();
   for (const Entry& entry : all_of(found)) {
@@ -187,6 +166,5 @@ inline void print_json(const Contest& found) {
 /// Writes the answer to the standard output.
 inline void print(const Contest& found, const Bounds& bounds, Format format) {
   if (format == Format::text) print_text(found, bounds);
-  if (format == Format::csv) print_csv(found);
   if (format == Format::json) print_json(found);
 }

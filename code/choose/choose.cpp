@@ -239,7 +239,7 @@ int choose(int argc, char** argv) {
   for (const Number& number : numbers) {
     app.add_option(number.option, *number.value, meaning_and_default(number));
   }
-  app.add_option("--format", format, "text, csv or json (default text)");
+  app.add_option("--format", format, "text or json (default text)");
   app.add_option("--chart", chart, "Draws error against both prices into this file, as SVG");
   try {
     app.parse(argc, argv);
