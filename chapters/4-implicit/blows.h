@@ -14,7 +14,7 @@
 #include "measure/energy.h"
 #include "measure/methods.h"
 #include "measure/record.h"
-#include "struck_nets.h"
+#include "net/nets.h"
 
 /// What one step of backward Euler leaves of the energy of an undamped spring.
 constexpr double left_in_a_step(double homega) {

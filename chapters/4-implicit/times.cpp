@@ -11,9 +11,8 @@
 #include "integrate/bdf2.h"
 #include "integrate/trapezoid.h"
 #include "measure/time_of.h"
-#include "nets.h"
-#include "struck_nets.h"
-#include "substeps.h"
+#include "net/nets.h"
+#include "net/substeps.h"
 
 namespace {
 

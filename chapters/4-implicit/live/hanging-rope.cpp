@@ -2,8 +2,8 @@
 // A rope on a nail, in chapter 4: in substeps of symplectic Euler, and solved by backward Euler.
 #include <optional>
 
-#include "4-implicit/struck_nets.h"
-#include "4-implicit/substeps.h"
+#include "4-implicit/net/nets.h"
+#include "4-implicit/net/substeps.h"
 #include "live/figure.h"
 
 namespace live {

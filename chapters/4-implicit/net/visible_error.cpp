@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-#include "seen.h"
+#include "visible_error.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
@@ -16,7 +16,6 @@
 #include "integrate/trapezoid.h"
 #include "matrix_costs.h"
 #include "nets.h"
-#include "struck_nets.h"
 #include "substeps.h"
 
 namespace {

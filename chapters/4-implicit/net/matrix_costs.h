@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "measure/record.h"
-#include "struck_nets.h"
+#include "nets.h"
 #include "substeps.h"
 
 using Sparse = Eigen::SparseMatrix<double>;

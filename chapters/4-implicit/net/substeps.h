@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "integrate/symplectic_euler.h"
-#include "struck_nets.h"
-#include "tallied.h"
+#include "nets.h"
+#include "op_counted.h"
 
 /// Multiplications and the like in what `run` does.
 template <class Run>

@@ -8,7 +8,7 @@
 
 #include "matrix_costs.h"
 #include "measure/record.h"
-#include "struck_nets.h"
+#include "nets.h"
 #include "substeps.h"
 
 /// What a second of backward Euler took and did, each step solved by conjugate gradients.

@@ -5,17 +5,25 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <random>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "../cast_of_many.h"
+#include "../../cast_of_many.h"
 #include "integrate/backward_euler.h"
 #include "integrate/band_system.h"
 #include "integrate/sparse_system.h"
 
 inline constexpr double gentle = 0.1;  ///< speed of a gentle blow [m/s]
 inline constexpr double hard = 1;      ///< speed of a hard blow [m/s]
+
+/// What the time of a frame of a net is called, for each unknown.
+/// @param net  "chain", "rope" or "cloth"
+/// @param function  of the method
+inline std::string frame_name(const std::string& net, const std::string& function) {
+  return "frame of a " + net + "/" + function;
+}
 
 using Struck = scenes::State<Eigen::VectorXd>;
 

@@ -13,14 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "blows.h"
-#include "iterated.h"
+#include "../blows.h"
+#include "../slide.h"
+#include "conjugate_gradients.h"
 #include "matrix_costs.h"
 #include "measure/times.h"
 #include "nets.h"
-#include "seen.h"
-#include "slide.h"
-#include "struck_nets.h"
+#include "visible_error.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-#include "iterated.h"
+#include "conjugate_gradients.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <string>
