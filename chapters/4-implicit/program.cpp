@@ -141,8 +141,8 @@ int main(int argc, char** argv) {
     called(record);
     matrices(record);
     costs(record);
-    fairer(record);
-    seen(record);
+    record_substeps_and_iterations(record);
+    record_visible_errors(record);
     costs_on_a_nail(record);
     predictors(record);
     a_second(record);
@@ -150,6 +150,6 @@ int main(int argc, char** argv) {
     newton(record);
     ringing(record);
     soft_damping(record);
-    spins(record);
+    record_free_rigid_body(record);
   });
 }

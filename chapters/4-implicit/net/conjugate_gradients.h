@@ -11,17 +11,17 @@
 #include "nets.h"
 #include "substeps.h"
 
-/// What a second of backward Euler took and did, each step solved by conjugate gradients.
-struct Iterated {
+/// The cost and the energy of a second of backward Euler, each step solved by conjugate gradients.
+struct IterativeSolve {
   double iterations = 0;       ///< of a step, on average
   double multiplications = 0;  ///< of a step and unknown, for the iterations alone
   double first = 0;            ///< share of the energy after the first step
   double last = 0;             ///< share of the energy after the last one
 };
 
-/// A second after a gentle blow.
+/// Runs a second after a gentle blow.
 /// @param residual  the largest of a step, over the size of the right side
-Iterated by_conjugate_gradients(const scenes::Cloth<>& scene, double residual);
+IterativeSolve by_conjugate_gradients(const scenes::Cloth<>& scene, double residual);
 
 /// The most energy that a net has within a second of a gentle blow in substeps of symplectic Euler,
 /// over that of the blow.
@@ -29,7 +29,7 @@ Iterated by_conjugate_gradients(const scenes::Cloth<>& scene, double residual);
 ///               it to the time of the position, and 0 takes it as it is stored
 template <class Scene>
 double most_energy(const Scene& scene, int substeps, double ahead = 0.5) {
-  Struck s = struck(scene, gentle);
+  MassSpringState s = with_random_velocities(scene, gentle);
   const double begun = scene.energy(s.x, s.v), step = frame / substeps;
   double most = 1;
   for (int n = 0; n < 60 * substeps; ++n) {
@@ -40,11 +40,12 @@ double most_energy(const Scene& scene, int substeps, double ahead = 0.5) {
   return most;
 }
 
-/// How far any mass of the chain goes from its place within a second of a gentle blow, in substeps
+/// The farthest that any mass of the chain goes from its place within a second of a gentle blow, in
+/// substeps
 /// so many that it is the true motion [m].
 inline double farthest(const scenes::Chain<>& chain) {
   constexpr int substeps = 400;
-  Struck s = struck(chain, gentle);
+  MassSpringState s = with_random_velocities(chain, gentle);
   const Eigen::VectorXd at_rest = s.x;
   double most = 0;
   for (int n = 0; n < 60 * substeps; ++n) {
@@ -62,6 +63,6 @@ int substeps_within_a_fifth(const Scene& scene) {
   return substeps;
 }
 
-/// What substeps that barely hold do to the energy, what it takes to do better, and what an
-/// iterated solve would cost.
-void fairer(measure::Record& record);
+/// Records the energy in substeps that barely hold, the substeps that do better, and the cost of an
+/// iterative solve.
+void record_substeps_and_iterations(measure::Record& record);

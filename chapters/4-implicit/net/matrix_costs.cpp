@@ -56,14 +56,14 @@ void costs(measure::Record& record) {
                substeps * work_of_substep(tallied) / n});
   };
   for (const int count : {108, 972, 10'092}) {
-    add("chain", chain_of(count), chain_of<Tallied>(count));
+    add("chain", chain_of(count), chain_of<OpCounted>(count));
   }
   for (const int count : {36, 324, 3364}) {
-    add("rope", rope_of(count), rope_of<Tallied>(count));
+    add("rope", rope_of(count), rope_of<OpCounted>(count));
   }
   for (const int side : {6, 10, 18, 32, 58}) {
     const std::string sides = std::to_string(side);
-    add("cloth " + sides + " × " + sides, cloth_of(side), cloth_of<Tallied>(side));
+    add("cloth " + sides + " × " + sides, cloth_of(side), cloth_of<OpCounted>(side));
   }
   const auto ratio = [&](std::size_t row) {
     return table.rows[row][5].value / table.rows[row][3].value;
@@ -83,7 +83,7 @@ void costs_on_a_nail(measure::Record& record) {
                                       {"all substeps", "", measure::whole},
                                       {"solving", "", measure::whole}});
   const auto row = [](double stiffness) -> std::vector<measure::Cell> {
-    const auto counted = rope_on_a_nail<Tallied>(stiffness);
+    const auto counted = rope_on_a_nail<OpCounted>(stiffness);
     const double substeps = substeps_for(rope_on_a_nail(stiffness));
     return {stiffness, substeps, substeps * work_of_substep(counted), work_of_step(counted)};
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What a step of a stiff scene costs in chapter 4: entries of its matrix, and multiplications.
+/// The cost of a step of a stiff scene in chapter 4: entries of its matrix, and multiplications.
 #pragma once
 #include <Eigen/SparseCore>
 #include <cmath>
@@ -51,27 +51,27 @@ inline long work_of_iteration(const Sparse& matrix) {
 template <class Scene>
 double work_of_filling(const Scene& scene) {
   const auto s = scene.start();
-  return tally([&] {
-    const Tallied p = -frame * frame, q = -frame;
-    Tallied sum = 0;
+  return count_operations([&] {
+    const OpCounted p = -frame * frame, q = -frame;
+    OpCounted sum = 0;
     scene.jacobian(s.x, s.v, 0.0,
-                   [&](int, int, Tallied dadx, Tallied dadv) { sum += p * dadx + q * dadv; });
+                   [&](int, int, OpCounted dadx, OpCounted dadv) { sum += p * dadx + q * dadv; });
   });
 }
 
-/// The same for cloth, whose factor is not made of counted numbers but of counted entries.
-inline double work_of_step(const scenes::Cloth<Tallied>& scene) {
+/// Multiplications of one step of backward Euler on cloth, by the entries of its factor.
+inline double work_of_step(const scenes::Cloth<OpCounted>& scene) {
   const auto s = scene.start();
   const Sparse factor = factor_of(step_matrix_of(cloth_of(scene.side)));
   return work_of_filling(scene) + work_of_substep(scene) + double(s.x.size()) +
          work_of_solving(factor);
 }
 
-/// Where the matrices of chain, rope and cloth are not zero.
+/// Records which entries of the matrices of chain, rope and cloth are not zero.
 void matrices(measure::Record& record);
 
-/// What a frame costs, solved and in substeps.
+/// Records the cost of a frame, solved and in substeps.
 void costs(measure::Record& record);
 
-/// The same for a rope on a nail, over the stiffness of its springs.
+/// Records it for a rope on a nail, over the stiffness of its springs.
 void costs_on_a_nail(measure::Record& record);

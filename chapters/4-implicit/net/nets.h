@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Chain, rope and cloth of steel in chapter 4, struck, and the systems that move them.
+/// The mass-spring systems of chapter 4, chain, rope and cloth of steel: their blows, and the
+/// linear systems that move them.
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
@@ -18,21 +19,22 @@
 inline constexpr double gentle = 0.1;  ///< speed of a gentle blow [m/s]
 inline constexpr double hard = 1;      ///< speed of a hard blow [m/s]
 
-/// What the time of a frame of a net is called, for each unknown.
+/// The name of the time of a frame of a net, for each unknown.
 /// @param net  "chain", "rope" or "cloth"
 /// @param function  of the method
 inline std::string frame_name(const std::string& net, const std::string& function) {
   return "frame of a " + net + "/" + function;
 }
 
-using Struck = scenes::State<Eigen::VectorXd>;
+/// Places and velocities of all masses, in one column each.
+using MassSpringState = scenes::State<Eigen::VectorXd>;
 
-/// In its place, but struck: every mass that is not held has a velocity of its own.
+/// The state right after a blow: every mass that is not held has a random velocity.
 /// @param speed  the largest along each axis [m/s]
 /// @param draw  another one is another blow
 template <class Scene>
-Struck struck(const Scene& scene, double speed, unsigned draw = 1) {
-  Struck s = scene.start();
+MassSpringState with_random_velocities(const Scene& scene, double speed, unsigned draw = 1) {
+  MassSpringState s = scene.start();
   std::mt19937 dice(draw);
   for (double& v : s.v) v = speed * (double(dice()) / 2147483648.0 - 1);
   if constexpr (requires { scene.held(0); }) {
@@ -69,20 +71,20 @@ auto system_of(const scenes::Cloth<Real>& scene) {
 // [system]
 
 /// The largest change of any velocity.
-inline constexpr auto largest = [](const Eigen::VectorXd& change) {
+inline constexpr auto largest_change = [](const Eigen::VectorXd& change) {
   return change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0.0;
 };
 
-/// When Newton's method has come to its end [m/s].
-inline constexpr double tolerance = 1e-9;
+/// The largest change of a velocity with which Newton's method has converged [m/s].
+inline constexpr double newton_tolerance = 1e-9;
 
 /// Shares of the energy that are left after each step of a blow; the first is 1.
 /// @param step  called as `step(state, scene, system)`, true if it could be taken
-/// @param draw  of the blow; see struck()
+/// @param draw  of the blow; see with_random_velocities()
 template <class Scene, class Step>
-std::vector<double> shares(const Scene& scene, double speed, int steps, Step step,
-                           unsigned draw = 1) {
-  Struck s = struck(scene, speed, draw);
+std::vector<double> energy_shares(const Scene& scene, double speed, int steps, Step step,
+                                  unsigned draw = 1) {
+  MassSpringState s = with_random_velocities(scene, speed, draw);
   auto system = system_of(scene);
   const double first = scene.energy(s.x, s.v);
   std::vector<double> left{1};
@@ -93,27 +95,28 @@ std::vector<double> shares(const Scene& scene, double speed, int steps, Step ste
 }
 
 /// One solve of backward Euler.
-inline constexpr auto solved_once = [](Struck& s, const auto& scene, auto& system) {
+inline constexpr auto solved_once = [](MassSpringState& s, const auto& scene, auto& system) {
   return integrate::backward_euler(s.x, s.v, 0.0, frame, scene, system);
 };
 
-/// Backward Euler to the end of Newton's method.
-inline constexpr auto to_the_end = [](Struck& s, const auto& scene, auto& system) {
-  return integrate::backward_euler_newton(s.x, s.v, 0.0, frame, scene, system, largest, tolerance) >
-         0;
+/// Backward Euler, solved until Newton's method converges.
+inline constexpr auto newton_converged = [](MassSpringState& s, const auto& scene, auto& system) {
+  return integrate::backward_euler_newton(s.x, s.v, 0.0, frame, scene, system, largest_change,
+                                          newton_tolerance) > 0;
 };
 
-/// By how much the velocities change in each of Newton's iterations of the first step after a blow.
+/// The largest change of a velocity in each of Newton's iterations of the first step after a blow.
 template <class Scene>
-std::vector<double> changes(const Scene& scene, double speed) {
-  Struck s = struck(scene, speed);
+std::vector<double> newton_changes(const Scene& scene, double speed) {
+  MassSpringState s = with_random_velocities(scene, speed);
   auto system = system_of(scene);
   std::vector<double> found;
   const auto note = [&found](const Eigen::VectorXd& change) {
-    found.push_back(largest(change));
+    found.push_back(largest_change(change));
     return found.back();
   };
-  if (integrate::backward_euler_newton(s.x, s.v, 0.0, frame, scene, system, note, tolerance) == 0) {
+  if (integrate::backward_euler_newton(s.x, s.v, 0.0, frame, scene, system, note,
+                                       newton_tolerance) == 0) {
     found.clear();
   }
   return found;

@@ -1,43 +1,43 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// A number that counts what is done with it.
+/// A double that counts operations.
 #pragma once
 #include <Eigen/Core>
 #include <cmath>
 #include <numbers>
 
 /// A double that counts multiplications, divisions and square roots.
-struct Tallied {
+struct OpCounted {
   double value = 0;
   inline static long operations = 0;  ///< how many there were
 
-  constexpr Tallied() = default;
-  constexpr Tallied(double number) : value(number) {}
+  constexpr OpCounted() = default;
+  constexpr OpCounted(double number) : value(number) {}
   explicit operator double() const { return value; }
 
-  Tallied& operator+=(Tallied b) { return *this = *this + b; }
-  Tallied& operator-=(Tallied b) { return *this = *this - b; }
-  Tallied& operator*=(Tallied b) { return *this = *this * b; }
-  Tallied& operator/=(Tallied b) { return *this = *this / b; }
+  OpCounted& operator+=(OpCounted b) { return *this = *this + b; }
+  OpCounted& operator-=(OpCounted b) { return *this = *this - b; }
+  OpCounted& operator*=(OpCounted b) { return *this = *this * b; }
+  OpCounted& operator/=(OpCounted b) { return *this = *this / b; }
 
-  friend constexpr Tallied operator-(Tallied a) { return -a.value; }
-  friend constexpr Tallied operator+(Tallied a, Tallied b) { return a.value + b.value; }
-  friend constexpr Tallied operator-(Tallied a, Tallied b) { return a.value - b.value; }
-  friend Tallied operator*(Tallied a, Tallied b) { return ++operations, a.value * b.value; }
-  friend Tallied operator/(Tallied a, Tallied b) { return ++operations, a.value / b.value; }
-  friend Tallied sqrt(Tallied a) { return ++operations, std::sqrt(a.value); }
-  friend Tallied abs(Tallied a) { return std::abs(a.value); }
-  friend constexpr auto operator<=>(Tallied a, Tallied b) { return a.value <=> b.value; }
-  friend constexpr bool operator==(Tallied a, Tallied b) { return a.value == b.value; }
+  friend constexpr OpCounted operator-(OpCounted a) { return -a.value; }
+  friend constexpr OpCounted operator+(OpCounted a, OpCounted b) { return a.value + b.value; }
+  friend constexpr OpCounted operator-(OpCounted a, OpCounted b) { return a.value - b.value; }
+  friend OpCounted operator*(OpCounted a, OpCounted b) { return ++operations, a.value * b.value; }
+  friend OpCounted operator/(OpCounted a, OpCounted b) { return ++operations, a.value / b.value; }
+  friend OpCounted sqrt(OpCounted a) { return ++operations, std::sqrt(a.value); }
+  friend OpCounted abs(OpCounted a) { return std::abs(a.value); }
+  friend constexpr auto operator<=>(OpCounted a, OpCounted b) { return a.value <=> b.value; }
+  friend constexpr bool operator==(OpCounted a, OpCounted b) { return a.value == b.value; }
 };
 
 template <>
-inline constexpr Tallied std::numbers::sqrt2_v<Tallied> = std::numbers::sqrt2;
+inline constexpr OpCounted std::numbers::sqrt2_v<OpCounted> = std::numbers::sqrt2;
 
 template <>
-struct Eigen::NumTraits<Tallied> : Eigen::NumTraits<double> {
-  using Real = Tallied;
-  using NonInteger = Tallied;
-  using Nested = Tallied;
-  using Literal = Tallied;
+struct Eigen::NumTraits<OpCounted> : Eigen::NumTraits<double> {
+  using Real = OpCounted;
+  using NonInteger = OpCounted;
+  using Nested = OpCounted;
+  using Literal = OpCounted;
 };

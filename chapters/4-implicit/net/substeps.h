@@ -11,17 +11,18 @@
 
 /// Multiplications and the like in what `run` does.
 template <class Run>
-double tally(Run run) {
-  Tallied::operations = 0;
+double count_operations(Run run) {
+  OpCounted::operations = 0;
   run();
-  return double(Tallied::operations);
+  return double(OpCounted::operations);
 }
 
 /// Multiplications of one step of symplectic Euler.
 template <class Scene>
 double work_of_substep(const Scene& scene) {
   auto s = scene.start();
-  return tally([&] { integrate::symplectic_euler(s.x, s.v, 0.0, Tallied(frame), scene); });
+  return count_operations(
+      [&] { integrate::symplectic_euler(s.x, s.v, 0.0, OpCounted(frame), scene); });
 }
 
 /// Multiplications of one step of backward Euler with a band.
@@ -29,16 +30,16 @@ template <class Scene>
 double work_of_step(const Scene& scene) {
   auto s = scene.start();
   auto system = system_of(scene);
-  return tally([&] {
-    if (!integrate::backward_euler(s.x, s.v, 0.0, Tallied(frame), scene, system)) std::abort();
+  return count_operations([&] {
+    if (!integrate::backward_euler(s.x, s.v, 0.0, OpCounted(frame), scene, system)) std::abort();
   });
 }
 
 /// The frequency of the fastest mode, by the power method, from below [rad/s].
 template <class Scene>
-double fastest(const Scene& scene) {
+double highest_frequency(const Scene& scene) {
   const auto s = scene.start();
-  Eigen::VectorXd mode = struck(scene, 1).v;
+  Eigen::VectorXd mode = with_random_velocities(scene, 1).v;
   double squared = 0;
   for (int n = 0; n < 200; ++n) {
     Eigen::VectorXd pulled = Eigen::VectorXd::Zero(mode.size());
@@ -53,5 +54,5 @@ double fastest(const Scene& scene) {
 /// Fewest steps of symplectic Euler in a frame that hold a scene.
 template <class Scene>
 int substeps_for(const Scene& scene) {
-  return int(std::ceil(frame * fastest(scene) / 2));
+  return int(std::ceil(frame * highest_frequency(scene) / 2));
 }
