@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "measure/compiled.h"
+#include "measure/longest_stable_step.h"
 #include "measure/record.h"
-#include "measure/stability.h"
+#include "measure/run.h"
 #include "scenes/orbit.h"
 #include "scenes/spring.h"
 
@@ -48,23 +49,18 @@ inline std::vector<double> dampings_of(const Answer& answer) {
 inline double limit_of(const Answer& answer) {
   double least = INFINITY;
   for (const double zeta : dampings_of(answer)) {
-    const scenes::Spring<> spring{.zeta = zeta};
-    const auto stable = [&](double h) {
-      return measure::spectral_radius(answer.method, spring, h) <= 1 + 1e-12;
-    };
-    if (!stable(1000)) {
-      least = std::min(least, measure::stability_limit(answer.method, spring, 0.05, 1000));
-    }
+    least = std::min(least,
+                     measure::longest_stable_step(answer.method, scenes::Spring<>{.zeta = zeta}));
   }
   return least;
 }
 
-/// How far a method gets from a spring within the time that is watched, as a share of the swing,
-/// from whatever place of the swing it starts.
+/// The largest error of a method on a spring within the time that is watched, as a share of the
+/// swing, from whatever place of the swing it starts.
 ///
 /// On a spring an error is a sum of two, those of a start at rest and of a start in the middle, and
 /// the worst start between them is as far off as a triangle of the two is long.
-inline double off(const measure::Method& method, double zeta, double steps_a_swing) {
+inline double max_relative_error(const measure::Method& method, double zeta, double steps_a_swing) {
   const double h = 2 * std::numbers::pi / steps_a_swing;
   const long steps = std::lround(std::floor(watched * steps_a_swing));
   const auto errors = [&](const scenes::Spring<>& spring) {
@@ -110,7 +106,8 @@ double fewest(const Within& within) {
 
 /// Steps a swing to stay within a tolerance on one spring.
 inline double steps_within(const Answer& answer, double zeta, double tolerance) {
-  return fewest([&](double steps) { return off(answer.method, zeta, steps) <= tolerance; });
+  return fewest(
+      [&](double steps) { return max_relative_error(answer.method, zeta, steps) <= tolerance; });
 }
 
 /// Steps a swing to stay within a tolerance on every spring of an answer, and not to explode.
@@ -132,10 +129,10 @@ struct Shape {
 };
 inline constexpr Shape shapes[] = {{"circle", 0}, {"e = 0.5", 0.5}};
 
-/// How far a method gets from an orbit within so many turns, as a share of half its long axis, from
-/// eight places of it.
-inline double off_orbit(const measure::Method& method, double eccentricity, double steps_a_turn,
-                        double turns = watched) {
+/// The largest error of a method on an orbit within so many turns, as a share of half its long
+/// axis, from eight places of it.
+inline double max_relative_error_on_orbit(const measure::Method& method, double eccentricity,
+                                          double steps_a_turn, double turns = watched) {
   const scenes::Orbit<> orbit{.eccentricity = eccentricity};
   const double h = orbit.period() / steps_a_turn;
   double most = 0;
@@ -153,8 +150,9 @@ inline double off_orbit(const measure::Method& method, double eccentricity, doub
 
 /// Steps a turn to stay within a tolerance on an orbit.
 inline double steps_on_orbit(const measure::Method& method, double eccentricity, double tolerance) {
-  return rounded_up(
-      fewest([&](double steps) { return off_orbit(method, eccentricity, steps) <= tolerance; }));
+  return rounded_up(fewest([&](double steps) {
+    return max_relative_error_on_orbit(method, eccentricity, steps) <= tolerance;
+  }));
 }
 
 /// The whole steps in a tick that are at least so many in a swing.
