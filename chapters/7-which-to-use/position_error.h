@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// How far a method takes a thing of the level from where it should be.
+/// The error of a method in a thing of the level.
 #pragma once
 #include <cmath>
 
@@ -11,7 +11,8 @@
 
 /// The largest distance from where a thing should be [m]; infinite from a kilometre on.
 template <class Scene>
-double off(const measure::Method& method, const Scene& scene, double h, double seconds) {
+double max_position_error(const measure::Method& method, const Scene& scene, double h,
+                          double seconds) {
   const double error = measure::largest_error(method, scene, h, std::lround(seconds / h)).position;
   return error < 1000 ? error : INFINITY;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// The page for the wall: what to take for what moves, and how far it goes at sixty steps a second.
+/// The summary of the chapter: a method for each kind of thing, and its limits at sixty steps a
+/// second.
 #pragma once
 #include <numbers>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "choose/contest.h"
 #include "choose/entrants.h"
+#include "measure/longest_stable_step.h"
 #include "measure/record.h"
 #include "verdicts.h"
 
@@ -15,18 +17,19 @@
 inline constexpr scenes::Spring<> clock_spring = swinging(1);
 
 /// The most that the energy of a swing a second is off in a minute at 60 Hz [%].
-inline double energy_off(const measure::Method& method) {
+inline double energy_drift_in_a_minute(const measure::Method& method) {
   const auto energy = [](double x, double v) { return clock_spring.energy(x, v); };
   return 100 * measure::drift(method, clock_spring, frame, 3600, energy).largest;
 }
 
-/// How often a spring may swing in a second, or would without its damper, before the method loses
-/// it at 60 Hz.
-inline double swings(const measure::Method& method, double zeta = 0) {
-  return longest_step(method, scenes::Spring<>{.zeta = zeta}) / frame / (2 * std::numbers::pi);
+/// The most swings a second of a spring that a method holds at 60 Hz; of a damped one, those that
+/// it would make without its damper.
+inline double swings_held(const measure::Method& method, double zeta = 0) {
+  return measure::longest_stable_step(method, scenes::Spring<>{.zeta = zeta}) / frame /
+         (2 * std::numbers::pi);
 }
 
-inline void wall(measure::Record& record) {
+inline void summary_table(measure::Record& record) {
   auto& table = record.table("wall", {{"what moves"},
                                       {"take"},
                                       {"evaluations a step", "", measure::whole},
@@ -36,8 +39,9 @@ inline void wall(measure::Record& record) {
                                       {"header"}});
   const auto add = [&](const char* moves, const char* take, const measure::Method& method,
                        std::string_view header) {
-    table.add({moves, take, double(price(method, suspension, frame)), swings(method),
-               swings(method, 1), or_rounding(energy_off(method)), std::string(header)});
+    table.add({moves, take, double(price(method, suspension, frame)), swings_held(method),
+               swings_held(method, 1), or_rounding(energy_drift_in_a_minute(method)),
+               std::string(header)});
   };
   const auto add_its_own = [&](const char* moves, const char* take, const measure::Method& method) {
     add(moves, take, method, method.header);

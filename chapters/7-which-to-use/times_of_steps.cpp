@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// What is timed for chapter 7: a step of each method in each thing of the level, and of the
+// The times of chapter 7: a step of each method in each thing of the level, and of the
 // suspension in several layouts.
 #include <array>
 #include <string>
@@ -16,7 +16,7 @@
 
 namespace {
 
-/// What the headers' own functions take, which the compiler sees through.
+/// Adds the times of the headers' own functions, which the compiler sees through.
 template <class Step, class Scene, class Vec, class Real>
 void add(std::vector<measure::Timed>& all, const std::string& thing, Step step, const Scene& scene,
          const scenes::State<Vec>& start, Real h, std::size_t bodies, std::size_t in_a_vec = 1) {
@@ -26,8 +26,8 @@ void add(std::vector<measure::Timed>& all, const std::string& thing, Step step, 
                  }});
 }
 
-/// What else a scene can be stepped with: its exact step, one that knows its force, and what takes
-/// its damping apart.
+/// The other methods that a scene can be stepped with: its exact step, one that knows its force,
+/// and what takes its damping apart.
 template <class Scene>
 auto special_methods(const Scene& scene) {
   using namespace measure;
@@ -44,7 +44,7 @@ auto special_methods(const Scene& scene) {
   }
 }
 
-/// As many bodies as a pack holds, all in one place, at rest.
+/// A pack full of bodies, all in one place, at rest.
 template <class Real>
 scenes::State<Lanes<Real>> pack_at(Real x) {
   const typename Lanes<Real>::Part zero{}, place = zero + x;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What `choose` answers, as text and as JSON.
+/// The answer of `choose`, as text and as JSON.
 #pragma once
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 
 #include "choose/contest.h"
 
-/// How an answer is written.
+/// The forms of an answer.
 enum class Format { text, json };
 
 /// @throws std::invalid_argument  there is none of that name
@@ -24,11 +24,11 @@ inline std::string steps(long count) {
   return std::to_string(count) + (count == 1 ? " step" : " steps");
 }
 
-/// How an entry moves on: "4 steps a frame", or "a tolerance of 0.001".
-inline std::string pace(const Entry& entry) {
+/// The steps of an entry: "4 steps a frame", or "a tolerance of 0.001".
+inline std::string steps_per_frame_text(const Entry& entry) {
   const Attempt& last = entry.last;
   return last.substeps ? steps(last.substeps) + " a frame"
-                       : "a tolerance of " + brief(last.tolerance);
+                       : "a tolerance of " + format_number(last.tolerance);
 }
 
 /// Microseconds, in two digits or all before the point.
@@ -50,17 +50,20 @@ inline std::string prices(const Entry& entry) {
 /// An error in full.
 inline std::string error_of(const Entry& entry, const Bounds& bounds) {
   const std::string unit = bounds.reach > 0 ? " m" : "";
-  const std::string even = "error " + brief(told(entry.last.error, bounds)) + unit;
+  const std::string even =
+      "error " + format_number(in_reported_units(entry.last.error, bounds)) + unit;
   if (!is_for_even_frames(entry, bounds)) return even;
-  return even + ", too much in uneven frames: " + brief(told(entry.uneven, bounds)) + unit;
+  return even +
+         ", too much in uneven frames: " + format_number(in_reported_units(entry.uneven, bounds)) +
+         unit;
 }
 
 /// One entry in full.
 inline void print_choice(const Entry& entry, const Bounds& bounds) {
   const std::string function(entry.method->function), header(entry.method->header);
   std::printf("  %s, %s: %s, %s\n  #include \"integrate/%s\"\n\n", function.c_str(),
-              pace(entry).c_str(), prices(entry).c_str(), error_of(entry, bounds).c_str(),
-              header.c_str());
+              steps_per_frame_text(entry).c_str(), prices(entry).c_str(),
+              error_of(entry, bounds).c_str(), header.c_str());
 }
 
 /// One entry in a line.
@@ -70,12 +73,13 @@ inline void print_row(const Entry& entry, const Bounds& bounds, bool keeps_energ
       entry.last.substeps ? std::to_string(entry.last.substeps) : "adaptive";
   const bool timed = !std::isnan(entry.microseconds);
   const std::string mark = is_for_even_frames(entry, bounds) ? "!" : "";
-  std::printf("%-30s %11s %9.0f %9s  %-9s %-10s %-8s %s\n", function.c_str(), substeps.c_str(),
-              entry.evaluations, timed ? microseconds(entry.microseconds).c_str() : "-",
-              brief(told(entry.last.error, bounds)).c_str(),
-              (brief(told(entry.uneven, bounds)) + mark).c_str(),
-              keeps_energy ? brief(entry.last.energy).c_str() : "-",
-              entry.last.substeps ? reason(entry, bounds).c_str() : pace(entry).c_str());
+  std::printf(
+      "%-30s %11s %9.0f %9s  %-9s %-10s %-8s %s\n", function.c_str(), substeps.c_str(),
+      entry.evaluations, timed ? microseconds(entry.microseconds).c_str() : "-",
+      format_number(in_reported_units(entry.last.error, bounds)).c_str(),
+      (format_number(in_reported_units(entry.uneven, bounds)) + mark).c_str(),
+      keeps_energy ? format_number(entry.last.energy).c_str() : "-",
+      entry.last.substeps ? reason(entry, bounds).c_str() : steps_per_frame_text(entry).c_str());
 }
 
 /// Says so where the two prices choose differently.
@@ -88,7 +92,7 @@ inline void print_by_time(const Entry& best, const std::vector<Entry>& entries,
   std::printf(
       "That counts evaluations. By time, if the acceleration is as short as here, take\n"
       "  %s, %s: %s, %s\n\n",
-      function.c_str(), pace(*quickest).c_str(), prices(*quickest).c_str(),
+      function.c_str(), steps_per_frame_text(*quickest).c_str(), prices(*quickest).c_str(),
       error_of(*quickest, bounds).c_str());
 }
 

@@ -31,7 +31,7 @@ class Pipe {
   /// Hands text on.
   void write(const std::string& text) { std::fputs(text.c_str(), pipe_); }
 
-  /// Whether the program ended well.
+  /// Returns whether the program ended well.
   bool close() {
     const int status = pclose(pipe_);
     pipe_ = nullptr;
@@ -54,8 +54,8 @@ inline std::string quoted(const std::string& text) {
 inline std::string blocks_of(const Contest& found, const Bounds& bounds) {
   std::string data = "$tried << END\n";
   const auto row = [&](double evaluations, double microseconds, double error) {
-    data += brief(evaluations, 17) + " " + brief(microseconds, 17) + " " +
-            brief(told(error, bounds), 17) + "\n";
+    data += format_number(evaluations, 17) + " " + format_number(microseconds, 17) + " " +
+            format_number(in_reported_units(error, bounds), 17) + "\n";
   };
   for (const Entry& entry : found.methods) {
     for (const Attempt& tried : entry.on_the_way) {
@@ -130,16 +130,16 @@ inline void draw_chart(const Contest& found, const Bounds& bounds, const std::st
                        const std::string& file) {
   const std::string part = file + ".part";
   const std::string unit = bounds.reach > 0 ? " m" : " of the motion";
-  const double bound = told(bounds.error, bounds);
-  const std::string title =
-      scene + ", " + brief(bounds.hz, 4) + " Hz, error at most " + brief(bound, 3) + unit;
+  const double bound = in_reported_units(bounds.error, bounds);
+  const std::string title = scene + ", " + format_number(bounds.hz, 4) + " Hz, error at most " +
+                            format_number(bound, 3) + unit;
   Pipe gnuplot("gnuplot >/dev/null 2>&1");
   gnuplot.write(
       "set terminal svg size 640,960 dynamic enhanced font 'sans-serif,17' background rgb "
       "'white'\nset output " +
-      quoted(part) + "\n" + blocks_of(found, bounds) +
-      "set datafile missing 'nan'\nbound = " + brief(bound, 17) +
-      "\nset logscale xy\nset format '10^{%T}'\nset yrange [*:" + brief(told(1, bounds), 17) +
+      quoted(part) + "\n" + blocks_of(found, bounds) + "set datafile missing 'nan'\nbound = " +
+      format_number(bound, 17) + "\nset logscale xy\nset format '10^{%T}'\nset yrange [*:" +
+      format_number(in_reported_units(1, bounds), 17) +
       "]\nset border 3\nset tics nomirror\nset key outside top center horizontal maxcols 3 "
       "noenhanced samplen 1\n"
       "set ylabel " +

@@ -97,7 +97,7 @@ const Choice& choice_of(const std::string& name) {
   throw std::invalid_argument("there is no scene '" + name + "'; there are " + known);
 }
 
-/// An option with a number, and between which limits the number must lie.
+/// An option with a number, and the limits of the number.
 struct Number {
   const char* option;
   double* value;
@@ -107,7 +107,8 @@ struct Number {
 
 std::string meaning_and_default(const Number& number) {
   const bool any = std::isinf(*number.value);
-  return std::string(number.meaning) + " (default " + (any ? "any" : brief(*number.value)) + ")";
+  return std::string(number.meaning) + " (default " + (any ? "any" : format_number(*number.value)) +
+         ")";
 }
 
 void require_known(const CLI::App& app) {
@@ -121,7 +122,8 @@ void require_known(const CLI::App& app) {
 void require_in_range(const Number& number) {
   if (*number.value >= number.least && *number.value <= number.most) return;
   throw std::invalid_argument(std::string(number.option) + " must lie between " +
-                              brief(number.least, 6) + " and " + brief(number.most, 6));
+                              format_number(number.least, 6) + " and " +
+                              format_number(number.most, 6));
 }
 
 void require_frames(const Bounds& bounds) {
@@ -129,11 +131,11 @@ void require_frames(const Bounds& bounds) {
   if (bounds.frames() > most_steps / 8) {
     throw std::invalid_argument("--seconds times --hz must stay below " +
                                 std::to_string(most_steps / 8) + ": at these --hz, --seconds " +
-                                brief(std::floor(most_steps / 8 / bounds.hz), 6));
+                                format_number(std::floor(most_steps / 8 / bounds.hz), 6));
   }
 }
 
-/// So that nobody who waits thinks that nothing happens.
+/// Tells whoever waits that it takes a while.
 void tell_if_long(const Bounds& bounds) {
   constexpr long many = 20'000;
   if (bounds.frames() < many || !isatty(STDERR_FILENO)) return;
@@ -162,14 +164,15 @@ void refuse_both(const CLI::App& app, const char* one, const char* other) {
   }
 }
 
-/// What stands for another number: a frequency for a stiffness and a mass, a share for a distance.
-struct Stands {
+/// Numbers that can be given in place of others: a stiffness and a mass for a frequency, metres for
+/// a share.
+struct AlternativeUnits {
   double k = 0, m = 1, error_metres = 0, reach = 1;
 };
 
 /// Puts them in.
-void use(const Stands& stands, const CLI::App& app, const Choice& choice, Parameters& parameters,
-         Bounds& bounds) {
+void use(const AlternativeUnits& alternative, const CLI::App& app, const Choice& choice,
+         Parameters& parameters, Bounds& bounds) {
   const auto require = [&](const char* one, const char* other) {
     if (app.count(one) > 0 && app.count(other) == 0) {
       throw std::invalid_argument(std::string(one) + " means nothing without " + other);
@@ -183,17 +186,18 @@ void use(const Stands& stands, const CLI::App& app, const Choice& choice, Parame
     if (std::string(choice.name) != "spring") {
       throw std::invalid_argument("the scene " + std::string(choice.name) + " takes no --k");
     }
-    parameters.omega = std::sqrt(stands.k / stands.m);
+    parameters.omega = std::sqrt(alternative.k / alternative.m);
   }
   if (app.count("--error-metres") > 0) {
-    bounds.error = stands.error_metres / stands.reach;
-    bounds.reach = stands.reach;
+    bounds.error = alternative.error_metres / alternative.reach;
+    bounds.reach = alternative.reach;
   }
 }
 
-/// What is asked of a scene of the reader's own.
+/// The question about a scene of the reader's own.
 Question question(const CLI::App& app, const std::string& scene, const Bounds& bounds,
-                  const Stands& stands, const std::string& format, const std::string& chart) {
+                  const AlternativeUnits& alternative, const std::string& format,
+                  const std::string& chart) {
   for (const char* option : {"--omega", "--zeta", "--eccentricity", "--angle", "--drag", "--k",
                              "--m", "--energy", "--reach"}) {
     if (app.count(option) > 0)
@@ -202,12 +206,12 @@ Question question(const CLI::App& app, const std::string& scene, const Bounds& b
   refuse_both(app, "--error-metres", "--error");
   require_frames(bounds);
   format_of(format);
-  const auto number = [](double value) { return brief(value, 17); };
+  const auto number = [](double value) { return format_number(value, 17); };
   return {scene,
           number(bounds.hz),
           number(bounds.seconds),
           number(bounds.error),
-          number(app.count("--error-metres") > 0 ? stands.error_metres : 0),
+          number(app.count("--error-metres") > 0 ? alternative.error_metres : 0),
           format,
           chart};
 }
@@ -218,7 +222,7 @@ int choose(int argc, char** argv) {
   std::string scene;
   Parameters parameters;
   Bounds bounds;
-  Stands stands;
+  AlternativeUnits alternative;
   std::string format = "text", chart;
   app.allow_extras();  // so that what is wrong is told before what is missing
   app.add_option("--scene", scene, "What moves; required");
@@ -232,10 +236,12 @@ int choose(int argc, char** argv) {
       Number{"--seconds", &bounds.seconds, 1e-3, 1e4, "How long it is watched [s]"},
       Number{"--error", &bounds.error, 1e-15, 1, "Largest error, as a share of the motion"},
       Number{"--energy", &bounds.energy, 1e-15, 1, "Largest relative change of the energy"},
-      Number{"--k", &stands.k, 1e-9, 1e12, "Stiffness of the spring, for --omega [N/m]"},
-      Number{"--m", &stands.m, 1e-9, 1e9, "Mass that hangs on it [kg]"},
-      Number{"--error-metres", &stands.error_metres, 1e-15, 1e9, "Largest error, for --error [m]"},
-      Number{"--reach", &stands.reach, 1e-9, 1e12, "How far the motion gets from its middle [m]"}};
+      Number{"--k", &alternative.k, 1e-9, 1e12, "Stiffness of the spring, for --omega [N/m]"},
+      Number{"--m", &alternative.m, 1e-9, 1e9, "Mass that hangs on it [kg]"},
+      Number{"--error-metres", &alternative.error_metres, 1e-15, 1e9,
+             "Largest error, for --error [m]"},
+      Number{"--reach", &alternative.reach, 1e-9, 1e12,
+             "How far the motion gets from its middle [m]"}};
   for (const Number& number : numbers) {
     app.add_option(number.option, *number.value, meaning_and_default(number));
   }
@@ -253,9 +259,9 @@ int choose(int argc, char** argv) {
   }
   if (!chart.empty()) require_folder(chart);
   if (scene.ends_with(".h"))
-    return choose_for_own(question(app, scene, bounds, stands, format, chart));
+    return choose_for_own(question(app, scene, bounds, alternative, format, chart));
   const Choice& chosen = choice_of(scene);
-  use(stands, app, chosen, parameters, bounds);
+  use(alternative, app, chosen, parameters, bounds);
   require_fits(app, chosen, parameters, bounds);
   const Format written = format_of(format);
   tell_if_long(bounds);

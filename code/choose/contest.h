@@ -22,7 +22,7 @@
 #include "scenes/pendulum.h"
 #include "scenes/spring.h"
 
-/// What is wanted of a method.
+/// The bounds that a method has to meet.
 struct Bounds {
   double hz = 60;            ///< frames a second
   double seconds = 10;       ///< how long the scene is watched
@@ -36,7 +36,7 @@ struct Bounds {
 inline constexpr long most_steps = 1 << 20;  ///< in one run
 inline constexpr long most_substeps = 1024;  ///< in one frame
 
-/// What one run came to.
+/// The result of one run.
 struct Attempt {
   long substeps = 0;     ///< steps in each frame; 0 if they do not end with the frames
   double tolerance = 0;  ///< of an adaptive method, as a share of how far the motion gets
@@ -45,7 +45,7 @@ struct Attempt {
   bool good(const Bounds& bounds) const { return error <= bounds.error && energy <= bounds.energy; }
 };
 
-/// How a method did in the contest.
+/// The result of a method in the contest.
 struct Entry {
   std::string name;                         ///< "exact step", or what the book calls the method
   const measure::Method* method = nullptr;  ///< never null
@@ -59,7 +59,7 @@ struct Entry {
   std::vector<Attempt> on_the_way{};  ///< what the doubling tried
 };
 
-/// Whether the scene's energy ought to stay what it is.
+/// Returns whether the scene's energy ought to stay what it is.
 template <class Scene>
 bool keeps_energy(const Scene& scene) {
   if constexpr (requires { scene.energy(scene.start().x, scene.start().v); }) {
@@ -69,15 +69,15 @@ bool keeps_energy(const Scene& scene) {
   return false;
 }
 
-/// When frames end, with the start before the first of them [s].
+/// The ends of frames, with the start before the first of them [s].
 inline std::vector<double> even_frames(const Bounds& bounds) {
   std::vector<double> ends;
   for (long n = 0; n <= bounds.frames(); ++n) ends.push_back(double(n) / bounds.hz);
   return ends;
 }
 
-/// The same of as many frames that are as uneven as those of `frames::recorded`, with a mean of
-/// `hz`.
+/// The ends of as many frames that are as uneven as those of `frames::recorded`, with a mean of
+/// `hz` [s].
 inline std::vector<double> uneven_frames(const Bounds& bounds) {
   const auto& frames = frames::recorded;
   const double sum = std::accumulate(frames.begin(), frames.end(), 0.0);
@@ -89,7 +89,7 @@ inline std::vector<double> uneven_frames(const Bounds& bounds) {
   return ends;
 }
 
-/// Where a scene should be at the ends of frames, and how far from the origin that gets.
+/// The true places of a scene at the ends of frames, and the farthest of them from the origin.
 template <class Vec>
 struct Truth {
   std::vector<double> ends;  ///< of the frames, and the start before them [s]
@@ -114,13 +114,14 @@ double size_of(const Scene& scene, const Bounds& bounds) {
   return truth_of(scene, even_frames(bounds)).size;
 }
 
-/// How far from good enough: one or less is good.
+/// The error or the change of the energy over its bound, the larger of the two: one or less is
+/// good.
 inline double miss(const Attempt& attempt, const Bounds& bounds) {
   const double worst = std::max(attempt.error / bounds.error, attempt.energy / bounds.energy);
   return worst < INFINITY ? worst : INFINITY;
 }
 
-/// Whether one attempt is nearer to good enough than the other.
+/// Returns whether one attempt is nearer to good enough than the other.
 inline bool nearer(const Attempt& one, const Attempt& other, const Bounds& bounds) {
   return miss(one, bounds) < miss(other, bounds);
 }
@@ -128,8 +129,8 @@ inline bool nearer(const Attempt& one, const Attempt& other, const Bounds& bound
 /// Compares the state at the end of a frame with the truth, and keeps the worst: the error as a
 /// share of `size`, which is how far the motion gets, and the change of the energy.
 template <class Scene, class Vec>
-void see(Attempt& worst, const Scene& scene, const scenes::State<Vec>& now, const Vec& truth,
-         double size) {
+void update_worst(Attempt& worst, const Scene& scene, const scenes::State<Vec>& now,
+                  const Vec& truth, double size) {
   const double error = measure::length(now.x - truth) / size;
   if (!(error <= worst.error)) worst.error = error;
   if constexpr (requires { scene.energy(now.x, now.v); }) {
@@ -158,8 +159,8 @@ Attempt attempt(const measure::Method& method, const Scene& scene, const Bounds&
       worst.error = INFINITY;  // an implicit step that could not be solved
       break;
     }
-    see(worst, scene, measure::state_of(method, kept, double(n) * h, h, scene), truth.x[seen],
-        truth.size);
+    update_worst(worst, scene, measure::state_of(method, kept, double(n) * h, h, scene),
+                 truth.x[seen], truth.size);
     if (miss(worst, bounds) > patience) break;
   }
   return worst;
@@ -183,7 +184,8 @@ double uneven_error(const measure::Method& method, const Scene& scene, const Tru
     } catch (const std::runtime_error&) {
       return INFINITY;
     }
-    see(worst, scene, measure::state_of(method, kept, end, h, scene), uneven.x[seen], uneven.size);
+    update_worst(worst, scene, measure::state_of(method, kept, end, h, scene), uneven.x[seen],
+                 uneven.size);
     if (!(worst.error < 1e3)) return INFINITY;
   }
   return worst.error;
@@ -237,7 +239,7 @@ void fill_in(Entry& entry, const Scene& scene, const Bounds& bounds, const Truth
 }
 // [enter]
 
-/// What a step costs in time is known of the things of the level: which of them a scene is like.
+/// The thing of chapter 7's level that a scene is like, since times were recorded of these.
 inline const char* timed_as(const scenes::Spring<>&) {
   return "suspension";
 }
@@ -273,9 +275,10 @@ inline constexpr measure::Method adaptive{
     "Dormand-Prince, adaptive", "dopri5_adaptive", "dopri5.h", {}, {}, {}};
 
 /// The tolerances that it is tried with, as shares of how far the motion gets.
-inline std::vector<double> ladder() {
+inline std::vector<double> tolerances() {
   std::vector<double> all;
-  for (int rung = 2; rung <= 28; ++rung) all.push_back(std::pow(10, -rung / 2.0));
+  for (int half_decade = 2; half_decade <= 28; ++half_decade)
+    all.push_back(std::pow(10, -half_decade / 2.0));
   return all;
 }
 
@@ -301,19 +304,19 @@ AdaptiveRun adaptive_run(const Scene& scene, const Bounds& bounds, const Truth<V
       break;
     }
     const scenes::State<Vec> now{path.position(end), path.velocity(end)};
-    see(run.worst, scene, now, truth.x[seen], truth.size);
+    update_worst(run.worst, scene, now, truth.x[seen], truth.size);
   }
   run.evaluations = double(counted.evaluations) / truth.ends.back();
   return run;
 }
 
-/// Tries every rung of the ladder and keeps the cheapest that is good enough; if none is, the
+/// Tries every tolerance and keeps the cheapest that is good enough; if none is, the
 /// nearest miss.
 template <class Scene, class Vec>
 Entry enter_adaptive(const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth,
                      const Truth<Vec>& uneven) {
   Entry entry{.name = std::string(adaptive.name), .method = &adaptive};
-  for (const double tolerance : ladder()) {
+  for (const double tolerance : tolerances()) {
     const AdaptiveRun run = adaptive_run(scene, bounds, truth, tolerance);
     const bool good = run.worst.good(bounds), first = entry.evaluations == 0;
     const bool better = good != entry.good ? good
@@ -332,7 +335,7 @@ Entry enter_adaptive(const Scene& scene, const Bounds& bounds, const Truth<Vec>&
 }
 
 /// A number in a few digits.
-inline std::string brief(double value, int digits = 2) {
+inline std::string format_number(double value, int digits = 2) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
@@ -340,10 +343,10 @@ inline std::string brief(double value, int digits = 2) {
 
 /// An error without what is only rounding.
 inline double without_rounding(double error) {
-  return error < 1e-11 ? 0 : std::stod(brief(error, 6));
+  return error < 1e-11 ? 0 : std::stod(format_number(error, 6));
 }
 
-/// Whether an entry is right in even frames alone.
+/// Returns whether an entry is right in even frames alone.
 inline bool is_for_even_frames(const Entry& entry, const Bounds& bounds) {
   return entry.good && !(entry.uneven <= bounds.error);
 }
@@ -422,7 +425,7 @@ Contest contest(const Scene& scene, const Bounds& bounds) {
   return contest(scene, bounds, truth_of(scene, even_frames(bounds)));
 }
 
-/// What `choose` has to say of a scene whose exact step is in no header.
+/// The remark of `choose` on a scene whose exact step is in no header.
 template <class Scene>
 const char* remark_on(const Scene&) {
   if constexpr (!std::is_same_v<Scene, scenes::LinearDrag<>>) return "";
@@ -448,7 +451,7 @@ Contest full_contest(const Scene& scene, const Bounds& bounds) {
   return found;
 }
 
-/// Whether anything that goes on in frames, or is exact, meets the bounds.
+/// Returns whether anything that goes on in frames, or is exact, meets the bounds.
 inline bool is_met(const Contest& found) {
   return found.methods.front().good || (!found.exact.empty() && found.exact.front().good);
 }
@@ -464,26 +467,27 @@ inline const Entry* cheapest_by_time(const std::vector<Entry>& entries) {
 }
 
 /// A number above a bound, in as many digits as show that it is above, three at least.
-inline std::string above(double value, double bound) {
+inline std::string format_above(double value, double bound) {
   int digits = 3;
-  while (digits < 17 && std::stod(brief(value, digits)) <= bound) ++digits;
-  return brief(value, digits);
+  while (digits < 17 && std::stod(format_number(value, digits)) <= bound) ++digits;
+  return format_number(value, digits);
 }
 
-/// What a share of the motion is told as: a share, or metres.
-inline double told(double share, const Bounds& bounds) {
+/// A share of the motion in the units of the answer: a share, or metres.
+inline double in_reported_units(double share, const Bounds& bounds) {
   return bounds.reach > 0 ? share * bounds.reach : share;
 }
 
-/// Why fewer steps did not do.
+/// The bound that an attempt missed, in words.
 inline std::string shortcoming(const Attempt& attempt, const Bounds& bounds) {
   if (!(attempt.error < 10)) return "explodes";
   if (attempt.error > bounds.error)
-    return "error " + above(told(attempt.error, bounds), told(bounds.error, bounds));
-  return "energy off by " + above(attempt.energy, bounds.energy);
+    return "error " + format_above(in_reported_units(attempt.error, bounds),
+                                   in_reported_units(bounds.error, bounds));
+  return "energy off by " + format_above(attempt.energy, bounds.energy);
 }
 
-/// Why an entry did not win, or what it would not have done without.
+/// The reason why an entry did not win, or why it takes no step fewer.
 inline std::string reason(const Entry& entry, const Bounds& bounds) {
   const Attempt& fails = entry.good ? entry.before : entry.last;
   if (fails.substeps == 0) return "one step is enough";

@@ -14,9 +14,9 @@ inline constexpr std::size_t beyond_the_cache = 100'000;  ///< memory
 /// A step so short that nothing explodes while it is timed [s].
 inline constexpr double brief_step = 1e-6;
 
-/// What the derivatives of a scene are billed: one evaluation, or as many as it asks for them.
+/// The cost of the derivatives of a scene: one evaluation, or as many as it asks for them.
 template <class Scene>
-long bill_for_derivatives(const Scene& scene) {
+long jacobian_cost(const Scene& scene) {
   if constexpr (requires { scene.evaluations_of_jacobian(); }) {
     return scene.evaluations_of_jacobian();
   }
@@ -24,16 +24,16 @@ long bill_for_derivatives(const Scene& scene) {
 }
 
 // [bill]
-/// A scene that charges for its acceleration, and as much again for the derivatives of it that an
-/// implicit method asks for. Solving the equations is on the house.
+/// A scene that counts the evaluations of its acceleration, and as many again for the derivatives
+/// of it that an implicit method asks for. The linear solve is not counted.
 template <class Scene>
-struct Billed : measure::Counted<Scene> {
+struct CostCounted : measure::Counted<Scene> {
   using measure::Counted<Scene>::Counted;
 
-  /// Charges, and hands the derivatives on.
+  /// Counts, and hands the derivatives on.
   template <class Vec, class Time, class Add>
   void jacobian(const Vec& x, const Vec& v, Time t, Add&& add) const {
-    this->evaluations += bill_for_derivatives<Scene>(*this);
+    this->evaluations += jacobian_cost<Scene>(*this);
     Scene::jacobian(x, v, t, add);
   }
 };

@@ -44,20 +44,20 @@ std::vector<const measure::Method*> exact_steps_of(const Scene&) {
   return {};
 }
 
-/// What a step costs: evaluations of the acceleration and of its derivatives. A step that asks for
+/// The cost of a step: evaluations of the acceleration and of its derivatives. A step that asks for
 /// none works the force out itself, and is charged for one.
 template <class Scene>
 long price(const measure::Method& method, const Scene& scene, double h) {
-  const Billed<Scene> billed{scene};
+  const CostCounted<Scene> billed{scene};
   auto kept = measure::start(method, scene.start(), h, billed);
   billed.evaluations = 0;
   measure::advance(method, kept, 0.0, h, billed);
   return std::max(1L, billed.evaluations);
 }
 
-/// The same as the list of the methods has it, for claims about what was counted: evaluations of
-/// the acceleration in a step, and one for the derivatives of an implicit method.
-inline double asks(const measure::Method& method) {
+/// Evaluations of the acceleration in a step, and one for the derivatives of an implicit method, as
+/// the list of the methods has them: for claims about what was counted.
+inline double evaluations_per_step(const measure::Method& method) {
   double often = 1;  // those that take damping apart
   list::for_each(list::EveryGeneral(), [&](auto listed) {
     if (listed.function != method.function) return;
@@ -67,7 +67,7 @@ inline double asks(const measure::Method& method) {
   return often;
 }
 
-/// What the time of a step of one of so many bodies is called.
+/// The name of the time of a step of one of so many bodies.
 /// @param thing  of the level, such as "shuttle", or a layout, such as "packs of float"
 /// @param bodies  how many
 /// @param function  of the method

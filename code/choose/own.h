@@ -21,7 +21,7 @@
 
 extern char** environ;
 
-/// What a scene of one's own is asked.
+/// The question about a scene of one's own.
 struct Question {
   std::string scene;          ///< the header
   std::string hz, seconds;    ///< as numbers

@@ -18,7 +18,7 @@
 #include "measure/length.h"
 #include "scenes/state.h"
 
-/// What the methods move: they are compiled for these.
+/// The type that the methods move: they are compiled for these.
 using Moved =
     std::conditional_t<std::is_same_v<Vec, double> || std::is_same_v<Vec, Eigen::Vector2d>, Vec,
                        Eigen::VectorXd>;
@@ -78,7 +78,7 @@ class OwnScene {
     }
   }
 
-  /// How often the derivatives ask for the acceleration.
+  /// Evaluations of the acceleration for its derivatives.
   long evaluations_of_jacobian() const { return 4 * unknowns(); }
 
  private:

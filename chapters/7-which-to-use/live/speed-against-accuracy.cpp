@@ -44,7 +44,7 @@ constexpr std::tuple methods{
     Method{"spring_folded", measure::spring_folded},
     Method{"constant_acceleration", measure::constant_acceleration}};
 
-/// Whether a method is for such scenes; the last four are not for all of them.
+/// Returns whether a method is for such scenes; the last four are not for all of them.
 template <class Scene, class Step>
 constexpr bool is_for(const Step&) {
   using namespace measure;
@@ -60,7 +60,7 @@ constexpr bool is_for(const Step&) {
   }
 }
 
-/// Whether every machine finds the same bits; not where a sine or an exponential is called.
+/// Returns whether every machine finds the same bits; not where a sine or an exponential is called.
 template <class Step>
 constexpr bool is_reproducible(const Step&) {
   return !std::is_same_v<Step, measure::SpringFolded>;
@@ -70,7 +70,8 @@ constexpr int of_the_truth = 32;  ///< steps that Dormand-Prince takes in a fram
 constexpr double gone = 1000;     ///< nobody sees how far beyond [m]
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// What a method makes of a thing, for each number of steps; nothing if it is not for such things.
+/// The outcome of a method on a thing, for each number of steps; empty if it is not for such
+/// things.
 struct Outcome {
   std::vector<double> paths;   ///< places at the ends of frames, one run after the other [m]
   std::vector<double> errors;  ///< the largest at the end of a frame; infinite if it is gone [m]
@@ -78,7 +79,7 @@ struct Outcome {
   bool reproducible = true;
 };
 
-/// What all methods make of one thing.
+/// The outcomes of all methods on one thing.
 class Trial {
  public:
   virtual ~Trial() = default;
@@ -86,7 +87,7 @@ class Trial {
   virtual double work(int which, int rounds) const = 0;
 
   double seconds = 0;
-  /// What the thing is, in the words of `choose`; not a number, where it has none of this.
+  /// The parameters of the thing, in the words of `choose`; NaN where it has none of this.
   double omega = none, zeta = none, angle = none, eccentricity = none, drag = none;
   std::vector<double> truth;
   std::vector<Outcome> outcomes;
@@ -132,7 +133,7 @@ class TrialOf final : public Trial {
   }
 
  private:
-  /// Where a method has the thing at the start and at the end of each frame.
+  /// The places of a method at the start and at the end of each frame.
   template <class Step>
   Path path(Step step, int in_a_frame) const {
     const double h = frame / in_a_frame;
@@ -174,7 +175,7 @@ class TrialOf final : public Trial {
 
   template <class Step>
   double evaluations(Step step) const {
-    const Billed<Scene> billed{scene_};
+    const CostCounted<Scene> billed{scene_};
     auto kept = measure::start(step, scene_.start(), frame, billed);
     billed.evaluations = 0;
     measure::advance(step, kept, 0.0, frame, billed);
