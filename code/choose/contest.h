@@ -431,7 +431,7 @@ const char* remark_on(const Scene&) {
   if constexpr (!std::is_same_v<Scene, scenes::LinearDrag<>>) return "";
   return "Where gravity and this drag are all that acts, there is an exact step: its lines are on "
          "the page\n"
-         "Pick a method (wall.html), under the air. linear_damping_exact is another, exact in the "
+         "Pick a method (pick-a-method.html), under the air. linear_damping_exact is another, exact in the "
          "velocity alone.";
 }
 

@@ -30,7 +30,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/refusal.cmake)
 answers(0 "This scene has an exact step. Take it:\n  spring_folded, 1 step a frame.*\n  spring_exact, 1 step a frame.*within the bounds is\n  velocity_verlet, 4 steps a frame: 240 .*\n  #include \"integrate/velocity_verlet.h\""
   --scene spring --omega 40 --zeta 0.1 --hz 60 --error 0.01)
 answers(0 "Take it:\n  constant_acceleration, 1 step a frame" --scene ball)
-answers(0 "^Where gravity and this drag are all that acts, there is an exact step: .*wall.html.*\n\nThe cheapest within the bounds:\n" --scene drag --drag 2 --seconds 1)
+answers(0 "^Where gravity and this drag are all that acts, there is an exact step: .*pick-a-method.html.*\n\nThe cheapest within the bounds:\n" --scene drag --drag 2 --seconds 1)
 answers(0 "^The cheapest within the bounds:\n" --scene pendulum --angle 2 --energy 0.001)
 answers(0 "^The cheapest within the bounds:\n  dopri5" --scene orbit --energy 0.001)
 answers(1 "^Nothing meets the bounds. The nearest:\n" --scene orbit --error 1e-15 --hz 10 --seconds 1)

@@ -1,4 +1,4 @@
-// The page for the wall: answers that fold out, and what they end in: a method, the steps that it needs, lines to copy.
+// The page to pick a method: answers that fold out, and what they end in: a method, the steps that it needs, lines to copy.
 import { value } from './cards.mjs';
 import { readRecords } from './csv.mjs';
 import { highlightLines } from './highlight.mjs';

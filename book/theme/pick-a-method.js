@@ -1,4 +1,4 @@
-// The page for the wall: one answer open at a time, and in it the steps in a tick that the reader's own spring needs, below the steps in
+// The page to pick a method: one answer open at a time, and in it the steps in a tick that the reader's own spring needs, below the steps in
 // a swing. What is open and what was typed stand in the address, so that a reader who comes back finds both again.
 (function () {
   'use strict';
@@ -28,7 +28,7 @@
     return good ? value : NaN;
   };
 
-  // As `steps_a_tick` in chapters/wall/rates.h; a test compares the two.
+  // As `steps_a_tick` in chapters/pick-a-method/rates.h; a test compares the two.
   const stepsATick = (stepsASwing, a, b) => Math.max(1, Math.ceil((stepsASwing * a) / b));
 
   function show() {

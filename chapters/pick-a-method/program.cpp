@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// The page for the wall: how many steps each of its methods needs.
+// The page to pick a method: how many steps each of its methods needs.
 #include <cmath>
 
 #include "measure/record.h"

@@ -1,5 +1,5 @@
-// The page for the wall: each way through its answers ends in a method that is what the answers ask for, and in the steps
-// that it needs; with a mouse, a finger, a keyboard, without scripts and on paper.   node tests/book/wall.test.mjs build SOURCE
+// The page to pick a method: each way through its answers ends in a method that is what the answers ask for, and in the steps
+// that it needs; with a mouse, a finger, a keyboard, without scripts and on paper.   node tests/book/pick-a-method.test.mjs build SOURCE
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -18,7 +18,7 @@ async function afresh(tab, address) {
   await visit(tab, address);
 }
 const source = process.argv[3] ?? '.';
-const page = 'wall.html';
+const page = 'pick-a-method.html';
 const $ = parse(page);
 const text = e => $(e).text().replace(/\s+/g, ' ').trim();
 
@@ -178,7 +178,7 @@ test('the limits are those of the traits, twice over', () => {
 test('method, rate and lines in three taps from the start page, on a phone', async () => {
   for (const { id, headers } of ends) {
     await visit(phone, 'index.html');
-    const door = phone.locator('main a[href="wall.html"]').first();
+    const door = phone.locator('main a[href="pick-a-method.html"]').first();
     assert.ok((await door.boundingBox()).y + 20 < 664, 'the door is on the first screen, below the browser’s own bars');
     await door.tap();
     await phone.waitForURL(url => url.pathname.endsWith(page), { waitUntil: 'load' });
@@ -193,9 +193,14 @@ test('method, rate and lines in three taps from the start page, on a phone', asy
   }
 });
 
+test('its old address leads there', async () => {
+  await desk.goto(addressOf('wall.html'));
+  await desk.waitForURL(url => url.pathname.endsWith(page));
+});
+
 test('the menu leads there from every page', async () => {
   await visit(desk, 'glossary.html');
-  await desk.locator('nav.side a[href="wall.html"]').click();
+  await desk.locator('nav.side a[href="pick-a-method.html"]').click();
   await desk.waitForLoadState('load');
   assert.equal(pageOf(desk), page);
 });
@@ -249,7 +254,7 @@ test('by keyboard alone: two answers, swings, ticks, and the lines on the clipbo
 
 test('the steps a tick are those that the program works out', async () => {
   await visit(desk, page);
-  const rows = readRecords(join(build, 'chapters/wall/data/shown.csv'));
+  const rows = readRecords(join(build, 'chapters/pick-a-method/data/shown.csv'));
   assert.ok(rows.length >= 20);
   await desk.evaluate(() => document.querySelectorAll('details').forEach(e => (e.open = true)));
   for (const row of rows) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// The claims of the page for the wall. Each name is a sentence that the page says.
+// The claims of the page to pick a method. Each name is a sentence that the page says.
 #include <Eigen/Core>
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
