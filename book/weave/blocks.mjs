@@ -5,7 +5,7 @@ import { linker } from './api.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { tableHtml } from './tables.mjs';
 import { escapeHtml, smarten } from './text.mjs';
-import { rateHtml, takeHtml } from './wall.mjs';
+import { rateHtml, takeHtml } from './pick-a-method.mjs';
 
 export function blockHtml(context, piece) {
   return { listing, fence, display, rows, card, contents, take: takeHtml, rate: rateHtml }[piece.name](context, piece);

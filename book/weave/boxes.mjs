@@ -9,7 +9,7 @@ import { adoptSvg } from './svg.mjs';
 import { taskFoot, taskHead } from './task-box.mjs';
 import { escapeHtml, smarten, textOfHtml } from './text.mjs';
 import { TOKEN } from './prose.mjs';
-import { choiceHtml } from './wall.mjs';
+import { choiceHtml } from './pick-a-method.mjs';
 
 export function boxHtml(context, piece, html) {
   return BOXES[piece.name](html, piece, context);

@@ -10,7 +10,7 @@ import { renderTex, substituteNumbers } from './math.mjs';
 import { didYouMean, nameOneOf } from './problems.mjs';
 import { tableColumns, tableFault } from './tables.mjs';
 import { introduction, italics } from './terms.mjs';
-import { checkTake } from './wall.mjs';
+import { checkTake } from './pick-a-method.mjs';
 
 export function checkBook(book) {
   collectLabels(book);

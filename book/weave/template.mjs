@@ -24,7 +24,7 @@ export function pageHtml(book, page) {
 ${page.body.includes('class="katex') ? '<link rel="stylesheet" href="katex/katex.css">\n' : ''}<link rel="stylesheet" href="book.css">
 <script defer src="book.js"></script>
 <script defer src="search.js"></script>
-${page.body.includes('class="your-spring"') ? '<script defer src="wall.js"></script>\n' : ''}${liveHead(page.body)}</head>
+${page.body.includes('class="your-spring"') ? '<script defer src="pick-a-method.js"></script>\n' : ''}${liveHead(page.body)}</head>
 <body class="${page.kind}">
 <a class="skip" href="#content">Skip to the text</a>
 <div class="shell">
@@ -49,11 +49,11 @@ function sideNav(book, page, name) {
   const numbered = book.pages.findLastIndex(p => p.number) + 1;
   const before = book.pages.slice(1, numbered),
     after = book.pages.slice(numbered);
-  const isWall = ({ name: its }) => its === 'wall'; // whoever has a deadline looks there first
+  const isFirst = ({ name: its }) => its === 'pick-a-method'; // whoever has a deadline looks there first
   const more = [
-    ...after.filter(isWall).map(prose),
+    ...after.filter(isFirst).map(prose),
     link('snippets.html', 'Snippets'),
-    ...after.filter(p => !isWall(p)).map(prose),
+    ...after.filter(p => !isFirst(p)).map(prose),
     link('claims.html', 'Claims'),
     link('reference.html', 'Code reference'),
   ];

@@ -41,9 +41,9 @@ Aftermath worst_of_three(const std::string& net, Solved method, double speed, So
 
 void a_second(measure::Record& record) {
   auto& table = record.table("second", {{"t", "s"}, {"chain"}, {"rope"}, {"cloth"}, {"1 Hz"}});
-  const auto c = shares(steel_chain, gentle, 60, solved_once),
-             r = shares(steel_rope, gentle, 60, solved_once);
-  const auto cl = shares(steel_cloth, gentle, 60, solved_once);
+  const auto c = energy_shares(steel_chain, gentle, 60, solved_once),
+             r = energy_shares(steel_rope, gentle, 60, solved_once);
+  const auto cl = energy_shares(steel_cloth, gentle, 60, solved_once);
   for (std::size_t n = 0; n <= 60; ++n) {
     const double left = std::pow(left_in_a_step(frame * swinging(1).omega), double(n));
     table.add({frame * double(n), c[n], r[n], cl[n], left});
@@ -54,7 +54,8 @@ void a_second(measure::Record& record) {
   record.number("cloth-side", steel_cloth.side, measure::whole);
   record.number("rope-sideways", sideways_swings(steel_rope), 2);
   record.number("first-rope", 100 * r[1], 2, "%");
-  record.number("second-rope-2", 100 * shares(steel_rope, gentle, 120, solved_once).back(), 2, "%");
+  record.number("second-rope-2", 100 * energy_shares(steel_rope, gentle, 120, solved_once).back(),
+                2, "%");
   record.number("first-chain", 100 * c[1], 2, "%");
   record.number("second-rope", 100 * r[60], 2, "%");
   record.number("second-cloth", 100 * cl[60], 2, "%");
@@ -66,8 +67,10 @@ void a_second(measure::Record& record) {
                 "%");
   record.number("bdf2-begun-trapezoid", 100 * left_by_bdf2(swinging(1), measure::trapezoid), 3,
                 "%");
-  record.number("bdf2-cloth", 100 * shares(steel_cloth, gentle, 60, bdf2_once()).back(), 2, "%");
-  record.number("bdf2-rope", 100 * shares(steel_rope, gentle, 60, bdf2_once()).back(), 2, "%");
+  record.number("bdf2-cloth", 100 * energy_shares(steel_cloth, gentle, 60, bdf2_once()).back(), 2,
+                "%");
+  record.number("bdf2-rope", 100 * energy_shares(steel_rope, gentle, 60, bdf2_once()).back(), 2,
+                "%");
   record.number("bdf2-suspension", 100 * left_by_bdf2(undamped_suspension), 2, "%");
   const auto left = [](const scenes::Spring<>& spring) {
     return 100 * std::pow(left_in_a_step(frame * spring.omega), 60);
@@ -125,7 +128,7 @@ void hard_blows(measure::Record& record) {
   };
   record.number("solves-1", most_solves(1), 2);
   record.number("solves-20", most_solves(20), 2);
-  record.number("blow-trapezoid", shares(steel_rope, hard, 60, trapezoid_once).back(), 2);
+  record.number("blow-trapezoid", energy_shares(steel_rope, hard, 60, trapezoid_once).back(), 2);
 }
 
 void newton(measure::Record& record) {
@@ -134,8 +137,9 @@ void newton(measure::Record& record) {
                                         {"rope, gentle", "m/s", 2},
                                         {"rope, hard", "m/s", 2},
                                         {"cloth, hard", "m/s", 2}});
-  const std::vector<double> all[] = {changes_of_parachute(), changes(steel_rope, gentle),
-                                     changes(steel_rope, hard), changes(steel_cloth, hard)};
+  const std::vector<double> all[] = {changes_of_parachute(), newton_changes(steel_rope, gentle),
+                                     newton_changes(steel_rope, hard),
+                                     newton_changes(steel_cloth, hard)};
   for (std::size_t n = 0; n < all[3].size(); ++n) {
     std::vector<measure::Cell> row{double(n + 1)};
     for (const auto& one : all) row.push_back(n < one.size() ? one[n] : NAN);

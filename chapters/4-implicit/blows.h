@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What is left of a blow in chapter 4, and how often each step is solved for it.
+/// The energy of a blow that is left in chapter 4, and how often each step is solved for it.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -14,20 +14,21 @@
 #include "measure/energy.h"
 #include "measure/methods.h"
 #include "measure/record.h"
-#include "struck_nets.h"
+#include "net/nets.h"
 
-/// What one step of backward Euler leaves of the energy of an undamped spring.
+/// Returns the share of the energy of an undamped spring that is left after a step of backward
+/// Euler.
 constexpr double left_in_a_step(double homega) {
   return 1 / (1 + homega * homega);
 }
 
-/// What a second of BDF2 leaves of the energy of an undamped spring.
+/// Returns the share of the energy of an undamped spring that is left after a second of BDF2.
 inline double left_by_bdf2(const scenes::Spring<>& spring) {
   const auto energy = [&](double x, double v) { return spring.energy(x, v); };
   return 1 + measure::drift(measure::bdf2, spring, frame, 60, energy).last;
 }
 
-/// The same, begun with a step of another method.
+/// Returns the share that is left if the first step is that of another method.
 /// @param first  takes it, as `first(x, v, t, h, scene)`
 template <class First>
 double left_by_bdf2(const scenes::Spring<>& spring, First first) {
@@ -42,7 +43,7 @@ double left_by_bdf2(const scenes::Spring<>& spring, First first) {
   return spring.energy(x, v) / given;
 }
 
-/// When a step is solved well enough.
+/// The criterion by which a step is solved well enough.
 struct Solving {
   int most = 1;          ///< solves in a step
   double tolerance = 0;  ///< a change of the velocities that may be left [m/s]
@@ -55,13 +56,13 @@ inline constexpr Solving until_close{8, 0.1};  ///< what the chapter advises
 /// The size of a change for Newton's method: of the last solve that a step may have, none.
 inline auto change_within(int most) {
   return [most, solves = 0](const Eigen::VectorXd& change) mutable {
-    return ++solves < most ? largest(change) : 0.0;
+    return ++solves < most ? largest_change(change) : 0.0;
   };
 }
 
 /// Backward Euler, each step solved until that is enough.
 inline auto backward_euler_solved(Solving enough) {
-  return [enough](Struck& s, const auto& scene, auto& system) {
+  return [enough](MassSpringState& s, const auto& scene, auto& system) {
     return integrate::backward_euler_newton(s.x, s.v, 0.0, frame, scene, system,
                                             change_within(enough.most), enough.tolerance);
   };
@@ -69,19 +70,19 @@ inline auto backward_euler_solved(Solving enough) {
 // [until]
 
 /// One solve of the trapezoid rule.
-inline constexpr auto trapezoid_once = [](Struck& s, const auto& scene, auto& system) {
+inline constexpr auto trapezoid_once = [](MassSpringState& s, const auto& scene, auto& system) {
   return integrate::trapezoid(s.x, s.v, 0.0, frame, scene, system);
 };
 
-/// How many steps of the trapezoid rule Newton's method solves to the end, before it finds none.
-/// @param draw  of the blow; see struck()
+/// Counts the steps of the trapezoid rule for which Newton's method converges, until it does not.
+/// @param draw  of the blow; see with_random_velocities()
 template <class Scene>
 int trapezoid_steps(const Scene& scene, double speed, unsigned draw, int most) {
-  Struck s = struck(scene, speed, draw);
+  MassSpringState s = with_random_velocities(scene, speed, draw);
   auto system = system_of(scene);
   int steps = 0;
-  while (steps < most &&
-         integrate::trapezoid_newton(s.x, s.v, 0.0, frame, scene, system, largest, tolerance) > 0) {
+  while (steps < most && integrate::trapezoid_newton(s.x, s.v, 0.0, frame, scene, system,
+                                                     largest_change, newton_tolerance) > 0) {
     ++steps;
   }
   return steps;
@@ -92,7 +93,7 @@ int trapezoid_steps(const Scene& scene, double speed, unsigned draw, int most) {
 template <class Step>
 auto begun_by_itself(Step step) {
   using Previous = integrate::Bdf2Previous<Eigen::VectorXd>;
-  return [step, previous = std::optional<Previous>()](Struck& s, const auto& scene,
+  return [step, previous = std::optional<Previous>()](MassSpringState& s, const auto& scene,
                                                       auto& system) mutable {
     if (!previous) previous = integrate::bdf2_start(s.x, s.v, 0.0, frame, scene);
     return step(s, *previous, scene, system);
@@ -101,20 +102,21 @@ auto begun_by_itself(Step step) {
 
 /// One solve of BDF2; for one blow.
 inline auto bdf2_once() {
-  return begun_by_itself([](Struck& s, auto& previous, const auto& scene, auto& system) {
+  return begun_by_itself([](MassSpringState& s, auto& previous, const auto& scene, auto& system) {
     return integrate::bdf2(s.x, s.v, previous, 0.0, frame, frame, scene, system);
   });
 }
 
 /// BDF2, each step solved until that is enough; for one blow.
 inline auto bdf2_solved(Solving enough) {
-  return begun_by_itself([enough](Struck& s, auto& previous, const auto& scene, auto& system) {
-    return integrate::bdf2_newton(s.x, s.v, previous, 0.0, frame, frame, scene, system,
-                                  change_within(enough.most), enough.tolerance);
-  });
+  return begun_by_itself(
+      [enough](MassSpringState& s, auto& previous, const auto& scene, auto& system) {
+        return integrate::bdf2_newton(s.x, s.v, previous, 0.0, frame, frame, scene, system,
+                                      change_within(enough.most), enough.tolerance);
+      });
 }
 
-/// What a second makes of the energy of a blow.
+/// The energy in a second after a blow.
 struct Aftermath {
   double most = 0;    ///< after any step, over that of the blow; infinite if one was not solved
   int frame = 0;      ///< after which it is that much
@@ -127,12 +129,12 @@ template <class Scene, class Step>
 Aftermath after_blow(const Scene& scene, double speed, unsigned draw, Step step) {
   constexpr int frames = 60;
   Aftermath found;
-  const auto counted = [&](Struck& s, const auto& net, auto& system) {
+  const auto counted = [&](MassSpringState& s, const auto& net, auto& system) {
     const int solves = step(s, net, system);
     found.solves += double(solves) / frames;
     return solves > 0;
   };
-  const auto all = shares(scene, speed, frames, counted, draw);
+  const auto all = energy_shares(scene, speed, frames, counted, draw);
   const auto most = std::max_element(all.begin() + 1, all.end());
   found.most = all.size() > frames ? *most : INFINITY;
   found.frame = int(most - all.begin());
@@ -143,7 +145,7 @@ Aftermath after_blow(const Scene& scene, double speed, unsigned draw, Step step)
 /// The methods that are solved in steps after a blow.
 enum class Solved { backward_euler, bdf2 };
 
-/// The same on one of the nets, by one of the methods.
+/// Returns it for one of the nets and one of the methods.
 /// @param net  "rope" or "cloth"
 Aftermath after_blow(const std::string& net, Solved method, double speed, unsigned draw,
                      Solving enough);
@@ -155,19 +157,19 @@ inline constexpr unsigned harsh_draw = 31;  ///< the harshest for cloth of the f
 /// The largest of each after three blows; not which frame it was.
 Aftermath worst_of_three(const std::string& net, Solved method, double speed, Solving enough);
 
-/// How often a second the beads of a rope that hangs swing sideways near its nail, neighbours
-/// against each other, pulled by the weight of the whole rope.
+/// Returns how often a second the beads of a rope that hangs swing sideways near its nail,
+/// neighbours against each other, pulled by the weight of the whole rope.
 inline double sideways_swings(const HangingRope<>& rope) {
   const double weight = (rope.count - 1) * rope.mass * rope.g;
   const double spacing = rope.length / (rope.count - 1);
   return std::sqrt(4 * weight / (rope.mass * spacing)) / (2 * std::numbers::pi);
 }
 
-/// A gentle blow, and what a second leaves of it.
+/// Records a gentle blow, and what a second leaves of it.
 void a_second(measure::Record& record);
 
-/// Harder and harder blows, solved once a step, twice and until it is enough.
+/// Records harder and harder blows, solved once a step, twice and until it is enough.
 void hard_blows(measure::Record& record);
 
-/// How much each of Newton's iterations changes in one step.
+/// Records the change in each of Newton's iterations of one step.
 void newton(measure::Record& record);

@@ -24,13 +24,13 @@ inline double derived_parachute(double v, double h) {
   return (1 - std::sqrt(1 + 4 * hk * (h * parachute.g - v))) / (2 * hk);
 }
 
-/// The same by one solve of the linear system; not a number if there was none.
+/// Her velocity by one solve of the linear system; NaN if it failed [m/s].
 inline double parachute_solved_once(double v, double h) {
   double x = 0;
   return integrate::backward_euler(x, v, 0.0, h, parachute, solve_parachute) ? v : NAN;
 }
 
-/// By how much each of Newton's iterations changes her velocity in the step in which it opens.
+/// The changes of her velocity in Newton's iterations of the step in which it opens [m/s].
 inline std::vector<double> changes_of_parachute() {
   std::vector<double> found;
   const auto note = [&found](double change) {

@@ -7,17 +7,17 @@
 #include "blows.h"
 #include "integrate/backward_euler.h"
 #include "integrate/band_system.h"
-#include "iterated.h"
-#include "matrix_costs.h"
 #include "measure/error.h"
 #include "measure/methods.h"
 #include "measure/path.h"
 #include "measure/record.h"
 #include "measure/stability.h"
+#include "net/conjugate_gradients.h"
+#include "net/matrix_costs.h"
+#include "net/visible_error.h"
 #include "parachute.h"
 #include "scenes/linear_drag.h"
 #include "scenes/rope.h"
-#include "seen.h"
 #include "slide.h"
 #include "soft.h"
 #include "thrown.h"
@@ -141,8 +141,8 @@ int main(int argc, char** argv) {
     called(record);
     matrices(record);
     costs(record);
-    fairer(record);
-    seen(record);
+    record_substeps_and_iterations(record);
+    record_visible_errors(record);
     costs_on_a_nail(record);
     predictors(record);
     a_second(record);
@@ -150,6 +150,6 @@ int main(int argc, char** argv) {
     newton(record);
     ringing(record);
     soft_damping(record);
-    spins(record);
+    record_free_rigid_body(record);
   });
 }

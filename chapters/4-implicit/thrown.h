@@ -57,11 +57,11 @@ inline Eigen::Vector3d as_in_bullet(const Thrown& body, const Eigen::Vector3d& w
   return w - jacobian.inverse() * residual;
 }
 
-/// At which frame a thrown body has turned over for the first time [s].
+/// The time of the frame in which a thrown body has turned over for the first time [s].
 /// @param step  a method, called as `step(x, v, t, h, scene)`
 /// @param parts  steps in a frame
 template <class Step>
-double first_over(Step step, int parts) {
+double first_flip_time(Step step, int parts) {
   const Thrown body;
   auto s = body.start();
   for (int n = 1;; ++n) {
@@ -70,14 +70,14 @@ double first_over(Step step, int parts) {
   }
 }
 
-/// Ten seconds of a thrown body.
-inline void spins(measure::Record& record) {
+/// Records ten seconds of a thrown body.
+inline void record_free_rigid_body(measure::Record& record) {
   auto& spin = record.table(
       "spin", {{"t", "s"}, {"Euler"}, {"backward Euler"}, {"trapezoid"}, {"RK4", "", 6}});
   const Thrown body;
   auto e = body.start(), b = e, tr = e, r = e;
   const double first = body.energy(e.v);
-  // What exploded is not a number in the end, and compilers do not agree on the sign of that.
+  // A run that exploded ends as NaN, and compilers do not agree on its sign.
   const auto share = [&](const auto& s) {
     const double found = body.energy(s.v) / first;
     return std::isnan(found) ? INFINITY : found;
@@ -95,6 +95,6 @@ inline void spins(measure::Record& record) {
   record.number("spin-second", 100 * spin.rows[60][2].value, 2, "%");
   record.number("spin-ten", 100 * spin.rows[600][2].value, 2, "%");
   record.number("spin-rk4", 100 * (1 - spin.rows[600][4].value), 2, "%");
-  record.number("spin-over", first_over(measure::backward_euler, 1), 2, "s");
-  record.number("spin-over-true", first_over(measure::rk4, 20), 2, "s");
+  record.number("spin-over", first_flip_time(measure::backward_euler, 1), 2, "s");
+  record.number("spin-over-true", first_flip_time(measure::rk4, 20), 2, "s");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// What is timed for chapter 4: a frame of each struck net, in the fewest substeps that hold it and
+// The times of chapter 4: a frame of each net after a blow, in the fewest substeps that hold it and
 // in one solved step.
 #include "../times.h"
 
@@ -11,9 +11,8 @@
 #include "integrate/bdf2.h"
 #include "integrate/trapezoid.h"
 #include "measure/time_of.h"
-#include "nets.h"
-#include "struck_nets.h"
-#include "substeps.h"
+#include "net/nets.h"
+#include "net/substeps.h"
 
 namespace {
 
@@ -28,11 +27,11 @@ constexpr int blows = 5;  ///< in one run
 /// true if it could be taken
 template <class Scene, class Make>
 double time_of_frame(const Scene& scene, Make make) {
-  const Struck start = struck(scene, gentle);
+  const MassSpringState start = with_random_velocities(scene, gentle);
   auto system = system_of(scene);
   std::chrono::duration<double> elapsed{0};
   for (int blow = 0; blow < blows; ++blow) {
-    Struck s = start;
+    MassSpringState s = start;
     auto step = make(s, scene);
     measure::forget(s);
     const auto begin = std::chrono::steady_clock::now();
@@ -45,8 +44,8 @@ double time_of_frame(const Scene& scene, Make make) {
   return elapsed.count() / (blows * frames_of_a_blow) / double(start.x.size());
 }
 
-constexpr auto make_substeps = [](const Struck&, const auto& net) {
-  return [steps = substeps_for(net)](Struck& s, const auto& scene, auto&) {
+constexpr auto make_substeps = [](const MassSpringState&, const auto& net) {
+  return [steps = substeps_for(net)](MassSpringState& s, const auto& scene, auto&) {
     for (int n = 0; n < steps; ++n) {
       integrate::symplectic_euler(s.x, s.v, 0.0, frame / steps, scene);
     }
@@ -54,17 +53,19 @@ constexpr auto make_substeps = [](const Struck&, const auto& net) {
   };
 };
 
-constexpr auto make_backward_euler = [](const Struck&, const auto&) { return solved_once; };
+constexpr auto make_backward_euler = [](const MassSpringState&, const auto&) {
+  return solved_once;
+};
 
-constexpr auto make_trapezoid = [](const Struck&, const auto&) {
-  return [](Struck& s, const auto& scene, auto& system) {
+constexpr auto make_trapezoid = [](const MassSpringState&, const auto&) {
+  return [](MassSpringState& s, const auto& scene, auto& system) {
     return integrate::trapezoid(s.x, s.v, 0.0, frame, scene, system);
   };
 };
 
-constexpr auto make_bdf2 = [](const Struck& start, const auto& net) {
+constexpr auto make_bdf2 = [](const MassSpringState& start, const auto& net) {
   return [previous = integrate::bdf2_start(start.x, start.v, 0.0, frame, net)](
-             Struck& s, const auto& scene, auto& system) mutable {
+             MassSpringState& s, const auto& scene, auto& system) mutable {
     return integrate::bdf2(s.x, s.v, previous, 0.0, frame, frame, scene, system);
   };
 };

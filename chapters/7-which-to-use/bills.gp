@@ -16,8 +16,8 @@ edge = NARROW ? 30000 : 15000
 set arrow 1 from edge,0.4 to edge,last + 1.6 nohead ls LIMIT
 price = "evaluations a second"
 paid(name) = txt(name) eq "inf" ? never : val(name)
-of(m) = txt("what is taken") eq m ? paid(price) : NaN
-plot file("bills") every ::1 using (paid(price)):($0 + 1):ytic(txt("what is taken")) with points ls EXACT ps 0, \
+of(m) = txt("method") eq m ? paid(price) : NaN
+plot file("bills") every ::1 using (paid(price)):($0 + 1):ytic(txt("method")) with points ls EXACT ps 0, \
      file("bills") every ::1 using (of("the choice for each")):($0 + 1) with points ls EXACT pt 7 ps 0.8, \
      for [m in CONTENDERS] file("bills") every ::1 using (of(m)):($0 + 1) with points ls style(m), \
      file("bills") every ::1 using (paid(price)):($0 + 1):(txt(price) eq "inf" ? "" : txt(price)) with labels left offset 0.9,0 tc ls EXACT

@@ -11,17 +11,18 @@
 #include <string>
 #include <vector>
 
-#include "asks.h"
-#include "entrants.h"
+#include "choose/contests.h"
+#include "choose/entrants.h"
 #include "float_floor.h"
 #include "level_by_choice.h"
 #include "map.h"
+#include "measure/longest_stable_step.h"
 #include "measure/many_starts.h"
 #include "measure/method_of.h"
 #include "measure/methods.h"
-#include "off.h"
 #include "particles.h"
-#include "poster.h"
+#include "position_error.h"
+#include "summary_table.h"
 #include "verdicts.h"
 #include "work_precision.h"
 #include "your_spring.h"
@@ -42,7 +43,7 @@ namespace {
 std::map<std::string, double> errors(const Method& step) {
   std::map<std::string, double> found;
   for_each_thing([&](const auto& name, const auto& scene, double seconds) {
-    found[name] = 100 * off(step, scene, frame, seconds);
+    found[name] = 100 * max_position_error(step, scene, frame, seconds);
   });
   return found;
 }
@@ -50,7 +51,8 @@ std::map<std::string, double> errors(const Method& step) {
 /// The words for the three kinds of force, one after the other.
 std::string words(const Method& step) {
   const Verdict found = verdict(step);
-  return word(found.position) + ", " + word(found.velocity) + ", " + word(found.constant);
+  return verdict_word(found.position) + ", " + verdict_word(found.velocity) + ", " +
+         verdict_word(found.constant);
 }
 
 /// The cheapest evaluations a second with which a method keeps all six within a centimetre.
@@ -66,7 +68,7 @@ std::map<std::string, double> bills() {
   return found;
 }
 
-/// How far a spring has been after many steps; infinite from a million times the start on.
+/// The farthest that a spring has been in many steps; infinite from a million times the start on.
 double farthest(const Method& step, double homega, double zeta) {
   double most = 0;
   scenes::State<double> s{1, 0.5};
@@ -76,7 +78,7 @@ double farthest(const Method& step, double homega, double zeta) {
   return most < 1e6 ? most : INFINITY;
 }
 
-/// Whether a whole run with so many steps in each frame stays within the bounds.
+/// Returns whether a whole run with so many steps in each frame stays within the bounds.
 template <class Scene>
 bool meets(const Method& step, const Scene& scene, const Bounds& bounds, long substeps) {
   const double h = 1 / bounds.hz / double(substeps);
@@ -107,7 +109,7 @@ template <class Scene>
 std::string cheaper(const Scene& scene, const Bounds& bounds, double evaluations) {
   std::string found;
   for (const Method* entrant : entrants_on(scene)) {
-    const double once = bounds.hz * asks(*entrant);
+    const double once = bounds.hz * evaluations_per_step(*entrant);
     for (long substeps = std::lround(evaluations / once); substeps > 0; --substeps) {
       if (once * double(substeps) > evaluations - 1e-9) continue;
       if (meets(*entrant, scene, bounds, substeps)) found += title(*entrant, substeps);
@@ -116,14 +118,14 @@ std::string cheaper(const Scene& scene, const Bounds& bounds, double evaluations
   return found;
 }
 
-/// How far a turn is moved, in no precision but double, by one last place of a float in each number
-/// of its start [m].
+/// The distance by which one last place of a float in each number of its start moves a turn, in no
+/// precision but double [m].
 double moved_by_a_last_place() {
   const auto start = shuttle_in<float>().start();
   const auto next = [](float value) { return std::nextafter(value, INFINITY); };
-  Place<double> x = start.x.cast<double>(), v = start.v.cast<double>();
-  Place<double> x_aside = start.x.unaryExpr(next).cast<double>();
-  Place<double> v_aside = start.v.unaryExpr(next).cast<double>();
+  ShuttleVec<double> x = start.x.cast<double>(), v = start.v.cast<double>();
+  ShuttleVec<double> x_aside = start.x.unaryExpr(next).cast<double>();
+  ShuttleVec<double> v_aside = start.v.unaryExpr(next).cast<double>();
   double largest = 0;
   const double h = frame / 4;
   for (double t = 0; t < shuttle_turn; t += h) {
@@ -171,8 +173,8 @@ TEST_CASE("With drag in the acceleration only the implicit methods hold the hatc
 }
 
 TEST_CASE("With drag divided symplectic Euler holds the hatch as near as backward Euler") {
-  const double divided = off(method::linear_damping_implicit_last, hatch, frame, 1);
-  CHECK_THAT(divided, WithinRel(off(backward_euler, hatch, frame, 1), 0.05));
+  const double divided = max_position_error(method::linear_damping_implicit_last, hatch, frame, 1);
+  CHECK_THAT(divided, WithinRel(max_position_error(backward_euler, hatch, frame, 1), 0.05));
 }
 
 TEST_CASE("Dormand-Prince keeps five of the six things within a micrometre") {
@@ -199,8 +201,10 @@ TEST_CASE("RK4 is great for forces of all three kinds") {
 TEST_CASE(
     "In a quarter of the steps RK4 is a hundred times nearer than velocity Verlet on drone and "
     "skid") {
-  CHECK(100 * off(rk4, drone, 4 * frame, minute) < off(velocity_verlet, drone, frame, minute));
-  CHECK(100 * off(rk4, skid, 4 * frame, moment) < off(velocity_verlet, skid, frame, moment));
+  CHECK(100 * max_position_error(rk4, drone, 4 * frame, minute) <
+        max_position_error(velocity_verlet, drone, frame, minute));
+  CHECK(100 * max_position_error(rk4, skid, 4 * frame, moment) <
+        max_position_error(velocity_verlet, skid, frame, moment));
 }
 
 TEST_CASE("Backward Euler is lousy for forces of position, okay for velocity, bad for constant") {
@@ -232,19 +236,19 @@ TEST_CASE("On a skid symplectic Euler has the velocity of Euler, and a worse pla
 
 TEST_CASE("What backward Euler is great for is the length of the step") {
   constexpr scenes::LinearDrag<> brake{.c = 1, .g = 0};
-  CHECK(std::isinf(longest_step(backward_euler, brake)));
-  CHECK_THAT(longest_step(euler, brake), WithinAbs(2, 1e-9));
-  CHECK_THAT(longest_step(velocity_verlet, brake), WithinAbs(1, 1e-9));
+  CHECK(std::isinf(measure::longest_stable_step(backward_euler, brake)));
+  CHECK_THAT(measure::longest_stable_step(euler, brake), WithinAbs(2, 1e-9));
+  CHECK_THAT(measure::longest_stable_step(velocity_verlet, brake), WithinAbs(1, 1e-9));
 }
 
 TEST_CASE(
     "Of the charts' methods that ask once a step velocity Verlet is nearest on all four scenes") {
   const auto check = [](const auto& scene, double seconds) {
-    const double least = off(velocity_verlet, scene, frame, seconds);
+    const double least = max_position_error(velocity_verlet, scene, frame, seconds);
     for (const Method* entrant : entrants) {
       INFO(entrant->name);
       if (price(*entrant, scene, frame) > 1) continue;
-      CHECK(off(*entrant, scene, frame, seconds) >
+      CHECK(max_position_error(*entrant, scene, frame, seconds) >
             least * (1 - 1e-6));  // leapfrog's places are the same
     }
   };
@@ -256,8 +260,8 @@ TEST_CASE(
 
 TEST_CASE("Without drag drift, kick, drift is nearer than velocity Verlet, with drag farther") {
   const auto ratio = [](const auto& scene, double seconds) {
-    return off(measure::compiled<measure::LeapfrogDrift>, scene, frame, seconds) /
-           off(velocity_verlet, scene, frame, seconds);
+    return max_position_error(measure::compiled<measure::LeapfrogDrift>, scene, frame, seconds) /
+           max_position_error(velocity_verlet, scene, frame, seconds);
   };
   CHECK_THAT(ratio(lamp, 10), WithinAbs(0.62, 0.01));
   CHECK_THAT(ratio(shuttle, 8), WithinAbs(0.19, 0.01));
@@ -266,9 +270,10 @@ TEST_CASE("Without drag drift, kick, drift is nearer than velocity Verlet, with 
 }
 
 TEST_CASE("At 240 evaluations RK4's shuttle is 300 times nearer than Verlet's") {
-  const double best = off(rk4, shuttle, frame, 8);
-  CHECK_THAT(off(velocity_verlet, shuttle, frame / 4, 8) / best, WithinAbs(337, 5));
-  CHECK_THAT(off(symplectic_euler, shuttle, frame / 4, 8) / best, WithinAbs(4600, 50));
+  const double best = max_position_error(rk4, shuttle, frame, 8);
+  CHECK_THAT(max_position_error(velocity_verlet, shuttle, frame / 4, 8) / best, WithinAbs(337, 5));
+  CHECK_THAT(max_position_error(symplectic_euler, shuttle, frame / 4, 8) / best,
+             WithinAbs(4600, 50));
 }
 
 TEST_CASE(
@@ -285,11 +290,11 @@ TEST_CASE(
   for (const Method* one : high) {
     for (const int rate : {40, 75, 150, 210}) {
       const double paid = double(rate * price(*one, shuttle, 1.0 / rate));
-      const double error = off(*one, shuttle, 1.0 / rate, 8);
+      const double error = max_position_error(*one, shuttle, 1.0 / rate, 8);
       for (const Method* other : entrants) {
         if (std::count(std::begin(high), std::end(high), other)) continue;
         const double h = double(price(*other, shuttle, frame)) / paid;
-        CHECK(off(*other, shuttle, h, 8) > 10 * error);
+        CHECK(max_position_error(*other, shuttle, h, 8) > 10 * error);
       }
     }
   }
@@ -303,11 +308,14 @@ TEST_CASE("In a minute backward Euler changes the shuttle's energy by more than 
 
 TEST_CASE("Twice the steps halve Euler's error, quarter Verlet's and leave a sixteenth of RK4's") {
   const auto gain = [](const Method& step) {
-    return off(step, lamp, 1.0 / 960, 10) / off(step, lamp, 1.0 / 1920, 10);
+    return max_position_error(step, lamp, 1.0 / 960, 10) /
+           max_position_error(step, lamp, 1.0 / 1920, 10);
   };
   CHECK_THAT(gain(symplectic_euler), WithinAbs(2, 0.05));
   CHECK_THAT(gain(velocity_verlet), WithinAbs(4, 0.05));
-  CHECK_THAT(off(rk4, lamp, 1.0 / 120, 10) / off(rk4, lamp, 1.0 / 240, 10), WithinAbs(16, 1));
+  CHECK_THAT(
+      max_position_error(rk4, lamp, 1.0 / 120, 10) / max_position_error(rk4, lamp, 1.0 / 240, 10),
+      WithinAbs(16, 1));
 }
 
 TEST_CASE("At 30 steps a second Euler's lamp goes over the top, at 60 and more it does not") {
@@ -323,12 +331,14 @@ TEST_CASE("At 30 steps a second Euler's lamp goes over the top, at 60 and more i
 }
 
 TEST_CASE("On the leaf symplectic Euler is five times as far off as Euler") {
-  CHECK_THAT(off(symplectic_euler, leaf, frame, 2) / off(euler, leaf, frame, 2), WithinAbs(5, 0.2));
+  CHECK_THAT(max_position_error(symplectic_euler, leaf, frame, 2) /
+                 max_position_error(euler, leaf, frame, 2),
+             WithinAbs(5, 0.2));
 }
 
 TEST_CASE("On a damped spring Yoshida is no better than midpoint at the same rate per evaluation") {
-  CHECK_THAT(off(method::yoshida4, suspension, 1.0 / 80, 1) /
-                 off(method::midpoint, suspension, 1.0 / 120, 1),
+  CHECK_THAT(max_position_error(method::yoshida4, suspension, 1.0 / 80, 1) /
+                 max_position_error(method::midpoint, suspension, 1.0 / 120, 1),
              WithinAbs(1.1, 0.15));
 }
 
@@ -359,7 +369,7 @@ TEST_CASE(
 
 TEST_CASE("On the suspension velocity Verlet and RK4 meet at 120 evaluations a second") {
   const auto error = [](const Method& step, double rate) {
-    return off(step, suspension, 1 / rate, 1);
+    return max_position_error(step, suspension, 1 / rate, 1);
   };
   CHECK_THAT(error(velocity_verlet, 120) / error(rk4, 30), WithinAbs(1, 0.1));
   CHECK(error(velocity_verlet, 60) < error(rk4, 15) / 3);
@@ -410,7 +420,7 @@ TEST_CASE("The eigenvalues know the limits that the formulas give") {
 TEST_CASE(
     "At 30 Hz a critically damped spring of 40 per second is lost by four methods, not Euler") {
   std::string lost;
-  for (const auto& [method, way] : cameras()) {
+  for (const auto& [method, way] : camera_paths()) {
     INFO(method);
     const bool gone = std::abs(way.back()) > 10 * camera.x0;
     CHECK((gone || std::abs(way.back()) < 0.1 * camera.x0));
@@ -422,9 +432,11 @@ TEST_CASE(
 TEST_CASE(
     "With drag divided symplectic Euler's limit rises with the damping, and falls otherwise") {
   const auto divided = [](double zeta) {
-    return longest_step(method::linear_damping_implicit_last, spring_of(zeta));
+    return measure::longest_stable_step(method::linear_damping_implicit_last, spring_of(zeta));
   };
-  const auto plain = [](double zeta) { return longest_step(symplectic_euler, spring_of(zeta)); };
+  const auto plain = [](double zeta) {
+    return measure::longest_stable_step(symplectic_euler, spring_of(zeta));
+  };
   for (const double zeta : {0.1, 0.5, 1.0, 2.0}) {
     CAPTURE(zeta);
     CHECK_THAT(divided(zeta), WithinRel(2 * (std::sqrt(1 + zeta * zeta) + zeta), 1e-6));
@@ -447,20 +459,20 @@ TEST_CASE(
     "Drag divided is true to life for longer steps than drag as a force below critical damping") {
   for (const double zeta : {0.1, 0.3, 0.5, 0.7}) {
     CAPTURE(zeta);
-    CHECK(true_until(method::linear_damping_implicit_last, zeta) >
-          true_until(symplectic_euler, zeta));
+    CHECK(accurate_until(method::linear_damping_implicit_last, zeta) >
+          accurate_until(symplectic_euler, zeta));
   }
 }
 
 TEST_CASE("Backward Euler is stable on all of the map, and true to 0.2 without damping") {
   for (int i = 0; i <= 20; ++i) CHECK(stable_until(backward_euler, tallest * i / 20) == widest);
-  CHECK_THAT(true_until(backward_euler, 0), WithinAbs(0.2, 0.01));
+  CHECK_THAT(accurate_until(backward_euler, 0), WithinAbs(0.2, 0.01));
 }
 
 TEST_CASE("The exact step is stable and true on all of the map") {
   for (int i = 0; i <= 20; ++i) {
     CHECK(stable_until(method::spring_exact, tallest * i / 20) == widest);
-    CHECK(true_until(method::spring_exact, tallest * i / 20) == widest);
+    CHECK(accurate_until(method::spring_exact, tallest * i / 20) == widest);
   }
 }
 
@@ -602,7 +614,8 @@ TEST_CASE(
     const Entry& best = found.methods[0];
     CHECK(best.good);
     CHECK(best.evaluations == evaluations);
-    CHECK(best.evaluations == bounds.hz * double(best.last.substeps) * asks(*best.method));
+    CHECK(best.evaluations ==
+          bounds.hz * double(best.last.substeps) * evaluations_per_step(*best.method));
     CHECK(cheaper(scene, bounds, best.evaluations).empty());
     // The search sees what is there: with room for one frame of RK4 more it finds the chosen one.
     CHECK_THAT(cheaper(scene, bounds, best.evaluations + 4 * bounds.hz),
@@ -733,13 +746,13 @@ TEST_CASE(
 
 TEST_CASE(
     "At 60 Hz symplectic Euler holds 19 swings a second, and RK4 27 for four times the price") {
-  CHECK_THAT(swings(symplectic_euler), WithinAbs(19.1, 0.05));
-  CHECK_THAT(swings(rk4), WithinAbs(27, 0.05));
+  CHECK_THAT(swings_held(symplectic_euler), WithinAbs(19.1, 0.05));
+  CHECK_THAT(swings_held(rk4), WithinAbs(27, 0.05));
 }
 
 TEST_CASE("At 60 Hz Yoshida holds 15 swings a second, fewer than velocity Verlet for one step") {
-  CHECK_THAT(swings(method::yoshida4), WithinAbs(15, 0.05));
-  CHECK(swings(method::yoshida4) < swings(velocity_verlet));
+  CHECK_THAT(swings_held(method::yoshida4), WithinAbs(15, 0.05));
+  CHECK(swings_held(method::yoshida4) < swings_held(velocity_verlet));
 }
 
 TEST_CASE(
@@ -755,12 +768,14 @@ TEST_CASE(
 
 TEST_CASE("Euler's jump is eight centimetres off, and the exact step asks as often") {
   CHECK_THAT(errors(euler)["jump"], WithinAbs(8.2, 0.05));
+  CHECK(thrown_ball.v0 == height_of_jump.v0);  // the ball of `choose`
   CHECK(price(method::constant_acceleration, height_of_jump, frame) ==
         price(euler, height_of_jump, frame));
 }
 
 TEST_CASE("A swing twice a second to one per cent takes velocity Verlet 288 steps a second") {
-  CHECK_THAT(off(velocity_verlet, twice_a_second, 1.0 / 288, 10), WithinRel(0.01, 0.02));
+  CHECK_THAT(max_position_error(velocity_verlet, twice_a_second, 1.0 / 288, 10),
+             WithinRel(0.01, 0.02));
 }
 
 TEST_CASE(
@@ -786,9 +801,9 @@ TEST_CASE("Velocity Verlet with drag divided at the end has more room and only o
   }
   // Symplectic Euler with the division: 2 (sqrt(1 + zeta^2) + zeta) is 4 at zeta = 0.75.
   const auto& rival = method::linear_damping_implicit_last;
-  CHECK_THAT(longest_step(rival, spring_of(0.75)), WithinRel(4, 1e-6));
-  const double gain =
-      off(divided, suspension, 1.0 / 960, 1) / off(divided, suspension, 1.0 / 1920, 1);
+  CHECK_THAT(measure::longest_stable_step(rival, spring_of(0.75)), WithinRel(4, 1e-6));
+  const double gain = max_position_error(divided, suspension, 1.0 / 960, 1) /
+                      max_position_error(divided, suspension, 1.0 / 1920, 1);
   CHECK_THAT(gain, WithinAbs(2, 0.1));
 }
 

@@ -9,17 +9,17 @@
 #include <string>
 #include <vector>
 
-#include "asks.h"
-#include "contests.h"
-#include "entrants.h"
+#include "choose/contests.h"
+#include "choose/entrants.h"
+#include "level.h"
 
 using Catch::Matchers::WithinRel;
 using measure::Method;
 
 namespace {
 
-/// Where a scene is at the end of each frame: RK4, in so many steps of each frame that they are
-/// right far beyond any bound that is asked for here.
+/// The places of a scene at the end of each frame: by RK4, in so many steps of each frame that they
+/// are right far beyond any bound that is asked for here.
 template <class Scene>
 auto true_places(const Scene& scene, const Bounds& bounds) {
   const auto start = scene.start();
@@ -53,7 +53,7 @@ double share(const Places& places, const Places& truth) {
   return worst / farthest;
 }
 
-/// Where a method has a scene at the end of each frame.
+/// The places of a method at the end of each frame.
 template <class Scene>
 auto places_of(const Method& method, const Scene& scene, const Bounds& bounds, long substeps) {
   const double h = 1 / (bounds.hz * double(substeps));
@@ -72,8 +72,8 @@ template <class Scene, class Places>
 std::string cheaper(const Scene& scene, const Bounds& bounds, const Places& truth, double than) {
   std::string found;
   for (const Method* method : entrants_on(scene)) {
-    for (long substeps = 1; double(substeps) * asks(*method) * bounds.hz < than - 1e-9;
-         ++substeps) {
+    for (long substeps = 1;
+         double(substeps) * evaluations_per_step(*method) * bounds.hz < than - 1e-9; ++substeps) {
       if (share(places_of(*method, scene, bounds, substeps), truth) <= bounds.error)
         found += std::string(method->function) + " " + std::to_string(substeps) + ", ";
     }
@@ -81,7 +81,7 @@ std::string cheaper(const Scene& scene, const Bounds& bounds, const Places& trut
   return found;
 }
 
-/// The least evaluations a second that a rung of the ladder takes and is good enough; infinite if
+/// The least evaluations a second that a tolerance takes and is good enough; infinite if
 /// none is.
 template <class Scene, class Places>
 double least_of_adaptive(const Scene& scene, const Bounds& bounds, const Places& truth) {
@@ -109,7 +109,7 @@ double least_of_adaptive(const Scene& scene, const Bounds& bounds, const Places&
   return least;
 }
 
-/// Whether the answer for a scene is right.
+/// Checks the answer for a scene.
 template <class Scene>
 void check(const Scene& scene, const Bounds& bounds) {
   const Contest found = full_contest(scene, bounds);
@@ -117,7 +117,8 @@ void check(const Scene& scene, const Bounds& bounds) {
   CAPTURE(bounds.hz, bounds.seconds, bounds.error, best.method->function, best.last.substeps);
   const auto truth = true_places(scene, bounds);
   REQUIRE(best.good);
-  CHECK(best.evaluations == double(best.last.substeps) * asks(*best.method) * bounds.hz);
+  CHECK(best.evaluations ==
+        double(best.last.substeps) * evaluations_per_step(*best.method) * bounds.hz);
   CHECK(share(places_of(*best.method, scene, bounds, best.last.substeps), truth) <= bounds.error);
   CHECK(cheaper(scene, bounds, truth, best.evaluations).empty());
   const Entry& adaptive = found.undisturbed.front();

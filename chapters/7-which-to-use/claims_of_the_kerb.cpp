@@ -6,8 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "asks.h"
-#include "entrants.h"
+#include "choose/entrants.h"
 #include "kerb.h"
 #include "measure/methods.h"
 #include "measure/stability.h"
@@ -71,7 +70,7 @@ TEST_CASE(
     const double verlet = worst_over_kerb(velocity_verlet, in_a_frame);
     CAPTURE(in_a_frame);
     for (const Method* entrant : entrants) {
-      if (asks(*entrant) > 1 || entrant == &velocity_verlet) continue;
+      if (evaluations_per_step(*entrant) > 1 || entrant == &velocity_verlet) continue;
       INFO(entrant->name);
       CHECK(2 * verlet < worst_over_kerb(*entrant, in_a_frame));
     }

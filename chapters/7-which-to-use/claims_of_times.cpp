@@ -9,10 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "entrants.h"
+#include "choose/entrants.h"
 #include "particles.h"
 #include "peers.h"
-#include "prices.h"
 #include "work_precision.h"
 
 using Catch::Matchers::WithinAbs;
@@ -90,7 +89,8 @@ TEST_CASE("On the suspension one step of RK4 is nearer than four of velocity Ver
   };
   CHECK(quick(rk4) < 4 * quick(velocity_verlet));
   CHECK(quick(rk4) > 3 * quick(velocity_verlet));
-  CHECK(off(rk4, suspension, frame, 1) < off(velocity_verlet, suspension, frame / 4, 1));
+  CHECK(max_position_error(rk4, suspension, frame, 1) <
+        max_position_error(velocity_verlet, suspension, frame / 4, 1));
 }
 
 TEST_CASE("In packs of floats a step takes a quarter of its time in structs of doubles, or less") {
@@ -109,27 +109,27 @@ std::vector<double> other_prices(double from, double to) {
   return all;
 }
 
-/// What is nearest in a thing of the level, by price, at many prices.
+/// The nearest in a thing of the level, by price, at many prices.
 /// @param cost  `&Offer::evaluations` or `&Offer::nanoseconds`
 /// @param without  a method that is not taken; null if all are
-std::map<double, Bought> nearest(const std::string& wanted, double Offer::* cost,
-                                 const Method* without = nullptr) {
-  std::map<double, Bought> found;
+std::map<double, BestForBudget> nearest(const std::string& wanted, double MethodCost::* cost,
+                                        const Method* without = nullptr) {
+  std::map<double, BestForBudget> found;
   for_each_thing([&](const std::string& thing, const auto& scene, double seconds) {
     if (thing != wanted) return;
-    std::vector<Offer> offers = offers_of(entrants_on(scene), thing, scene);
-    const auto verlet = std::find_if(offers.begin(), offers.end(), [](const Offer& offer) {
-      return offer.method == &velocity_verlet;
+    std::vector<MethodCost> costs = costs_of(entrants_on(scene), thing, scene);
+    const auto verlet = std::find_if(costs.begin(), costs.end(), [](const MethodCost& candidate) {
+      return candidate.method == &velocity_verlet;
     });
     const double least = rates[0] * (*verlet).*cost;
-    std::erase_if(offers, [&](const Offer& offer) { return offer.method == without; });
+    std::erase_if(costs, [&](const MethodCost& candidate) { return candidate.method == without; });
     for (const double price : other_prices(least, 300 * least))
-      found[price] = best_for(price, cost, offers, scene, seconds, nullptr);
+      found[price] = best_for(price, cost, costs, scene, seconds, nullptr);
   });
   return found;
 }
 
-bool is_ever_nearest(const Method& method, const std::string& thing, double Offer::* cost) {
+bool is_ever_nearest(const Method& method, const std::string& thing, double MethodCost::* cost) {
   const auto all = nearest(thing, cost);
   return std::any_of(all.begin(), all.end(),
                      [&](const auto& one) { return one.second.method == &method; });
@@ -142,7 +142,7 @@ constexpr const char* things[] = {"jump", "leaf", "suspension", "hatch", "lamp",
 TEST_CASE("For the fewest evaluations velocity Verlet is nearest on five of the six") {
   for (const std::string thing : things) {
     INFO(thing);
-    CHECK((nearest(thing, &Offer::evaluations).begin()->second.method == &velocity_verlet) ==
+    CHECK((nearest(thing, &MethodCost::evaluations).begin()->second.method == &velocity_verlet) ==
           (thing != "hatch"));
   }
 }
@@ -150,7 +150,7 @@ TEST_CASE("For the fewest evaluations velocity Verlet is nearest on five of the 
 TEST_CASE(
     "For 300 evaluations or more Dormand-Prince is nearest on all that is not exact or stiff") {
   for (const std::string thing : {"suspension", "lamp", "shuttle"}) {
-    for (const auto& [price, best] : nearest(thing, &Offer::evaluations)) {
+    for (const auto& [price, best] : nearest(thing, &MethodCost::evaluations)) {
       CAPTURE(thing, price);
       if (price >= 300 && best.error > 1e-9) CHECK(best.method == &method::dopri5);
     }
@@ -160,15 +160,15 @@ TEST_CASE(
 TEST_CASE("By evaluations Yoshida's method is worth its price on the lamp and the shuttle alone") {
   for (const std::string thing : things) {
     INFO(thing);
-    CHECK(is_ever_nearest(method::yoshida4, thing, &Offer::evaluations) ==
+    CHECK(is_ever_nearest(method::yoshida4, thing, &MethodCost::evaluations) ==
           (thing == "lamp" || thing == "shuttle"));
   }
 }
 
 TEST_CASE("By time Yoshida's method is nowhere twice as near as the best of the others") {
   for (const std::string thing : things) {
-    const auto others = nearest(thing, &Offer::nanoseconds, &method::yoshida4);
-    for (const auto& [price, best] : nearest(thing, &Offer::nanoseconds)) {
+    const auto others = nearest(thing, &MethodCost::nanoseconds, &method::yoshida4);
+    for (const auto& [price, best] : nearest(thing, &MethodCost::nanoseconds)) {
       CAPTURE(thing, price);
       if (best.method == &method::yoshida4) CHECK(others.at(price).error < 2 * best.error);
     }
@@ -178,7 +178,7 @@ TEST_CASE("By time Yoshida's method is nowhere twice as near as the best of the 
 TEST_CASE(
     "By time the hatch belongs to the implicit methods from five centimetres to a millimetre") {
   int seen = 0;
-  for (const auto& [price, best] : nearest("hatch", &Offer::nanoseconds)) {
+  for (const auto& [price, best] : nearest("hatch", &MethodCost::nanoseconds)) {
     CAPTURE(price);
     if (best.error < 0.001 || best.error > 0.05) continue;
     CHECK((best.method == &method::backward_euler_spring || best.method == &method::trapezoid));
@@ -190,8 +190,8 @@ TEST_CASE(
 TEST_CASE("Where the trapezoid rule is the answer on the hatch it does not ring") {
   const double fast = hatch.omega * (hatch.zeta + std::sqrt(hatch.zeta * hatch.zeta - 1));
   int seen = 0;
-  const auto offers = offers_of(entrants_on(hatch), "hatch", hatch);
-  for (const auto& [price, best] : answers(by_time("hatch"), offers, hatch, 1)) {
+  const auto costs = costs_of(entrants_on(hatch), "hatch", hatch);
+  for (const auto& [price, best] : answers(by_time("hatch"), costs, hatch, 1)) {
     if (best.method != &method::trapezoid) continue;
     const double rate = 1e3 * price / step_time("hatch", in_a_loop, method::trapezoid);
     CHECK(fast / rate < 2);  // from there on (1 - hr/2)/(1 + hr/2) is above zero
@@ -204,9 +204,9 @@ TEST_CASE("Where the trapezoid rule is the answer on the hatch it does not ring"
 TEST_CASE("A step of a thousand things takes less than a hundredth of a frame under any method") {
   for_each_thing([](const std::string& thing, const auto& scene, double) {
     for (const auto& methods : {entrants_on(scene), exact_steps_of(scene)}) {
-      for (const Offer& offer : offers_of(methods, thing, scene)) {
-        CAPTURE(thing, offer.method->name);
-        CHECK(1e-9 * 1000 * offer.nanoseconds < 0.01 * frame);
+      for (const MethodCost& candidate : costs_of(methods, thing, scene)) {
+        CAPTURE(thing, candidate.method->name);
+        CHECK(1e-9 * 1000 * candidate.nanoseconds < 0.01 * frame);
       }
     }
   });
@@ -318,7 +318,7 @@ TEST_CASE("Times of particles that undercut their limit are forgotten, and other
 
 TEST_CASE("What nobody took the time of has none, and is bought for no time") {
   CHECK(std::isnan(step_time("spoon", one_body, rk4)));
-  const std::vector<Offer> offers{{&rk4, 4, NAN}, {&euler, 1, 3}};
-  CHECK(best_for(1e6, &Offer::nanoseconds, offers, leaf, 2, nullptr).method == &euler);
-  CHECK(best_for(1e6, &Offer::evaluations, offers, leaf, 2, nullptr).method == &rk4);
+  const std::vector<MethodCost> costs{{&rk4, 4, NAN}, {&euler, 1, 3}};
+  CHECK(best_for(1e6, &MethodCost::nanoseconds, costs, leaf, 2, nullptr).method == &euler);
+  CHECK(best_for(1e6, &MethodCost::evaluations, costs, leaf, 2, nullptr).method == &rk4);
 }

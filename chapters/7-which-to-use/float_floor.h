@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// How right a float can be: the shuttle's turn in both precisions.
+/// The accuracy that a float can have: the shuttle's turn in both precisions.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ scenes::Orbit<Real> shuttle_in() {
 
 /// A place or a velocity of it [m or m/s].
 template <class Real>
-using Place = typename scenes::Orbit<Real>::Vec;
+using ShuttleVec = typename scenes::Orbit<Real>::Vec;
 
 /// The shuttle in float, its planet far away from the origin.
 struct FarShuttle : scenes::Orbit<float> {
@@ -56,7 +56,8 @@ double error_far_away(const Step& step, long rate) {
 /// @param s  where it starts
 /// @param since  how long after its nearest point [s]
 template <class Real, class Step>
-double error_of_a_turn(const Step& step, long rate, scenes::State<Place<Real>> s, double since) {
+double error_of_a_turn(const Step& step, long rate, scenes::State<ShuttleVec<Real>> s,
+                       double since) {
   double largest = 0;
   long n = 0;
   measure::run(step, shuttle_in<Real>(), s, Real(1) / Real(rate), 8 * rate,
@@ -68,7 +69,7 @@ double error_of_a_turn(const Step& step, long rate, scenes::State<Place<Real>> s
   return largest;
 }
 
-/// The same from its nearest point [m].
+/// The largest error of one turn from its nearest point [m].
 template <class Real, class Step>
 double error_of_a_turn(const Step& step, long rate) {
   return error_of_a_turn<Real>(step, rate, shuttle_in<Real>().start(), 0);
@@ -76,14 +77,14 @@ double error_of_a_turn(const Step& step, long rate) {
 
 inline constexpr int places = 100;  ///< on its way, from which a turn is tried
 
-/// What `measured(s, since)` is of starts in float all along its way, in order of size.
+/// The values of `measured(s, since)` for starts in float all along its way, in order of size.
 /// @param measured  gets the start, and how long it is after the nearest point [s]
 template <class Measured>
 std::vector<double> along_its_way(Measured measured) {
   return measure::all_around(places, [&](double angle) {
     const double since = shuttle_turn * angle / (2 * std::numbers::pi);
     const auto exact = shuttle.exact(since);
-    return measured(scenes::State<Place<float>>{exact.x.cast<float>(), exact.v.cast<float>()},
+    return measured(scenes::State<ShuttleVec<float>>{exact.x.cast<float>(), exact.v.cast<float>()},
                     since);
   });
 }
@@ -95,7 +96,7 @@ std::vector<double> errors_along_its_way(const Step& step, long rate) {
       [&](const auto& s, double since) { return error_of_a_turn<float>(step, rate, s, since); });
 }
 
-/// By what shares float changes the error of a turn, from all along its way, in order of size.
+/// The shares by which float changes the error of a turn, from all along its way, in order of size.
 template <class Step>
 std::vector<double> changes_by_float(const Step& step, long rate) {
   return along_its_way([&](const auto& s, double since) {
@@ -115,13 +116,13 @@ void add(Vec& sum, const Vec& little, Vec& lost) {
 }
 // [add]
 
-/// What a step adds to the position [m] and to the velocity [m/s].
+/// The increments of a step, of the position [m] and of the velocity [m/s].
 template <class Vec>
 struct Added {
   Vec x, v;
 };
 
-/// What a step of RK4 adds.
+/// The increments of a step of RK4.
 template <class Vec, class Real, class Acceleration>
 Added<Vec> rk4_adds(const Vec& x, const Vec& v, Real t, Real h, Acceleration&& a) {
   const Real half = h / 2, sixth = h / 6;
@@ -136,9 +137,9 @@ Added<Vec> rk4_adds(const Vec& x, const Vec& v, Real t, Real h, Acceleration&& a
 /// One turn in float, by RK4 with compensated sums; `observe(n, x)` before each step and at the
 /// end.
 template <class Observe>
-void compensated_turn(scenes::State<Place<float>> s, long rate, Observe observe) {
+void compensated_turn(scenes::State<ShuttleVec<float>> s, long rate, Observe observe) {
   const auto scene = shuttle_in<float>();
-  Place<float> lost_x{0, 0}, lost_v{0, 0};
+  ShuttleVec<float> lost_x{0, 0}, lost_v{0, 0};
   for (long n = 0; n <= 8 * rate; ++n) {
     observe(n, s.x);
     const auto more = rk4_adds(s.x, s.v, float(n) / float(rate), 1 / float(rate), scene);
@@ -150,22 +151,22 @@ void compensated_turn(scenes::State<Place<float>> s, long rate, Observe observe)
 /// The largest error of such a turn [m].
 inline double compensated_error(long rate) {
   double largest = 0;
-  compensated_turn(shuttle_in<float>().start(), rate, [&](long n, const Place<float>& x) {
+  compensated_turn(shuttle_in<float>().start(), rate, [&](long n, const ShuttleVec<float>& x) {
     const auto truth = shuttle.exact(double(n) / double(rate)).x;
     largest = std::max(largest, (x.cast<double>() - truth).norm());
   });
   return largest;
 }
 
-/// How far such a turn parts from one in double that starts from the same floats [m].
-inline double rounding_of_sums(const scenes::State<Place<float>>& s, long rate) {
+/// The largest distance of such a turn from one in double that starts from the same floats [m].
+inline double rounding_of_sums(const scenes::State<ShuttleVec<float>>& s, long rate) {
   const auto coarse = shuttle_in<float>();
   const scenes::Orbit<> fine{
       .eccentricity = coarse.eccentricity, .semi_major = coarse.semi_major, .mu = coarse.mu};
   const double h = 1 / float(rate);
-  Place<double> x = s.x.cast<double>(), v = s.v.cast<double>();
+  ShuttleVec<double> x = s.x.cast<double>(), v = s.v.cast<double>();
   double largest = 0;
-  compensated_turn(s, rate, [&](long n, const Place<float>& rounded) {
+  compensated_turn(s, rate, [&](long n, const ShuttleVec<float>& rounded) {
     largest = std::max(largest, (rounded.cast<double>() - x).norm());
     measure::rk4(x, v, double(n) * h, h, fine);
   });

@@ -4,8 +4,8 @@
 #pragma once
 #include <string_view>
 
+#include "choose/cost.h"
 #include "integrate/spring_exact.h"
-#include "loops.h"
 #include "measure/methods/spring.h"
 
 /// A step by numbers that were worked out once.

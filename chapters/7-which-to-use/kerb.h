@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "asks.h"
-#include "entrants.h"
+#include "../cast.h"
+#include "choose/entrants.h"
 #include "integrate/dopri5.h"
 #include "measure/record.h"
 #include "measure/run.h"
@@ -22,8 +22,8 @@
 #include "shelf/soft_constraint.h"
 
 // [wheel]
-/// How far a chassis is above its place of rest, and a wheel [m]; one corner of a small car. The
-/// tyre pushes and never pulls.
+/// One corner of a small car: heights of a chassis and of a wheel above their places of rest [m].
+/// The tyre pushes and never pulls.
 struct Corner {
   double met = 0.5;      ///< when the tyre meets the kerb [s]
   double damper = 1500;  ///< between the two [N s/m]
@@ -33,10 +33,10 @@ struct Corner {
   static constexpr double kerb = 0.1, climbed_in = 0.03;      // [m], [s]
   static constexpr double weight = 9.81 * (chassis + wheel);  // [N]
 
-  /// How high the road is under the tyre [m].
+  /// The height of the road under the tyre [m].
   double road(double t) const { return kerb * std::clamp((t - met) / climbed_in, 0.0, 1.0); }
 
-  /// What the tyre pushes with, beyond what carries the weight [N].
+  /// The force of the tyre, beyond the one that carries the weight [N].
   double push(double wheel_at, double t) const {
     return std::max(0.0, tyre * (road(t) - wheel_at) + weight) - weight;
   }
@@ -130,8 +130,8 @@ inline const std::vector<Kerb>& kerbs(double damper = Corner().damper) {
   return all;
 }
 
-/// How far a method takes the wheel and the chassis from where they should be at the end of a
-/// frame, both together, at the worst of all moments [m]; infinite from ten metres on.
+/// The largest error of the wheel and the chassis at the end of a frame, both together, at the
+/// worst of all moments [m]; infinite from ten metres on.
 template <class Step>
 double worst_over_kerb(const Step& step, int in_a_frame, double damper = Corner().damper) {
   const double h = frame / in_a_frame;
@@ -162,7 +162,8 @@ inline void over_a_kerb(measure::Record& record) {
                  worst_over_kerb(step, in_a_frame)});
     }
   };
-  for (const measure::Method* method : entrants) add(method->name, *method, asks(*method));
+  for (const measure::Method* method : entrants)
+    add(method->name, *method, evaluations_per_step(*method));
   add(DamperDivided::name, DamperDivided(), 1);
   add(StrutSoft::name, StrutSoft(), 1);
   record.number("kerb-height", 100 * Corner::kerb, measure::whole, "cm");

@@ -2,17 +2,17 @@
 /// @file
 /// The six things that move in one level of a game.
 #pragma once
-#include "../cast.h"
+#include <array>
 
-/// A ball in a vacuum, thrown straight up.
-struct Ball : scenes::LinearDrag<> {
-  /// Energy per unit mass, which is conserved [J/kg].
-  double energy(double x, double v) const { return v * v / 2 + g * x; }
-};
+#include "../cast.h"
+#include "scenes/ball.h"
+
+/// Steps in a frame that the page tries.
+inline constexpr std::array<int, 7> tried_in_a_frame{1, 2, 3, 4, 6, 8, 12};
 
 // [level]
 /// The jump by its height alone.
-inline const Ball height_of_jump{{.c = 0, .v0 = jump.start_velocity.y()}};
+inline const scenes::Ball height_of_jump(jump.start_velocity.y());
 
 /// Calls `visit(name, scene, seconds)` for each thing, with how long it is watched.
 template <class Visit>

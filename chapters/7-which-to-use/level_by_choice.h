@@ -8,10 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "contests.h"
-#include "entrants.h"
+#include "choose/contests.h"
+#include "choose/entrants.h"
+#include "level.h"
 #include "measure/record.h"
-#include "off.h"
+#include "position_error.h"
 
 inline constexpr double centimetre = 0.01;  ///< the largest error that the level may show [m]
 
@@ -28,7 +29,7 @@ inline const std::map<std::string, Contest>& contests_to_within(double distance)
   return found;
 }
 
-/// What the contest would take: the exact step, if there is one.
+/// The entry that the contest would take: the exact step, if there is one.
 inline const Entry& taken(const Contest& found) {
   return found.exact.empty() ? found.methods.front() : found.exact.front();
 }
@@ -42,12 +43,13 @@ inline double total_to_within(double distance) {
   return total;
 }
 
-/// What a second of a thing takes an entry, of one of many bodies in a loop [ns].
+/// The time of an entry for a second of a thing, of one of many bodies in a loop [ns].
 inline double time_of(const std::string& thing, const Entry& entry) {
   return double(entry.last.substeps) / frame * step_time(thing, in_a_loop, *entry.method);
 }
 
-/// What a second of the level takes each method, every thing with as many steps as it needs [ns];
+/// The time of each method for a second of the level, every thing with as many steps as it needs
+/// [ns];
 /// infinite if one of them is never good enough, NaN if a time is not recorded. Of one of many
 /// bodies in a loop.
 inline std::map<std::string, double> times_alone() {
@@ -60,7 +62,8 @@ inline std::map<std::string, double> times_alone() {
   return all;
 }
 
-/// The same of what the contest would take for each thing [ns].
+/// The time for a second of the level with the entry that the contest would take for each thing
+/// [ns].
 inline double time_of_choice() {
   double total = 0;
   for (const auto& [thing, found] : contests_to_within(centimetre)) {
@@ -91,8 +94,7 @@ inline void level_again(measure::Record& record) {
   record.number("chosen-total", total, measure::whole);
   record.number("verlet-times", alone["velocity Verlet"] / total, 2);
   record.number("symplectic-times", alone["symplectic Euler"] / total, 2);
-  auto& bills =
-      record.table("bills", {{"what is taken"}, {"evaluations a second", "", measure::whole}});
+  auto& bills = record.table("bills", {{"method"}, {"evaluations a second", "", measure::whole}});
   bills.add({"the choice for each", total});
   std::vector<std::pair<double, std::string>> sorted;
   for (const measure::Method* method : entrants) {
@@ -113,7 +115,7 @@ inline void level_again(measure::Record& record) {
   record.number("symplectic-total", alone["symplectic Euler"], measure::whole);
 }
 
-/// What `choose --scene spring --omega 40 --zeta 0.1 --hz 60 --error 0.01` prints.
+/// The question `choose --scene spring --omega 40 --zeta 0.1 --hz 60 --error 0.01`.
 inline constexpr scenes::Spring<> example{.omega = 40, .zeta = 0.1};
 inline constexpr Bounds example_bounds{.hz = 60, .error = 0.01};
 

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "entrants.h"
+#include "choose/entrants.h"
+#include "measure/longest_stable_step.h"
 #include "measure/record.h"
 #include "measure/stability.h"
 #include "scenes/spring.h"
@@ -45,13 +46,9 @@ inline constexpr scenes::Spring<> spring_of(double zeta) {
   return {.omega = 1, .zeta = zeta};
 }
 
-/// Whether no start grows for ever.
-inline bool stable(const measure::Method& method, double homega, double zeta) {
-  return measure::spectral_radius(method, spring_of(zeta), homega) <= 1 + 1e-12;
-}
-
-/// Whether the slow motion, the one that is seen, has its rate and its frequency within a tenth.
-inline bool true_to_life(const measure::Method& method, double homega, double zeta) {
+/// Returns whether the slow motion, the one that is seen, has its rate and its frequency within a
+/// tenth.
+inline bool accurate_within_ten_percent(const measure::Method& method, double homega, double zeta) {
   using Complex = std::complex<double>;
   const Complex rate = -zeta + std::sqrt(Complex(zeta * zeta - 1));
   double nearest = INFINITY;
@@ -83,12 +80,14 @@ double holds_until(Holds holds) {
 }
 
 inline double stable_until(const measure::Method& method, double zeta) {
-  return holds_until([&](double homega) { return stable(method, homega, zeta); });
+  return holds_until(
+      [&](double homega) { return measure::is_stable(method, spring_of(zeta), homega); });
 }
 
-inline double true_until(const measure::Method& method, double zeta) {
+inline double accurate_until(const measure::Method& method, double zeta) {
   return holds_until([&](double homega) {
-    return stable(method, homega, zeta) && true_to_life(method, homega, zeta);
+    return measure::is_stable(method, spring_of(zeta), homega) &&
+           accurate_within_ten_percent(method, homega, zeta);
   });
 }
 
@@ -104,7 +103,7 @@ inline void stability_map(measure::Record& record) {
     std::vector<measure::Cell> row{zeta};
     for (const Mapped& one : mapped) {
       row.push_back(stable_until(one.method, zeta));
-      row.push_back(true_until(one.method, zeta));
+      row.push_back(accurate_until(one.method, zeta));
     }
     map.add(row);
   }
@@ -120,14 +119,14 @@ inline void stability_map(measure::Record& record) {
     table.add(row);
   }
   const auto critical = [&](const char* name, const measure::Method& method) {
-    record.number(name, longest_step(method, spring_of(1)), 2);
+    record.number(name, measure::longest_stable_step(method, spring_of(1)), 2);
   };
   critical("critical-euler", method::euler);
   critical("critical-symplectic", method::symplectic_euler);
   critical("critical-verlet", method::velocity_verlet);
   critical("critical-divided", method::linear_damping_implicit_last);
   const auto half_critical = [&](const char* name, const measure::Method& method) {
-    record.number(name, true_until(method, 0.5), 2);
+    record.number(name, accurate_until(method, 0.5), 2);
   };
   half_critical("true-symplectic", method::symplectic_euler);
   half_critical("true-divided", method::linear_damping_implicit_last);

@@ -109,10 +109,10 @@ inline std::vector<Particle> cloud(long count) {
   return particles;
 }
 
-/// How many particles are timed.
+/// The numbers of particles that are timed.
 inline constexpr long particle_counts[] = {4'096, 16'384, 65'536, 262'144, 1'048'576, 4'194'304};
 
-/// What a time is called.
+/// The name of a time.
 inline std::string particles_name(const std::string& layout, long count) {
   return "particles/" + layout + "/" + std::to_string(count);
 }

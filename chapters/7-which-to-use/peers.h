@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What the libraries cost: what tests/peers found.
+/// The cost of the libraries, as tests/peers found it.
 #pragma once
 #include <string>
 
 #include "measure/record.h"
 #include "measure/times.h"
 
-/// What was recorded of a planet alone, or of one of 512.
+/// The name of the time of a planet alone, or of one of 512.
 /// @param called  how, such as `GSL`
 inline std::string library_name(const std::string& method, const std::string& called,
                                 bool of_many = false) {

@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "entrants.h"
+#include "choose/entrants.h"
 #include "float_floor.h"
 #include "kerb.h"
 #include "level.h"
 #include "level_by_choice.h"
 #include "map.h"
-#include "off.h"
 #include "particles.h"
 #include "peers.h"
-#include "poster.h"
+#include "position_error.h"
+#include "summary_table.h"
 #include "verdicts.h"
 #include "work_precision.h"
 #include "your_spring.h"
@@ -33,7 +33,7 @@ void one_for_all(Record& record) {
   for (const measure::Method* method : entrants) {
     std::vector<measure::Cell> row{method->name};
     for_each_thing([&](const auto&, const auto& scene, double seconds) {
-      row.push_back(100 * off(*method, scene, frame, seconds));
+      row.push_back(100 * max_position_error(*method, scene, frame, seconds));
     });
     table.add(row);
   }
@@ -43,7 +43,7 @@ void one_for_all_numbers(Record& record) {
   record.number("rate", 1 / frame, measure::whole, "Hz");
   const auto number = [&](const char* name, const measure::Method& method, const auto& scene,
                           double seconds, double unit, const char* of) {
-    record.number(name, unit * off(method, scene, frame, seconds), 2, of);
+    record.number(name, unit * max_position_error(method, scene, frame, seconds), 2, of);
   };
   number("jump-euler", method::euler, height_of_jump, 1, 100, "cm");
   number("suspension-euler", method::euler, suspension, 1, 100, "cm");
@@ -73,6 +73,6 @@ int main(int argc, char** argv) {
     level_again(record);
     over_a_kerb(record);
     example_choice(record);
-    wall(record);
+    summary_table(record);
   });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// What is timed for chapter 7: a step of each method in each thing of the level, and of the
+// The times of chapter 7: a step of each method in each thing of the level, and of the
 // suspension in several layouts.
 #include <array>
 #include <string>
@@ -7,17 +7,16 @@
 #include <type_traits>
 
 #include "../times.h"
+#include "choose/entrants.h"
 #include "folded.h"
 #include "level.h"
-#include "loops.h"
 #include "measure/methods.h"
 #include "measure/time_of.h"
 #include "particles.h"
-#include "prices.h"
 
 namespace {
 
-/// What the headers' own functions take, which the compiler sees through.
+/// Adds the times of the headers' own functions, which the compiler sees through.
 template <class Step, class Scene, class Vec, class Real>
 void add(std::vector<measure::Timed>& all, const std::string& thing, Step step, const Scene& scene,
          const scenes::State<Vec>& start, Real h, std::size_t bodies, std::size_t in_a_vec = 1) {
@@ -27,13 +26,13 @@ void add(std::vector<measure::Timed>& all, const std::string& thing, Step step, 
                  }});
 }
 
-/// What else a scene can be stepped with: its exact step, one that knows its force, and what takes
-/// its damping apart.
+/// The other methods that a scene can be stepped with: its exact step, one that knows its force,
+/// and what takes its damping apart.
 template <class Scene>
 auto special_methods(const Scene& scene) {
   using namespace measure;
   const std::tuple<LinearDampingImplicitLast, LinearDampingExact> dampers;
-  if constexpr (std::is_same_v<Scene, Ball>) {
+  if constexpr (std::is_same_v<Scene, scenes::Ball>) {
     return std::tuple<ConstantAcceleration>();
   } else if constexpr (std::is_same_v<Scene, scenes::Spring<>>) {
     return std::tuple_cat(std::tuple(SpringExact(), folded_once(scene), BackwardEulerSpring()),
@@ -45,7 +44,7 @@ auto special_methods(const Scene& scene) {
   }
 }
 
-/// As many bodies as a pack holds, all in one place, at rest.
+/// A pack full of bodies, all in one place, at rest.
 template <class Real>
 scenes::State<Lanes<Real>> pack_at(Real x) {
   const typename Lanes<Real>::Part zero{}, place = zero + x;

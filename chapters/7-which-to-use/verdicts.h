@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// The talks' verdicts, methods by kinds of force, and what each cell comes to when it is measured.
+/// The talks' verdicts, methods by kinds of force, and each cell as it was measured.
 #pragma once
 #include <string>
 
 #include "measure/energy.h"
+#include "measure/longest_stable_step.h"
 #include "measure/record.h"
 #include "measure/stability.h"
-#include "off.h"
+#include "position_error.h"
 
 // [kinds]
 // The drone is in chapters/cast.h.
 inline constexpr scenes::LinearDrag<> skid{.c = 2, .g = 0, .v0 = 10};
-inline constexpr Ball toss{{.c = 0, .v0 = 10}};
+inline constexpr scenes::Ball toss(10);
 
 inline constexpr double minute = 60;  ///< the drone is watched for so long [s]
 inline constexpr double moment = 2;   ///< the skid and the toss [s]
@@ -20,7 +21,7 @@ inline constexpr double moment = 2;   ///< the skid and the toss [s]
 
 // [words]
 /// The talks' words, for an error in per cent of the size of the motion.
-inline std::string word(double percent) {
+inline std::string verdict_word(double percent) {
   if (percent < 0.01) return "great";
   if (percent < 0.1) return "good";
   if (percent < 1) return "okay";
@@ -35,26 +36,15 @@ struct Verdict {
 
 inline Verdict verdict(const measure::Method& method) {
   const double way = skid.v0 / skid.c, height = toss.v0 * toss.v0 / (2 * toss.g);
-  return {100 * off(method, drone, frame, minute) / drone.radius,
-          100 * off(method, skid, frame, moment) / way,
-          100 * off(method, toss, frame, moment) / height};
+  return {100 * max_position_error(method, drone, frame, minute) / drone.radius,
+          100 * max_position_error(method, skid, frame, moment) / way,
+          100 * max_position_error(method, toss, frame, moment) / height};
 }
 
-/// What becomes of the drone's energy in a minute, as shares of it.
+/// The drift of the drone's energy in a minute, as shares of it.
 inline measure::Drift energy_of_drone(const measure::Method& method) {
   const auto energy = [](const auto& x, const auto& v) { return drone.energy(x, v); };
   return measure::drift(method, drone, frame, 3600, energy);
-}
-
-/// The largest stable step, times omega or c; infinite from 1000 on, zero if there is none.
-template <class Scene>
-double longest_step(const measure::Method& method, const Scene& scene) {
-  const auto stable = [&](double h) {
-    return measure::spectral_radius(method, scene, h) <= 1 + 1e-12;
-  };
-  if (!stable(0.05)) return 0;
-  if (stable(1000)) return INFINITY;
-  return measure::stability_limit(method, scene, 0.05, 1000);
 }
 
 inline void verdicts(measure::Record& record) {
@@ -69,15 +59,16 @@ inline void verdicts(measure::Record& record) {
                        const char* constant) {
     const std::string name(method.name);
     const Verdict found = verdict(method);
-    const double spring = measure::in_three_digits(longest_step(method, scenes::Spring<>{}));
-    const double drag =
-        measure::in_three_digits(longest_step(method, scenes::LinearDrag<>{.c = 1, .g = 0}));
-    table.add({name, "position", position, or_rounding(found.position), word(found.position),
-               100 * energy_of_drone(method).largest, spring});
-    table.add(
-        {name, "velocity", velocity, or_rounding(found.velocity), word(found.velocity), NAN, drag});
-    table.add({name, "constant", constant, or_rounding(found.constant), word(found.constant), NAN,
-               INFINITY});
+    const double spring =
+        measure::in_three_digits(measure::longest_stable_step(method, scenes::Spring<>{}));
+    const double drag = measure::in_three_digits(
+        measure::longest_stable_step(method, scenes::LinearDrag<>{.c = 1, .g = 0}));
+    table.add({name, "position", position, or_rounding(found.position),
+               verdict_word(found.position), 100 * energy_of_drone(method).largest, spring});
+    table.add({name, "velocity", velocity, or_rounding(found.velocity),
+               verdict_word(found.velocity), NAN, drag});
+    table.add({name, "constant", constant, or_rounding(found.constant),
+               verdict_word(found.constant), NAN, INFINITY});
   };
   add(method::euler, "lousy", "okay", "bad");
   add(method::rk4, "okay", "okay", "great");

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <string>
 
-#include "entrants.h"
+#include "choose/entrants.h"
 #include "level.h"
 #include "measure/energy.h"
 #include "measure/record.h"
 #include "measure/times.h"
-#include "off.h"
-#include "prices.h"
+#include "position_error.h"
 
 inline constexpr int rates[] = {30, 60, 120, 240, 480, 960};  ///< steps a second
 inline constexpr double watched = 60;                         ///< how long energy is watched [s]
@@ -25,18 +24,18 @@ double energy_error(const measure::Method& method, const Scene& scene, double h,
   return measure::drift(method, scene, h, std::lround(seconds / h), energy).largest;
 }
 
-/// A method in one thing of the level, and what a step of it costs.
-struct Offer {
+/// The cost of a step of a method in one thing of the level.
+struct MethodCost {
   const measure::Method* method;
   double evaluations;  ///< of a step
   double nanoseconds;  ///< of a step, of one of many bodies in a loop; NaN until it is recorded
 };
 
-/// What methods cost on a scene.
+/// The costs of methods on a scene.
 template <class Scene>
-std::vector<Offer> offers_of(const std::vector<const measure::Method*>& methods,
-                             const std::string& thing, const Scene& scene) {
-  std::vector<Offer> all;
+std::vector<MethodCost> costs_of(const std::vector<const measure::Method*>& methods,
+                                 const std::string& thing, const Scene& scene) {
+  std::vector<MethodCost> all;
   for (const measure::Method* method : methods) {
     all.push_back(
         {method, double(price(*method, scene, frame)), step_time(thing, in_a_loop, *method)});
@@ -44,41 +43,44 @@ std::vector<Offer> offers_of(const std::vector<const measure::Method*>& methods,
   return all;
 }
 
-/// How far off a thing gets at a rate that need not divide a second [m]; a nanometre at least.
+/// The largest error of a thing at a rate that need not divide a second [m]; a nanometre at least.
 template <class Scene>
-double off_at(double rate, const measure::Method& method, const Scene& scene, double seconds) {
+double max_position_error_at_rate(double rate, const measure::Method& method, const Scene& scene,
+                                  double seconds) {
   const double steps = std::floor(rate * seconds);
-  return std::max(off(method, scene, seconds / steps, seconds), 1e-9);
+  return std::max(max_position_error(method, scene, seconds / steps, seconds), 1e-9);
 }
 
-/// Whether velocity Verlet stands for a method on the charts.
-inline bool is_verlet_in_other_words(const measure::Method& one) {
+/// Returns whether a method has the places of velocity Verlet, which stands for it on the charts.
+inline bool is_equivalent_to_velocity_verlet(const measure::Method& one) {
   return &one == &method::stormer_verlet || &one == &method::leapfrog;
 }
 
 /// The best that a price buys.
-struct Bought {
+struct BestForBudget {
   const measure::Method* method = nullptr;  ///< null if it buys nothing
   double error = INFINITY;                  ///< [m]
 };
 
 /// A method that is in use is left only for one that is more than twice as near.
 template <class Scene>
-Bought best_for(double price, double Offer::* cost, const std::vector<Offer>& offers,
-                const Scene& scene, double seconds, const measure::Method* in_use) {
-  Bought best, used;
-  for (const Offer& offer : offers) {
-    if (is_verlet_in_other_words(*offer.method)) continue;
-    const double rate = std::min(price / (offer.*cost), double(rates[std::size(rates) - 1]));
+BestForBudget best_for(double price, double MethodCost::* cost,
+                       const std::vector<MethodCost>& costs, const Scene& scene, double seconds,
+                       const measure::Method* in_use) {
+  BestForBudget best, used;
+  for (const MethodCost& candidate : costs) {
+    if (is_equivalent_to_velocity_verlet(*candidate.method)) continue;
+    const double rate = std::min(price / (candidate.*cost), double(rates[std::size(rates) - 1]));
     if (!(rate >= 0.999 * rates[0])) continue;
-    const Bought bought{offer.method, off_at(rate, *offer.method, scene, seconds)};
+    const BestForBudget bought{candidate.method,
+                               max_position_error_at_rate(rate, *candidate.method, scene, seconds)};
     if (bought.error < best.error) best = bought;
-    if (offer.method == in_use) used = bought;
+    if (candidate.method == in_use) used = bought;
   }
   return used.method && used.error <= 2 * best.error ? used : best;
 }
 
-/// What a method is called on a chart.
+/// The name of a method on a chart.
 inline std::string chart_name(const measure::Method& method) {
   if (&method == &method::backward_euler_spring) return "soft constraint";
   const std::string name(method.name), swapped = "symplectic Euler, ";
@@ -92,22 +94,23 @@ inline std::vector<double> prices(double from, double to) {
   return all;
 }
 
-/// What a thing may cost, in the units of a chart.
+/// The prices of a chart, in its units.
 struct Priced {
-  double Offer::* cost;
+  double MethodCost::* cost;
   double unit = 1;               ///< of the chart's prices, for one of the cost's
   std::vector<double> prices{};  ///< the lowest first
 };
 
-/// What to take for each price, as far as anything comes within ten metres and nothing is exact.
+/// The best method for each price, as far as anything comes within ten metres and nothing is exact.
 template <class Scene>
-std::vector<std::pair<double, Bought>> answers(const Priced& priced,
-                                               const std::vector<Offer>& offers, const Scene& scene,
-                                               double seconds) {
-  std::vector<std::pair<double, Bought>> all;
+std::vector<std::pair<double, BestForBudget>> answers(const Priced& priced,
+                                                      const std::vector<MethodCost>& costs,
+                                                      const Scene& scene, double seconds) {
+  std::vector<std::pair<double, BestForBudget>> all;
   const measure::Method* last = nullptr;
   for (const double price : priced.prices) {
-    const Bought best = best_for(price / priced.unit, priced.cost, offers, scene, seconds, last);
+    const BestForBudget best =
+        best_for(price / priced.unit, priced.cost, costs, scene, seconds, last);
     if (!(best.error < 10)) continue;
     all.push_back({price, best});
     last = best.method;
@@ -116,10 +119,10 @@ std::vector<std::pair<double, Bought>> answers(const Priced& priced,
   return all;
 }
 
-/// One row for each price: what to take for it.
+/// Adds one row for each price, with the method to take for it.
 /// @param panel  of the figure
 inline void add_answers(measure::Table& table, const std::string& panel,
-                        const std::vector<std::pair<double, Bought>>& all) {
+                        const std::vector<std::pair<double, BestForBudget>>& all) {
   double changes = 0;
   const auto changes_at = [&](std::size_t n) {
     return n == 0 || all[n].second.method != all[n - 1].second.method;
@@ -134,13 +137,13 @@ inline void add_answers(measure::Table& table, const std::string& panel,
 
 /// The prices of the figure's left panels.
 inline Priced by_evaluations() {
-  return {&Offer::evaluations, 1, prices(rates[0], 6000)};
+  return {&MethodCost::evaluations, 1, prices(rates[0], 6000)};
 }
 
 /// The prices of its right panel for a thing [µs for a second of play].
 inline Priced by_time(const std::string& thing) {
   const double verlet = step_time(thing, in_a_loop, method::velocity_verlet);
-  return {&Offer::nanoseconds, 1e-3, prices(1e-3 * rates[0] * verlet, 100)};
+  return {&MethodCost::nanoseconds, 1e-3, prices(1e-3 * rates[0] * verlet, 100)};
 }
 
 /// Error against price for each thing of the level, and the answer: at this price, this method.
@@ -161,33 +164,33 @@ inline void work_precision(measure::Record& record) {
                                             {"evaluations", "", measure::whole},
                                             {"microseconds", "µs"}});
   for_each_thing([&](const std::string& thing, const auto& scene, double seconds) {
-    for (const Offer& offer : offers_of(exact_steps_of(scene), thing, scene)) {
+    for (const MethodCost& candidate : costs_of(exact_steps_of(scene), thing, scene)) {
       for (const int rate : rates) {
-        exact.add({thing, offer.method->function, double(rate), rate * offer.evaluations,
-                   1e-3 * rate * offer.nanoseconds});
+        exact.add({thing, candidate.method->function, double(rate), rate * candidate.evaluations,
+                   1e-3 * rate * candidate.nanoseconds});
       }
     }
-    const std::vector<Offer> offers = offers_of(entrants_on(scene), thing, scene);
-    for (const Offer& offer : offers) {
+    const std::vector<MethodCost> costs = costs_of(entrants_on(scene), thing, scene);
+    for (const MethodCost& candidate : costs) {
       for (const int rate : rates) {
-        work.add({thing, chart_name(*offer.method), double(rate), rate * offer.evaluations,
-                  1e-3 * rate * offer.nanoseconds, off_at(rate, *offer.method, scene, seconds)});
+        work.add({thing, chart_name(*candidate.method), double(rate), rate * candidate.evaluations,
+                  1e-3 * rate * candidate.nanoseconds,
+                  max_position_error_at_rate(rate, *candidate.method, scene, seconds)});
       }
     }
     add_answers(bought, thing + " by evaluations",
-                answers(by_evaluations(), offers, scene, seconds));
-    add_answers(bought, thing + " by microseconds",
-                answers(by_time(thing), offers, scene, seconds));
+                answers(by_evaluations(), costs, scene, seconds));
+    add_answers(bought, thing + " by microseconds", answers(by_time(thing), costs, scene, seconds));
   });
 }
 
-/// What a step of a thousand takes of a frame [%].
+/// The share of a frame that a step of a thousand takes [%].
 inline double share_of_a_frame(const char* thing, const measure::Method& method) {
   return 100 * 1e-9 * 1000 * step_time(thing, in_a_loop, method) / frame;
 }
 
 /// Single times that the prose tells.
-inline void told_times(measure::Record& record) {
+inline void quoted_times(measure::Record& record) {
   record.number("frame-shuttles", share_of_a_frame("shuttle", method::dopri5), 1, "%");
   record.number("frame-suspensions", share_of_a_frame("suspension", method::rk4), 1, "%");
   record.number("exact-times",
@@ -196,7 +199,7 @@ inline void told_times(measure::Record& record) {
                 2);
 }
 
-/// The same for the energy of the shuttle.
+/// Records the error of the energy of the shuttle against the price.
 inline void work_energy(measure::Record& record) {
   auto& table = record.table("work-energy", {{"method"},
                                              {"steps per second", "", measure::whole},
@@ -211,7 +214,7 @@ inline void work_energy(measure::Record& record) {
   }
 }
 
-/// What a step is charged, and the time that it takes: of one shuttle alone, of one of many, and of
+/// Records the price of a step, and its time: of one shuttle alone, of one of many, and of
 /// one of more than the caches hold.
 inline void step_times(measure::Record& record) {
   auto& table = record.table("step-times", {{"method"},
@@ -277,8 +280,8 @@ inline void layouts(measure::Record& record) {
   }
 }
 
-/// When RK4's energy error at 60 Hz passes that of velocity Verlet at 240 Hz, which costs as much
-/// [s].
+/// The time at which RK4's energy error at 60 Hz passes that of velocity Verlet at 240 Hz, which
+/// costs as much [s].
 inline double energy_passes() {
   const double sways = energy_error(method::velocity_verlet, shuttle, frame / 4);
   auto s = shuttle.start();
@@ -293,7 +296,7 @@ inline double energy_passes() {
 
 inline constexpr double day = 86'400;  ///< [s]
 
-/// How many turns the shuttle is ahead after a day, by its farthest points [turns].
+/// The turns by which the shuttle is ahead after a day, by its farthest points.
 /// @param started  how long after its nearest point it sets out [s]
 inline double ahead_after_a_day(const measure::Method& method, double h, double started = 0) {
   double first = 0, last = 0;
@@ -326,16 +329,17 @@ inline void all_work(measure::Record& record) {
                 100 * energy_error(method::velocity_verlet, shuttle, frame / 4, day), 2, "%");
   record.number("day-rk4", ahead_after_a_day(method::rk4, frame), 2);
   record.number("shuttle-240-symplectic",
-                100 * off(method::symplectic_euler, shuttle, frame / 4, 8), 2, "cm");
-  record.number("shuttle-240-verlet", 100 * off(method::velocity_verlet, shuttle, frame / 4, 8), 2,
-                "cm");
-  record.number("shuttle-240-rk4", 1e6 * off(method::rk4, shuttle, frame, 8), 2, "µm");
-  record.number(
-      "rk4-nearer",
-      off(method::symplectic_euler, shuttle, frame / 4, 8) / off(method::rk4, shuttle, frame, 8),
-      2);
+                100 * max_position_error(method::symplectic_euler, shuttle, frame / 4, 8), 2, "cm");
+  record.number("shuttle-240-verlet",
+                100 * max_position_error(method::velocity_verlet, shuttle, frame / 4, 8), 2, "cm");
+  record.number("shuttle-240-rk4", 1e6 * max_position_error(method::rk4, shuttle, frame, 8), 2,
+                "µm");
+  record.number("rk4-nearer",
+                max_position_error(method::symplectic_euler, shuttle, frame / 4, 8) /
+                    max_position_error(method::rk4, shuttle, frame, 8),
+                2);
   step_times(record);
-  told_times(record);
+  quoted_times(record);
   recorded_steps(record);
   layouts(record);
 }

@@ -14,7 +14,7 @@ inline constexpr double camera_step = 1.0 / 30;  ///< [s]
 inline constexpr long camera_steps = 30;
 
 /// Every method of the map, with where it has the camera after each step.
-inline std::vector<std::pair<std::string, std::vector<double>>> cameras() {
+inline std::vector<std::pair<std::string, std::vector<double>>> camera_paths() {
   std::vector<std::pair<std::string, std::vector<double>>> found;
   for (const Mapped& one : mapped) {
     auto& [method, way] = found.emplace_back(one.name, std::vector<double>());
@@ -26,7 +26,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> cameras() {
 }
 
 inline void your_spring(measure::Record& record) {
-  const auto ways = cameras();
+  const auto ways = camera_paths();
   std::vector<measure::Column> columns{{"t", "s"}};
   for (const auto& [method, way] : ways) columns.push_back({method, "m"});
   record.number("camera-watched", camera_steps * camera_step, 1, "s");

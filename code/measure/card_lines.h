@@ -10,6 +10,7 @@
 
 #include "measure/card.h"
 #include "measure/evaluations.h"
+#include "measure/longest_stable_step.h"
 #include "measure/method.h"
 #include "measure/order.h"
 #include "measure/stability.h"
@@ -71,20 +72,12 @@ void orders(Card& card, const Method& method, const Scene& scene, const std::str
   add(name + "-velocity", "velocity", study.back().velocity_order);
 }
 
-/// The step above which a linear scene explodes; or "never" if it always does, "any step" if it
-/// does not up to a step of 1000.
-///
-/// Steps below 0.05 are not tried: a method that keeps two positions has few digits left there for
-/// the difference between them.
+/// The longest stable step of a linear scene, or "never", or "any step".
 template <class Scene>
 Cell limit(const Method& method, const Scene& scene) {
-  const auto stable = [&](double h) { return spectral_radius(method, scene, h) <= 1 + 1e-12; };
-  const double least = 0.05;
-  if (!stable(least)) return "never";
-  for (double h = least; h < 1000; h *= 1.05) {
-    if (!stable(1.05 * h)) return stability_limit(method, scene, h, 1.05 * h);
-  }
-  return "any step";
+  const double longest = longest_stable_step(method, scene);
+  if (longest == 0) return "never";
+  return std::isinf(longest) ? Cell("any step") : Cell(longest);
 }
 
 /// Adds the limit on drag, c h.

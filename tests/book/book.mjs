@@ -10,8 +10,9 @@ if (!existsSync(join(folder, 'index.html'))) {
   process.exit(1);
 }
 
+// Not that of an old address, which leads on at once.
 export const pages = readdirSync(folder)
-  .filter(file => file.endsWith('.html'))
+  .filter(file => file.endsWith('.html') && file !== 'wall.html')
   .sort();
 
 const texts = new Map();

@@ -112,7 +112,7 @@ const way = [
   'index.html',
   'preface.html',
   ...chapters,
-  'wall.html',
+  'pick-a-method.html',
   'cast.html',
   'engines.html',
   'talks.html',

@@ -1,5 +1,5 @@
 // One verdict for each thing of the level, wherever the book gives it: in the live chart, in the table of the level, on the
-// answers of `choose`, on the page for the wall, and among the headers that the chapters' ends hand out.
+// answers of `choose`, in the table for the wall, and among the headers that the chapters' ends hand out.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -47,7 +47,7 @@ function takenHome() {
   return boxes.flatMap(box => box.match(/\w+\.h\b/g) ?? []);
 }
 
-test("chart, table, choose, the page for the wall and the chapters' ends give one verdict for each thing", async () => {
+test("chart, table, choose, the table for the wall and the chapters' ends give one verdict for each thing", async () => {
   const wall = rows('wall').map(({ header }) => header);
   const handed = takenHome();
   const solved = rows('solved');

@@ -30,7 +30,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/refusal.cmake)
 answers(0 "This scene has an exact step. Take it:\n  spring_folded, 1 step a frame.*\n  spring_exact, 1 step a frame.*within the bounds is\n  velocity_verlet, 4 steps a frame: 240 .*\n  #include \"integrate/velocity_verlet.h\""
   --scene spring --omega 40 --zeta 0.1 --hz 60 --error 0.01)
 answers(0 "Take it:\n  constant_acceleration, 1 step a frame" --scene ball)
-answers(0 "^Where gravity and this drag are all that acts, there is an exact step: .*wall.html.*\n\nThe cheapest within the bounds:\n" --scene drag --drag 2 --seconds 1)
+answers(0 "^Where gravity and this drag are all that acts, there is an exact step: .*pick-a-method.html.*\n\nThe cheapest within the bounds:\n" --scene drag --drag 2 --seconds 1)
 answers(0 "^The cheapest within the bounds:\n" --scene pendulum --angle 2 --energy 0.001)
 answers(0 "^The cheapest within the bounds:\n  dopri5" --scene orbit --energy 0.001)
 answers(1 "^Nothing meets the bounds. The nearest:\n" --scene orbit --error 1e-15 --hz 10 --seconds 1)
@@ -84,8 +84,8 @@ run(--scene ${own} --hz 60 --error 0.01)
 if(NOT code EQUAL 0 OR NOT out MATCHES "^The cheapest within the bounds:\n  velocity_verlet, 4 steps a frame: 240 evaluations a second, error 0.006\n.*\nvelocity_verlet +4 +240 +- +0.006 +0.0094 .*\nsymplectic_euler +33 +1980 .* in 32 steps\n.*\ndopri5_adaptive +adaptive +136 +- +0.0093 +0.0092 .*of velocity_verlet takes here, of one of 512 bodies [[]ns[]]: [0-9.]+\n$")
   message(SEND_ERROR "a spring of one's own: ${code}: ${out}${err}")
 endif()
-run(--scene ${EXAMPLE} --seconds 5 --error-metres 0.01 --format csv)
-if(NOT code EQUAL 0 OR NOT out MATCHES "^function,header,good,[^\n]*\nvelocity_verlet,velocity_verlet.h,true,")
+run(--scene ${EXAMPLE} --seconds 5 --error-metres 0.01 --format json)
+if(NOT code EQUAL 0 OR NOT out MATCHES "^\\[\n  {\n    \"function\": \"velocity_verlet\",\n    \"header\": \"velocity_verlet.h\",\n    \"good\": true,")
   message(SEND_ERROR "the chapter's example: ${code}: ${out}${err}")
 endif()
 own_scene("using Vec = double;\ninline Vec acceleration(const Vec& x, const Vec&, double) { return -y; }\n")
@@ -99,8 +99,8 @@ refuses("there is no file ${SCRATCH}/nothing.h" --scene ${SCRATCH}/nothing.h)
 refuses("a scene of your own takes no --omega" --scene ${own} --omega 3)
 
 # For other programs: all entries, each with what is known of it.
-answers(0 "^function,header,good,[^\n]*\nspring_folded,spring_exact.h,true,1,,60,[^\n]*\nspring_exact,spring_exact.h,true,1,,60,[^\n]*\n.*\ndopri5_adaptive,dopri5.h,true,,[0-9.e-]+,"
-  --scene spring --seconds 1 --format csv)
+answers(0 "^\\[\n  {\n    \"function\": \"spring_folded\",\n    \"header\": \"spring_exact.h\",\n    \"good\": true,\n    \"steps_per_frame\": 1,.*\"function\": \"spring_exact\",.*\"function\": \"dopri5_adaptive\","
+  --scene spring --seconds 1 --format json)
 answers(0 "^\\[\n  {\n    \"function\": \"constant_acceleration\",.*\"steps_per_frame\": null,\n    \"tolerance\": [0-9.e-]+,"
   --scene ball --format json)
 
@@ -118,7 +118,7 @@ endif()
 refuses("can't draw ${SCRATCH}/no/chart.svg" --scene drag --chart ${SCRATCH}/no/chart.svg)
 
 refuses("--scene is required")
-refuses("there is no format 'xml'; there are text, csv, json" --scene ball --format xml)
+refuses("there is no format 'xml'; there are text, json" --scene ball --format xml)
 refuses("--k and --omega say the same" --scene spring --k 3 --omega 2)
 refuses("--error-metres and --error say the same" --scene ball --error 0.1 --error-metres 2)
 refuses("--m means nothing without --k" --scene spring --m 3)

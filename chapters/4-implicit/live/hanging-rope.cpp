@@ -2,8 +2,8 @@
 // A rope on a nail, in chapter 4: in substeps of symplectic Euler, and solved by backward Euler.
 #include <optional>
 
-#include "4-implicit/struck_nets.h"
-#include "4-implicit/substeps.h"
+#include "4-implicit/net/nets.h"
+#include "4-implicit/net/substeps.h"
 #include "live/figure.h"
 
 namespace live {
@@ -11,7 +11,7 @@ namespace {
 
 // Both ropes are made of counted numbers, whose bits are those of plain ones: a second rope only to
 // be counted would need as much room in the page again.
-using Rope = scenes::Rope<Tallied>;
+using Rope = scenes::Rope<OpCounted>;
 using State = scenes::State<Rope::Vec>;
 
 class HangingRope final : public Figure {
@@ -29,7 +29,7 @@ class HangingRope final : public Figure {
 
   void start() override {
     frames_ = 0;
-    rope_ = rope_on_a_nail<Tallied>(k_);
+    rope_ = rope_on_a_nail<OpCounted>(k_);
     stepped_ = solved_ = rope_.start();
     system_.emplace(system_of(rope_));
     show_state();
@@ -39,11 +39,11 @@ class HangingRope final : public Figure {
   void step() override {
     ++frames_;
     for (int n = 0; n < int(substeps_); ++n) {
-      integrate::symplectic_euler(stepped_.x, stepped_.v, 0.0, Tallied(frame / substeps_), rope_);
+      integrate::symplectic_euler(stepped_.x, stepped_.v, 0.0, OpCounted(frame / substeps_), rope_);
     }
     const bool solved =
-        integrate::backward_euler(solved_.x, solved_.v, 0.0, Tallied(frame), rope_, *system_);
-    if (!solved) solved_.x.setConstant(Tallied(NAN));
+        integrate::backward_euler(solved_.x, solved_.v, 0.0, OpCounted(frame), rope_, *system_);
+    if (!solved) solved_.x.setConstant(OpCounted(NAN));
   }
 
   void show_state() override {
@@ -58,7 +58,7 @@ class HangingRope final : public Figure {
 
   // In units of what a free fall by its length would take from the rope.
   double energy(const State& s) const {
-    const Tallied fall = double(rope_.count) * rope_.mass * rope_.g * rope_.length;
+    const OpCounted fall = double(rope_.count) * rope_.mass * rope_.g * rope_.length;
     return double(rope_.energy(s.x, s.v) / fall);
   }
 
@@ -76,7 +76,7 @@ class HangingRope final : public Figure {
   void show_cost() {
     show("stepped work", substeps_ * work_of_substep(rope_));
     show("solved work", work_of_step(rope_));
-    show("minimum", frame * fastest(rope_on_a_nail(k_)) / 2);
+    show("minimum", frame * highest_frequency(rope_on_a_nail(k_)) / 2);
   }
 };
 

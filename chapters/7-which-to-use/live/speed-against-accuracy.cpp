@@ -12,10 +12,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "7-which-to-use/bill.h"
 #include "7-which-to-use/folded.h"
 #include "7-which-to-use/level.h"
-#include "7-which-to-use/loops.h"
+#include "choose/cost.h"
 #include "live/figure.h"
 #include "live/implicit.h"
 #include "live/run.h"
@@ -45,23 +44,23 @@ constexpr std::tuple methods{
     Method{"spring_folded", measure::spring_folded},
     Method{"constant_acceleration", measure::constant_acceleration}};
 
-/// Whether a method is for such scenes; the last four are not for all of them.
+/// Returns whether a method is for such scenes; the last four are not for all of them.
 template <class Scene, class Step>
 constexpr bool is_for(const Step&) {
   using namespace measure;
   if constexpr (std::is_same_v<Step, LinearDampingImplicitLast>) {
-    return !std::is_same_v<Scene, Ball> && requires(const Scene scene) { scene.damping(); };
+    return !std::is_same_v<Scene, scenes::Ball> && requires(const Scene scene) { scene.damping(); };
   } else if constexpr (std::is_same_v<Step, BackwardEulerSpring> ||
                        std::is_same_v<Step, SpringFolded>) {
     return requires(const Scene scene) { scene.omega, scene.zeta; };
   } else if constexpr (std::is_same_v<Step, ConstantAcceleration>) {
-    return std::is_same_v<Scene, Ball>;
+    return std::is_same_v<Scene, scenes::Ball>;
   } else {
     return true;
   }
 }
 
-/// Whether every machine finds the same bits; not where a sine or an exponential is called.
+/// Returns whether every machine finds the same bits; not where a sine or an exponential is called.
 template <class Step>
 constexpr bool is_reproducible(const Step&) {
   return !std::is_same_v<Step, measure::SpringFolded>;
@@ -71,7 +70,8 @@ constexpr int of_the_truth = 32;  ///< steps that Dormand-Prince takes in a fram
 constexpr double gone = 1000;     ///< nobody sees how far beyond [m]
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// What a method makes of a thing, for each number of steps; nothing if it is not for such things.
+/// The outcome of a method on a thing, for each number of steps; empty if it is not for such
+/// things.
 struct Outcome {
   std::vector<double> paths;   ///< places at the ends of frames, one run after the other [m]
   std::vector<double> errors;  ///< the largest at the end of a frame; infinite if it is gone [m]
@@ -79,7 +79,7 @@ struct Outcome {
   bool reproducible = true;
 };
 
-/// What all methods make of one thing.
+/// The outcomes of all methods on one thing.
 class Trial {
  public:
   virtual ~Trial() = default;
@@ -87,7 +87,7 @@ class Trial {
   virtual double work(int which, int rounds) const = 0;
 
   double seconds = 0;
-  /// What the thing is, in the words of `choose`; not a number, where it has none of this.
+  /// The parameters of the thing, in the words of `choose`; NaN where it has none of this.
   double omega = none, zeta = none, angle = none, eccentricity = none, drag = none;
   std::vector<double> truth;
   std::vector<Outcome> outcomes;
@@ -133,7 +133,7 @@ class TrialOf final : public Trial {
   }
 
  private:
-  /// Where a method has the thing at the start and at the end of each frame.
+  /// The places of a method at the start and at the end of each frame.
   template <class Step>
   Path path(Step step, int in_a_frame) const {
     const double h = frame / in_a_frame;
@@ -175,7 +175,7 @@ class TrialOf final : public Trial {
 
   template <class Step>
   double evaluations(Step step) const {
-    const Billed<Scene> billed{scene_};
+    const CostCounted<Scene> billed{scene_};
     auto kept = measure::start(step, scene_.start(), frame, billed);
     billed.evaluations = 0;
     measure::advance(step, kept, 0.0, frame, billed);

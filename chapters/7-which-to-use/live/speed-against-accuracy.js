@@ -85,7 +85,7 @@
             ? `drag --drag ${now.drag}`
             : 'ball';
     return (
-      `build/chapters/7-which-to-use/choose --scene ${scene} --hz ${FRAMES} --seconds ${now.seconds} ` +
+      `build/code/choose/choose --scene ${scene} --hz ${FRAMES} --seconds ${now.seconds} ` +
       `--error-metres ${tolerance} --reach ${Live.digits(reach, 4)}`
     );
   }

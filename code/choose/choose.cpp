@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT-0
+// Prints the cheapest method and step for a scene, from measurement.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+#include "choose/answer.h"
+#include "choose/chart.h"
+#include "choose/contests.h"
+#include "choose/own.h"
+
+namespace {
+
+constexpr const char* about =
+    "Prints the cheapest method and step that keep a scene within bounds, and why the others fall "
+    "out.\nEvery method is run with more and more steps in each frame and compared with the exact "
+    "solution.\nThe steps are doubled until the bounds are met, then every smaller number is "
+    "tried.\nWhere doubling never gets there, every number that would cost less than the best is. "
+    "The search ends\nat 1024 steps in a frame, and at a million in the whole run.\nOf two that "
+    "cost the same, the one that is within the bounds in uneven frames as well comes first.";
+
+constexpr const char* scenes_about =
+    "Scenes: spring (--omega, --zeta), orbit (--omega, --eccentricity), pendulum (--omega, "
+    "--angle),\n  drag (--drag), ball (a constant force). Or your own: a header, named with its "
+    ".h, "
+    "that defines Vec\n  (double or an Eigen vector), Vec acceleration(const Vec& x, const Vec& v, "
+    "double t), start_x and start_v.\n  It is compiled and run, so it must be one that you trust. "
+    "If its force switches, as at a kerb, the\n  answer hangs on where in a step that is: move the "
+    "switch by "
+    "parts of a frame, and take the worst answer.\n"
+    "Prices: evaluations of the acceleration in a second of play. The derivatives that an implicit "
+    "method\n  asks for cost as much again; solving its equations is not counted. And time, as it "
+    "was recorded,\n  solver and all: microseconds in a frame for a thousand bodies in a loop.\n"
+    "Exit code: 0 found, 1 nothing meets the bounds, 2 bad input.\n"
+    "Example: choose --scene spring --omega 40 --zeta 0.1 --hz 60 --error 0.01";
+
+/// The scene's parameters.
+struct Parameters {
+  double omega = 10, zeta = 0, eccentricity = 0.5, angle = 1, drag = 1;
+};
+
+scenes::Spring<> damped_spring_of(const Parameters& p) {
+  return {.omega = p.omega, .zeta = p.zeta};
+}
+
+scenes::Orbit<> orbit_of(const Parameters& p) {
+  return {.eccentricity = p.eccentricity, .semi_major = 1, .mu = p.omega * p.omega};
+}
+
+scenes::Pendulum<> pendulum_of(const Parameters& p) {
+  return {.g = p.omega * p.omega, .length = 1, .angle = p.angle};
+}
+
+scenes::LinearDrag<> drag_of(const Parameters& p) {
+  return {.c = p.drag};
+}
+
+scenes::Ball ball_of(const Parameters&) {
+  return thrown_ball;
+}
+
+/// One scene that can be asked for.
+struct Choice {
+  const char* name;
+  std::array<const char*, 2> takes;
+  bool (*keeps)(const Parameters&);
+  Contest (*run)(const Parameters&, const Bounds&);
+};
+
+template <auto Make>
+constexpr Choice choice(const char* name, std::array<const char*, 2> takes) {
+  return {name, takes, [](const Parameters& p) { return keeps_energy(Make(p)); },
+          [](const Parameters& p, const Bounds& bounds) { return full_contest(Make(p), bounds); }};
+}
+
+// [scenes]
+constexpr std::array choices{
+    choice<damped_spring_of>("spring", {"--omega", "--zeta"}),
+    choice<orbit_of>("orbit", {"--omega", "--eccentricity"}),
+    choice<pendulum_of>("pendulum", {"--omega", "--angle"}),
+    choice<drag_of>("drag", {"--drag", ""}),
+    choice<ball_of>("ball", {"", ""}),
+};
+// [scenes]
+
+const Choice& choice_of(const std::string& name) {
+  std::string known;
+  for (const Choice& choice : choices) {
+    if (choice.name == name) return choice;
+    known += (known.empty() ? "" : ", ") + std::string(choice.name);
+  }
+  throw std::invalid_argument("there is no scene '" + name + "'; there are " + known);
+}
+
+/// An option with a number, and the limits of the number.
+struct Number {
+  const char* option;
+  double* value;
+  double least, most;
+  const char* meaning;
+};
+
+std::string meaning_and_default(const Number& number) {
+  const bool any = std::isinf(*number.value);
+  return std::string(number.meaning) + " (default " + (any ? "any" : format_number(*number.value)) +
+         ")";
+}
+
+void require_known(const CLI::App& app) {
+  if (app.remaining_size() == 0) return;
+  const std::string first = app.remaining().front();
+  const bool option = first.starts_with("-");
+  throw std::invalid_argument((option ? "there is no option " : "an option must come before ") +
+                              first);
+}
+
+void require_in_range(const Number& number) {
+  if (*number.value >= number.least && *number.value <= number.most) return;
+  throw std::invalid_argument(std::string(number.option) + " must lie between " +
+                              format_number(number.least, 6) + " and " +
+                              format_number(number.most, 6));
+}
+
+void require_frames(const Bounds& bounds) {
+  if (bounds.frames() < 1) throw std::invalid_argument("--seconds is less than one frame");
+  if (bounds.frames() > most_steps / 8) {
+    throw std::invalid_argument("--seconds times --hz must stay below " +
+                                std::to_string(most_steps / 8) + ": at these --hz, --seconds " +
+                                format_number(std::floor(most_steps / 8 / bounds.hz), 6));
+  }
+}
+
+/// Tells whoever waits that it takes a while.
+void tell_if_long(const Bounds& bounds) {
+  constexpr long many = 20'000;
+  if (bounds.frames() < many || !isatty(STDERR_FILENO)) return;
+  std::fprintf(stderr, "choose: %ld frames for every method; this takes a minute or more\n",
+               bounds.frames());
+}
+
+void require_fits(const CLI::App& app, const Choice& choice, const Parameters& parameters,
+                  const Bounds& bounds) {
+  for (const char* option : {"--omega", "--zeta", "--eccentricity", "--angle", "--drag"}) {
+    const bool takes =
+        option == std::string(choice.takes[0]) || option == std::string(choice.takes[1]);
+    if (app.count(option) > 0 && !takes) {
+      throw std::invalid_argument("the scene " + std::string(choice.name) + " takes no " + option);
+    }
+  }
+  if (app.count("--energy") > 0 && !choice.keeps(parameters)) {
+    throw std::invalid_argument("drag takes energy from this scene, so --energy means nothing");
+  }
+  require_frames(bounds);
+}
+
+void refuse_both(const CLI::App& app, const char* one, const char* other) {
+  if (app.count(one) > 0 && app.count(other) > 0) {
+    throw std::invalid_argument(std::string(one) + " and " + other + " say the same; leave one");
+  }
+}
+
+/// Numbers that can be given in place of others: a stiffness and a mass for a frequency, metres for
+/// a share.
+struct AlternativeUnits {
+  double k = 0, m = 1, error_metres = 0, reach = 1;
+};
+
+/// Puts them in.
+void use(const AlternativeUnits& alternative, const CLI::App& app, const Choice& choice,
+         Parameters& parameters, Bounds& bounds) {
+  const auto require = [&](const char* one, const char* other) {
+    if (app.count(one) > 0 && app.count(other) == 0) {
+      throw std::invalid_argument(std::string(one) + " means nothing without " + other);
+    }
+  };
+  refuse_both(app, "--k", "--omega");
+  refuse_both(app, "--error-metres", "--error");
+  require("--m", "--k");
+  require("--reach", "--error-metres");
+  if (app.count("--k") > 0) {
+    if (std::string(choice.name) != "spring") {
+      throw std::invalid_argument("the scene " + std::string(choice.name) + " takes no --k");
+    }
+    parameters.omega = std::sqrt(alternative.k / alternative.m);
+  }
+  if (app.count("--error-metres") > 0) {
+    bounds.error = alternative.error_metres / alternative.reach;
+    bounds.reach = alternative.reach;
+  }
+}
+
+/// The question about a scene of the reader's own.
+Question question(const CLI::App& app, const std::string& scene, const Bounds& bounds,
+                  const AlternativeUnits& alternative, const std::string& format,
+                  const std::string& chart) {
+  for (const char* option : {"--omega", "--zeta", "--eccentricity", "--angle", "--drag", "--k",
+                             "--m", "--energy", "--reach"}) {
+    if (app.count(option) > 0)
+      throw std::invalid_argument("a scene of your own takes no " + std::string(option));
+  }
+  refuse_both(app, "--error-metres", "--error");
+  require_frames(bounds);
+  format_of(format);
+  const auto number = [](double value) { return format_number(value, 17); };
+  return {scene,
+          number(bounds.hz),
+          number(bounds.seconds),
+          number(bounds.error),
+          number(app.count("--error-metres") > 0 ? alternative.error_metres : 0),
+          format,
+          chart};
+}
+
+int choose(int argc, char** argv) {
+  CLI::App app{about, "choose"};
+  app.footer(scenes_about);
+  std::string scene;
+  Parameters parameters;
+  Bounds bounds;
+  AlternativeUnits alternative;
+  std::string format = "text", chart;
+  app.allow_extras();  // so that what is wrong is told before what is missing
+  app.add_option("--scene", scene, "What moves; required");
+  const std::array numbers{
+      Number{"--omega", &parameters.omega, 1e-3, 1e3, "Frequency [rad/s]"},
+      Number{"--zeta", &parameters.zeta, 0, 100, "Damping ratio"},
+      Number{"--eccentricity", &parameters.eccentricity, 0, 0.99, "Of the orbit"},
+      Number{"--angle", &parameters.angle, 1e-3, 3.1, "At which the pendulum starts [rad]"},
+      Number{"--drag", &parameters.drag, 1e-3, 1e3, "Drag per mass [1/s]"},
+      Number{"--hz", &bounds.hz, 1, 1e4, "Frames a second"},
+      Number{"--seconds", &bounds.seconds, 1e-3, 1e4, "How long it is watched [s]"},
+      Number{"--error", &bounds.error, 1e-15, 1, "Largest error, as a share of the motion"},
+      Number{"--energy", &bounds.energy, 1e-15, 1, "Largest relative change of the energy"},
+      Number{"--k", &alternative.k, 1e-9, 1e12, "Stiffness of the spring, for --omega [N/m]"},
+      Number{"--m", &alternative.m, 1e-9, 1e9, "Mass that hangs on it [kg]"},
+      Number{"--error-metres", &alternative.error_metres, 1e-15, 1e9,
+             "Largest error, for --error [m]"},
+      Number{"--reach", &alternative.reach, 1e-9, 1e12,
+             "How far the motion gets from its middle [m]"}};
+  for (const Number& number : numbers) {
+    app.add_option(number.option, *number.value, meaning_and_default(number));
+  }
+  app.add_option("--format", format, "text or json (default text)");
+  app.add_option("--chart", chart, "Draws error against both prices into this file, as SVG");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  }
+  require_known(app);
+  if (scene.empty()) throw std::invalid_argument("--scene is required");
+  for (const Number& number : numbers) {
+    if (app.count(number.option) > 0) require_in_range(number);
+  }
+  if (!chart.empty()) require_folder(chart);
+  if (scene.ends_with(".h"))
+    return choose_for_own(question(app, scene, bounds, alternative, format, chart));
+  const Choice& chosen = choice_of(scene);
+  use(alternative, app, chosen, parameters, bounds);
+  require_fits(app, chosen, parameters, bounds);
+  const Format written = format_of(format);
+  tell_if_long(bounds);
+  const Contest found = chosen.run(parameters, bounds);
+  if (!chart.empty()) draw_chart(found, bounds, scene, chart);
+  print(found, bounds, written);
+  return is_met(found) ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return choose(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "choose: %s\n", error.what());
+    return 2;
+  }
+}
