@@ -41,7 +41,7 @@ nodejs: to make the mistakes that the grader knows"
 clang-19 libclang-rt-19-dev: the second compiler, and its sanitizers
 clang-format-19: to lay the sources out
 libglm-dev: to try the snippets on another library's vectors
-doxygen: prose to HTML, reference of the code
+doxygen: reference of the code
 npm ca-certificates: to weave the book
 $chromium: to test the book in a browser
 lld-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32: live figures, C++ for the browser

@@ -7,9 +7,8 @@ import { liveHtml } from './live.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { adoptSvg } from './svg.mjs';
 import { taskFoot, taskHead } from './task-box.mjs';
-import { escapeHtml, smarten, textOfHtml } from './text.mjs';
-import { TOKEN } from './prose.mjs';
 import { choiceHtml } from './pick-a-method.mjs';
+import { escapeHtml, HOLE, smarten, textOfHtml } from './text.mjs';
 
 export function boxHtml(context, piece, html) {
   return BOXES[piece.name](html, piece, context);
@@ -53,7 +52,7 @@ const BOXES = {
     const words = smarten(title);
     const onPaper = html.replace(/<div class="on-screen">[^]*?<\/div>\s*/g, '');
     const description = textOfHtml(onPaper)
-      .replace(TOKEN, (_, n) => inlineText(page.pieces[n]))
+      .replace(HOLE, (_, n) => inlineText(page.pieces[n]))
       .replace(/\s+/g, ' ')
       .trim();
     const draw = (file, size) =>

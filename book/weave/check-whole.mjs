@@ -77,9 +77,7 @@ function checkContents(book, page) {
   }
   for (const box of boxes('table')) {
     const n = page.pieces.filter(
-      piece =>
-        (piece.name === 'rows' && piece.box === box) ||
-        (piece.type === 'tablestart' && box.line <= piece.line && piece.line <= box.closed.line),
+      piece => piece.box === box && (piece.name === 'rows' || piece.type === 'tablestart'),
     ).length;
     if (n !== 1)
       book.problems.add(

@@ -25,6 +25,22 @@ export function checkBook(book) {
   checkWhole(book);
 }
 
+// What is documented in code/ is known when Doxygen has run.
+export function checkReferencesToCode(book) {
+  for (const page of book.pages) {
+    for (const piece of page.pieces.filter(({ name }) => name === 'ref')) {
+      const [name] = piece.args;
+      piece.target = book.api.names.get(name);
+      if (!piece.target)
+        book.problems.add(
+          page.file,
+          piece.line,
+          `a reference to nothing: \\ref ${name}; name something that is documented in code/, with its namespace.${didYouMean(name, book.api.names.keys())}`,
+        );
+    }
+  }
+}
+
 function collectLabels(book) {
   for (const page of book.pages) {
     for (const piece of page.pieces) {

@@ -18,7 +18,7 @@ const HTML = {
     const code = `<code>${escapeHtml(piece.code)}</code>`;
     return href ? `<a href="${href}">${code}</a>` : code;
   },
-  character: piece => escapeHtml(piece.character),
+  ref: ({ target, args: [name] }) => `<a href="${target.href}"><code>${escapeHtml(name)}</code></a>`,
   number: ({ value }) => {
     const tip = `${value.name} = ${fullText(value)}, from ${value.chapter.program}`;
     return `<data class="number" value="${escapeHtml(value.written)}" data-tip="${escapeHtml(tip)}">${quantityHtml(value)}</data>`;
@@ -54,9 +54,8 @@ export function inlineText(piece) {
   if (piece.name === 'number') return quantityText(piece.value);
   if (piece.name === 'minutes') return `${piece.target.page.minutes}\u202fmin`;
   if (piece.name === 'code') return piece.code;
-  if (piece.name === 'character') return piece.character;
   if (piece.name === 'math') return mathText(piece.html);
-  if (['citep', 'bibitem', 'term', 'tested'].includes(piece.name)) return piece.args.join(' ');
+  if (['citep', 'bibitem', 'term', 'tested', 'ref'].includes(piece.name)) return piece.args.join(' ');
   return '';
 }
 

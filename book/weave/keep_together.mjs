@@ -1,8 +1,7 @@
 // Puts the HTML of the marks into the text, and keeps together what should not be torn at the end of a line: a short
 // formula or piece of code in itself, a check mark and the word that it follows, punctuation and what it follows.
 import { inlineText } from './inline.mjs';
-import { TOKEN } from './prose.mjs';
-import { textOfHtml } from './text.mjs';
+import { HOLE, textOfHtml } from './text.mjs';
 
 const MOST = 24;
 const CLAIM = '\ue004\\d+\ue005';
@@ -19,7 +18,7 @@ export function keepTogether(html, expand, piece) {
   const together = (text, length) => (length <= MOST ? `<span class="nowrap">${text}</span>` : text);
   const isClaim = n => piece(n).name === 'claim';
   return html
-    .replace(TOKEN, (all, n) => (isClaim(n) ? `\ue004${n}\ue005` : all))
+    .replace(HOLE, (all, n) => (isClaim(n) ? `\ue004${n}\ue005` : all))
     .replace(/\s+(?=\ue004)/g, '')
     .replace(TOKENS, (_, before, n, rest) => {
       const whole = before + expand(n) + claims(rest);

@@ -1,4 +1,6 @@
 // A last look at the finished pages: every link and fragment leads somewhere, no id stands twice.
+import { allTokens } from './prose.mjs';
+
 export function checkLinks(book, pages, files) {
   const ids = new Map(pages.map(({ href, html, file }) => [href, idsOf(book, file, href, html)]));
   for (const { href, html, file } of pages) {
@@ -26,9 +28,6 @@ function idsOf(book, file, href, html) {
 }
 
 function lineOf(book, file, url) {
-  const page = book.pages.find(p => p.file === file);
-  if (!page) return 1;
-  const ways = [url, url.replace(page.href, '')].flatMap(way => [`(${way})`, `"${way}"`, `<${way}>`]);
-  const at = ways.map(way => page.source.indexOf(way)).find(found => found >= 0) ?? 0;
-  return page.source.slice(0, at).split('\n').length;
+  const tokens = allTokens(book.pages.find(page => page.file === file)?.tokens ?? []);
+  return tokens.find(({ type, attrs }) => type === 'link_open' && attrs[0][1] === url)?.map[1] ?? 1;
 }

@@ -14,6 +14,7 @@ export const MARKS = {
   sectionref: { takes: [2, 2], kind: 'inline', usage: '\\sectionref{2-euler, name-of-section}' },
   minutes: { takes: [1, 1], kind: 'inline', usage: '\\minutes{2-euler}' },
   exerciseref: { takes: [1, 1], kind: 'inline', usage: '\\exerciseref{name}' },
+  ref: { takes: [1, 1], kind: 'inline', usage: '\\ref name, of something in code/, with its namespace' },
   term: { takes: [1, 1], kind: 'inline', usage: '\\term{a word of the glossary}' },
   bibitem: { takes: [2, 2], kind: 'inline', usage: '\\bibitem{key, Author year}' },
   listing: { takes: [2, 3], kind: 'block', usage: '\\listing{path, tag} or \\listing{path, tag, Caption}' },
@@ -41,9 +42,6 @@ export const MARKS = {
   remark: { takes: [0, 0], kind: 'box', usage: '\\remark' },
   takehome: { takes: [0, 0], kind: 'box', usage: '\\takehome' },
 };
-
-// Doxygen's own, left to it.
-export const PASSED_ON = ['ref'];
 
 export const NUMBERED = { figure: 'Figure', eq: 'equation', table: 'Table', listing: 'Listing', exercise: 'Exercise' };
 export const REFERS = { figref: 'figure', eqref: 'eq', tabref: 'table', exerciseref: 'exercise' };

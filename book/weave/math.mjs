@@ -1,6 +1,7 @@
 // Formulas become HTML at build time.
 import katex from 'katex';
 import { quantityTex } from './numbers.mjs';
+import { linesBefore } from './text.mjs';
 
 // `problem` is told what is wrong with the TeX, and in which of its lines (0: the first).
 export function renderTex(tex, display, problem) {
@@ -27,8 +28,6 @@ const faultText = message =>
     .replace(/ \[\w+\](?= at )/, '')
     .replace(/ at (?:position \d+|end of input): ([\s\S]*)$/, ', in "$1"')
     .replace(/\s+/g, ' ');
-
-const linesBefore = (text, at) => text.slice(0, at).split('\n').length - 1;
 
 // Puts the values in place of \number{...}; `find` looks one up, or reports that there is none in this line of the formula.
 export const substituteNumbers = (tex, find) =>

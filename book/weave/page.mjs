@@ -1,10 +1,9 @@
-// One Markdown page: its pieces in order, its boxes checked, and the text that Doxygen gets to see.
+// One Markdown page: its tokens, its pieces in order, its boxes checked.
 import { existsSync, readFileSync } from 'node:fs';
 import { MARKS, NUMBERED } from './marks.mjs';
 import { minutesToRead } from './reading-time.mjs';
-import { scan } from './scan.mjs';
 import { slug } from './text.mjs';
-import { forDoxygen } from './prose.mjs';
+import { allTokens, parseProse } from './prose.mjs';
 import { putInTasks } from './tasks.mjs';
 
 export function readPage(path, { file, order, name, owner, number, href, exercises, problems }) {
@@ -18,9 +17,8 @@ export function readPage(path, { file, order, name, owner, number, href, exercis
     source: '',
     title: '',
     sections: [],
+    tokens: [],
     pieces: [],
-    doxygenText: '',
-    lineMap: [1],
     tasks: new Map(),
   };
   if (!existsSync(path)) {
@@ -29,9 +27,10 @@ export function readPage(path, { file, order, name, owner, number, href, exercis
   }
   page.source = readFileSync(path, 'utf8');
   if (number) takeInTasks(page, exercises, problems);
-  const all = scan(page.source, file, problems);
+  page.tokens = parseProse(page.source, (line, message) => problems.add(file, line, message));
+  const all = allTokens(page.tokens);
   page.minutes = minutesToRead(all);
-  page.pieces = all.filter(piece => piece.type !== 'text');
+  page.pieces = all.map(token => token.meta).filter(Boolean);
   page.pieces.forEach((piece, i) => {
     piece.token = i;
   });
@@ -39,7 +38,6 @@ export function readPage(path, { file, order, name, owner, number, href, exercis
   takeLiveForFigures(page);
   nameHeadings(page, problems);
   numberBoxes(page);
-  Object.assign(page, forDoxygen(all, page, problems));
   return page;
 }
 

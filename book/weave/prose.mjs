@@ -1,132 +1,112 @@
-// The text that Doxygen gets to see: prose, with each mark, formula and piece of code carried along as a token.
+// The prose of a page, Markdown with the book's marks, formulas and boxes: read by markdown-it with a plugin for these.
+import MarkdownIt from 'markdown-it';
+import { findLeftovers } from './leftovers.mjs';
+import { BLOCK_PIECES, codeSpan, comment, dollars, image, tag } from './markdown.mjs';
+import { tableRule } from './markdown-tables.mjs';
+import { MARKS } from './marks.mjs';
+import { readMark } from './read-mark.mjs';
+import { linesBefore } from './text.mjs';
 
-// Characters of Unicode's private area frame the number of a piece; Doxygen takes the whole for a plain word.
-export const token = n => `\ue000${n}\ue001`;
-export const TOKEN = /\ue000(\d+)\ue001/g;
+// Returns the tokens of markdown-it; a mark is a token that has its piece as `meta`. `report` is told the line and what is wrong.
+export function parseProse(source, report) {
+  return markdown.parse(source, { report, lines: source.split('\n') });
+}
 
-export const doxygenLabel = page => `weavepage${page.order}`;
+// Every token of a page, in the order in which they are read.
+export const allTokens = tokens => tokens.flatMap(token => [token, ...(token.children ?? [])]);
 
-// Returns the text and, for each of its lines, the line of the chapter that it came from.
-export function forDoxygen(pieces, page, problems) {
-  const out = { text: '', map: [] };
-  let afterBlock = null;
-  for (const piece of pieces) {
-    if (piece.type === 'text')
-      put(out, afterBlock ? reindent(piece.text, afterBlock.indent) : piece.text, piece.line, 1);
-    else if (piece.type === 'heading') put(out, headingLine(piece, page), piece.line, 1);
-    else if (piece.type === 'inline') put(out, (afterBlock?.indent ?? '') + token(piece.token), piece.line, 0);
-    else {
-      put(
-        out,
-        `${/(^|\n)[ \t]*$/.test(out.text) ? '' : '\n'}\n${piece.indent}${token(piece.token)}\n\n`,
-        piece.line,
-        0,
-      );
-      afterBlock = piece;
-      continue;
+function bookPlugin(md) {
+  const ENDS = { alt: ['paragraph', 'blockquote', 'list'] };
+  md.block.ruler.before('table', 'marks', blockMarks, ENDS);
+  md.block.ruler.before('lheading', 'rows', tableRule, ENDS);
+  md.inline.ruler.after('text', 'marks', inlineMark);
+  md.core.ruler.at('inline', sentences);
+  md.disable(['table', 'reference', 'text_join']);
+  md.linkify.set({ fuzzyLink: false, fuzzyEmail: false });
+  md.inline.State = inLines(md.inline.State);
+}
+
+const lineOf = ({ src, pos, env }) => env.line + linesBefore(src, pos);
+
+// Within a sentence as among blocks, a token knows its line.
+function inLines(State) {
+  const located = (token, line) => Object.assign(token, { map: [line - 1, line] });
+  return class extends State {
+    push(...about) {
+      return located(super.push(...about), lineOf(this));
     }
-    if (piece.type !== 'text' || piece.text.trim() || piece.text.includes('\n')) afterBlock = null;
-  }
-  const marked = markTables(out, page, problems);
-  const text = emphasise(marked).replace(/\]\(#/g, `](${page.href}#`);
-  return { doxygenText: text, lineMap: [...out.map, out.map.at(-1) ?? 1] };
+    pushPending() {
+      return located(super.pushPending(), lineOf(this));
+    }
+  };
 }
 
-function put(out, part, line, step) {
-  for (const c of part) {
-    if (c !== '\n') continue;
-    out.map.push(line);
-    line += step;
-  }
-  out.text += part;
-}
-
-const headingLine = (piece, page) =>
-  piece.level === 1 ? `# ${page.name} {#${doxygenLabel(page)}}` : `${'#'.repeat(piece.level)} ${token(piece.token)}`;
-
-// Text behind a block starts a line of its own, as deep in its list as the block was.
-function reindent(text, indent) {
-  const rest = text.replace(/^[ \t]+/, '');
-  return rest === '' || rest.startsWith('\n') ? rest : indent + rest;
-}
-
-// Doxygen takes `*x*` for emphasis only between certain neighbours (not before a dash, nor behind a token): its HTML tags have no such trap.
-function emphasise(text) {
-  const inParagraph = '(?:(?!\\n[ \\t]*\\n)[^*])';
-  return text
-    .replace(
-      new RegExp(
-        `(?<![\\\\*])\\*\\*(?=[^\\s*])(${inParagraph}+?(?:\\*${inParagraph}+?\\*${inParagraph}*?)*)(?<=[^\\s\\\\])\\*\\*(?!\\*)`,
-        'g',
-      ),
-      '<b>$1</b>',
-    )
-    .replace(new RegExp(`(?<![\\\\*])\\*(?=[^\\s*])(${inParagraph}+?)(?<=[^\\s\\\\])\\*(?!\\*)`, 'g'), '<em>$1</em>');
-}
-
-const SEPARATOR = /^\s*\|?\s*:?-{2,}:?\s*(\|\s*:?-{2,}:?\s*)*\|?\s*$/;
-const QUOTED = /^\s*(?:>|[-*+]\s|\d+\.\s)[>\s]*\|/;
-const cells = row =>
-  row
-    .trim()
-    .replace(/^\||(?<!\\)\|$/g, '')
-    .split(/(?<!\\)\|/).length;
-
-// Checks the rows of every Markdown table, and puts a token into its first cell, so that one that Doxygen
-// does not take for a table is found out.
-function markTables(out, page, problems) {
-  const lines = out.text.split('\n');
-  for (let i = 0; i < lines.length; ++i) {
-    if (QUOTED.test(lines[i]) && !QUOTED.test(lines[i - 1]))
-      problems.add(
-        page.file,
-        out.map[i] ?? 1,
-        'a table cannot start behind a > or in the line of a list mark: Doxygen makes a paragraph of it; put it on lines of its own',
-      );
-    const starts =
-      /^\s*\|/.test(lines[i]) ||
-      (lines[i].includes('|') && SEPARATOR.test(lines[i + 1] ?? '') && lines[i + 1].includes('|'));
-    if (!starts) continue;
-    let end = i;
-    while (end < lines.length && lines[end].includes('|')) ++end;
-    checkIndent(lines, i, () => out.map[i] ?? 1, page, problems);
-    checkRows(lines.slice(i, end), row => out.map[i + row] ?? 1, page, problems);
-    const piece = { type: 'tablestart', token: page.pieces.length, line: out.map[i] ?? 1 };
-    page.pieces.push(piece);
-    lines[i] = lines[i].replace(/^(\s*\|?\s*)/, `$1${token(piece.token)}`);
-    i = end;
-  }
-  return lines.join('\n');
-}
-
-// Doxygen ends the list before an indented table that an empty line stands above, and counts the items below from 1 again.
-function checkIndent(lines, i, lineOf, page, problems) {
-  if (/^\s/.test(lines[i]) && !lines[i - 1]?.trim())
-    problems.add(
-      page.file,
-      lineOf(),
-      'this table stands apart from its list item; put it right below the text of the item, without an empty line, or do not indent it',
-    );
-}
-
-function checkRows(rows, lineOf, page, problems) {
-  if (!SEPARATOR.test(rows[1] ?? '')) {
-    problems.add(
-      page.file,
-      lineOf(0),
-      'this table has no row of dashes below its head; write |---|---| as its second line',
-    );
-    return;
-  }
-  if (rows.length < 3)
-    problems.add(page.file, lineOf(0), 'this table has a head and no rows; write its rows right below the dashes');
-  const wanted = cells(rows[0]);
-  rows.forEach((row, i) => {
-    if (cells(row) !== wanted)
-      problems.add(
-        page.file,
-        lineOf(i),
-        `this row has ${cells(row)} cells and the head of its table ${wanted}; a | that is no border is written \\|`,
-      );
+function sentences({ tokens, md, env }) {
+  let map;
+  tokens.forEach((token, i) => {
+    map = token.map ?? map;
+    const [line] = map ?? [0];
+    const report = (message, at = line + 1) => env.report(at, message);
+    const piece = BLOCK_PIECES[token.type]?.(token, tokens[i + 1], { lines: env.lines, report });
+    if (piece) token.meta = { ...piece, line: line + 1 };
+    if (token.type !== 'inline' || tokens[i - 1].type === 'heading_open') return;
+    md.inline.parse(token.content, md, Object.assign(env, { line: line + 1 }), token.children);
+    findLeftovers(token.children, env.report);
   });
 }
+
+const IN_SENTENCES = [comment, image, tag, dollars, codeSpan, readMark];
+
+function inlineMark(state, silent) {
+  const { src: source, pos, env } = state;
+  if (!'\\@`<!$'.includes(source[pos])) return false;
+  const report = message => silent || env.report(lineOf(state), message);
+  const found = IN_SENTENCES.reduce((before, read) => before ?? read({ source, report }, pos), undefined);
+  if (!found) return false;
+  const { end, piece } = found;
+  if (piece && !silent) state.push('mark', '', 0).meta = { ...piece, line: lineOf(state) };
+  if (piece === undefined && !silent) state.pending += source.slice(pos, end);
+  state.pos = end;
+  return true;
+}
+
+const ALONE = Object.keys(MARKS).filter(name => MARKS[name].kind !== 'inline');
+const STANDS_ALONE = new RegExp(`^(?:<!--|\\\\f[[{]|\\\\(?:end)?(?:${ALONE.join('|')})(?![A-Za-z]))`);
+
+// Marks that stand alone, at the start of a line: one or several, and behind them at times text.
+function blockMarks(state, first, last, silent) {
+  const { bMarks, tShift, eMarks, src, env } = state;
+  const start = src.slice(bMarks[first] + tShift[first], eMarks[first]);
+  if (!STANDS_ALONE.test(start)) return false;
+  if (silent) return true;
+  const source = textFrom(state, first, last, start.startsWith('<!--'));
+  let at = 0;
+  while (STANDS_ALONE.test(source.slice(at))) {
+    const line = first + linesBefore(source, at) + 1;
+    const context = { source, report: message => env.report(line, message) };
+    const { end, piece } = comment(context, at) ?? readMark(context, at);
+    if (piece) Object.assign(state.push('mark', '', 0), { map: [line - 1, line], meta: { ...piece, line } });
+    at = end + source.slice(end).match(/^[ \t]*/)[0].length;
+  }
+  goOn(state, first + linesBefore(source, at), source.slice(at).split('\n', 1)[0], last);
+  return true;
+}
+
+// The text from a line on, within its list item or quotation; only a comment goes on behind an empty line.
+function textFrom(state, first, last, goesOn) {
+  let end = first + 1;
+  while (end < last && (state.isEmpty(end) ? goesOn : state.sCount[end] >= state.blkIndent)) ++end;
+  return state.getLines(first, end, state.blkIndent, false).trimStart();
+}
+
+// Text behind a mark is read as if it began its line.
+function goOn(state, line, rest, last) {
+  state.line = line + 1;
+  if (!rest) return;
+  state.bMarks[line] = state.eMarks[line] - rest.length;
+  state.tShift[line] = 0;
+  state.sCount[line] = state.blkIndent;
+  state.md.block.tokenize(state, line, last);
+}
+
+const markdown = new MarkdownIt({ linkify: true }).use(bookPlugin);

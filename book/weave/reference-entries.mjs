@@ -10,14 +10,6 @@ import { createXmlToHtml, plainText } from './xml.mjs';
 function converter(book, where) {
   const report = message => book.problems.add(where.file, where.line, `in the documentation here: ${message}`);
   return createXmlToHtml({
-    opens: () => false,
-    closes: () => false,
-    isBlock: () => false,
-    isTableStart: () => false,
-    stray() {},
-    block: () => '',
-    box: () => '',
-    heading: html => `<p><strong>${html}</strong></p>`,
     code: code => codeSpan(book, code),
     text: (text, before) => linkNames(book, docTextHtml(text, before), where),
     verbatim: code =>

@@ -11,6 +11,16 @@ export const slug = text =>
     .replace(/[^a-z0-9]+/g, '-')
     .replace(/^-+|-+$/g, '');
 
+export function linesBefore(text, at) {
+  let lines = 0;
+  for (let i = text.indexOf('\n'); i >= 0 && i < at; i = text.indexOf('\n', i + 1)) ++lines;
+  return lines;
+}
+
+// Where a mark stands in HTML that is not finished: characters of Unicode's private area frame the number of its piece.
+export const hole = ({ token }) => `\ue000${token}\ue001`;
+export const HOLE = /\ue000(\d+)\ue001/g;
+
 export const textOfHtml = html =>
   html
     .replace(/<[^>]*>/g, ' ')

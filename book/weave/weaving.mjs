@@ -6,7 +6,7 @@ import { copyAssets } from './assets.mjs';
 import { readBook } from './book.mjs';
 import { checkCards } from './cards.mjs';
 import { checkPromises } from './promises.mjs';
-import { checkBook } from './check.mjs';
+import { checkBook, checkReferencesToCode } from './check.mjs';
 import { claimsPage } from './claims-page.mjs';
 import { runDoxygen } from './doxygen.mjs';
 import { claimId } from './inline.mjs';
@@ -34,10 +34,11 @@ export function weave(config) {
   const xml = watch('Doxygen', () => runDoxygen(book));
   giveUpOn(book);
   book.api = readApi(xml, config.source);
+  checkReferencesToCode(book);
   checkCards(book);
   checkPromises(book);
   giveUpOn(book);
-  const { pages, documents } = watch('pages', () => makePages(book, xml));
+  const { pages, documents } = watch('pages', () => makePages(book));
   giveUpOn(book);
   watch('write', () => writeBook(book, pages, documents));
   giveUpOn(book);
@@ -51,10 +52,10 @@ function giveUpOn({ problems, config }) {
   throw new Faults(`${problems.text()}The book is not woven: ${n} ${n === 1 ? 'mistake' : 'mistakes'} to mend. ${old}`);
 }
 
-function makePages(book, xml) {
+function makePages(book) {
   const documents = [];
   const prose = book.pages.map(page => {
-    const { html, sections } = renderPage(book, page, xml);
+    const { html, sections } = renderPage(book, page);
     documents.push(...chapterDocuments(page, page.title, sections));
     page.words = sections.reduce((sum, { text }) => sum + text.split(/\s+/).filter(Boolean).length, 0);
     return {

@@ -1,11 +1,10 @@
-// What Doxygen complains of stands in the text that it was given; the message names the line of the chapter, or of the code.
+// What refers to the code, and what Doxygen makes of its comments and complains of in them.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CHAPTER, paragraph, refuses, sampleBook, weaves } from './weaver.mjs';
 
 const nothing = name =>
-  `a reference to nothing: \\ref ${name}; name something that is documented in code/, with its namespace`;
-const tag = name => `Unsupported xml/html tag <${name}>: write < as \\<, or put code into backticks`;
+  `a reference to nothing: \\ref ${name}; name something that is documented in code/, with its namespace.`;
 
 test('references to nothing, all over a chapter', () =>
   refuses(
@@ -45,12 +44,16 @@ test('references to nothing on the other pages', () =>
     ['chapters/front/chapter.md', 'radius::nowhere', nothing('radius::nowhere')],
   ));
 
-test('angle brackets', () =>
+test('a reference to what is nearly there, and one to no name', () => {
   refuses(
-    [paragraph('A <foo> and\na </quux> here.\n\nBut vector<Body> and a<b, c>d may be.')],
-    [CHAPTER, '<foo>', tag('foo')],
-    [CHAPTER, 'quux', tag('/quux')],
-  ));
+    [paragraph('See \\ref integrate::eulr.')],
+    [CHAPTER, 'eulr', `${nothing('integrate::eulr')} Did you mean "integrate::euler" or "integrate"?`],
+  );
+  refuses(
+    [paragraph('See \\ref.')],
+    [CHAPTER, '\\ref.', '\\ref is incomplete; write \\ref name, of something in code/, with its namespace'],
+  );
+});
 
 test('comments of the code', () => {
   const { status, stderr } = sampleBook(['code/integrate/euler.h', '@param h  step', '@param step  step']).weave();
@@ -58,6 +61,10 @@ test('comments of the code', () => {
   assert.match(
     stderr,
     /^code\/integrate\/euler\.h:(1[3-9]|2\d): Doxygen: argument 'step' of command @param is not found/,
+  );
+  assert.match(
+    sampleBook(['code/scenes/spring.h', 'A mass on', 'A <foo> on']).weave().stderr,
+    /^code\/scenes\/spring\.h:\d+: Unsupported xml\/html tag <foo>: write < as \\<, or put code into backticks$/m,
   );
 });
 

@@ -15,21 +15,36 @@ test('C++ in a fence', () =>
     [CHAPTER, '```cpp\nint a', CUT],
     [CHAPTER, '~~~{.cpp}', CUT],
     [CHAPTER, '```c++', CUT],
-    [
-      CHAPTER,
-      '- ```cpp',
-      'a fence starts on a line of its own; put ``` on the next line, indented like the text of its list item',
-    ],
+    [CHAPTER, '- ```cpp', CUT],
   ));
 
-test('C++ by indentation and in HTML', () => {
-  const fault = 'code by indentation; put it between ``` lines, or indent it less if it is no code';
+test('a fence in the line of a list mark, and one within a sentence', () => {
+  assert.match(
+    woven('- ```sh\n  ls\n  ```\n- two'),
+    /<li><div class="codebox terminal">.*ls.*<\/div><\/li>\n<li>two<\/li>/,
+  );
   refuses(
-    [paragraph('Text.\n\n    int first;\n\n<pre>int second;</pre>')],
-    [CHAPTER, 'int first', fault],
-    [CHAPTER, 'int second', fault],
+    [paragraph('Run ```sh\nls\n```')],
+    [CHAPTER, 'Run ```', 'a fence starts on a line of its own; put ``` on the next'],
   );
 });
+
+test('code by indentation', () =>
+  refuses(
+    [paragraph('Text.\n\n    int first;')],
+    [CHAPTER, 'int first', 'code by indentation; put it between ``` lines, or indent it less if it is no code'],
+  ));
+
+const html = tag => `HTML has no looks in this book: <${tag}>; write < as \\<, or put code into backticks`;
+
+test('HTML', () =>
+  refuses(
+    [paragraph('A <foo> and\na </quux> here.\n\n<pre>int a;\n</pre>\n\nBut vector<Body>, a<b, c>d and 1 < 2 may be.')],
+    [CHAPTER, '<foo>', html('foo')],
+    [CHAPTER, 'quux', html('/quux')],
+    [CHAPTER, '<pre>', html('pre')],
+    [CHAPTER, '</pre>', html('/pre')],
+  ));
 
 test('unknown and incomplete marks', () =>
   refuses(
@@ -98,14 +113,42 @@ test('pictures and footnotes', () => {
     [CHAPTER, 'One', PICTURE],
     [CHAPTER, 'two', PICTURE],
   );
-  refuses([paragraph('Text[^1].\n\n[^1]: lost')], [CHAPTER, 'Text[^1]', /^"\[\^" was left standing/]);
+  refuses(
+    [paragraph('Text[^1].\n\n[^1]: lost')],
+    [CHAPTER, 'Text[^1]', /^"\[\^" was left standing/],
+    [CHAPTER, '[^1]: lost', /^"\[\^" was left standing/],
+  );
 });
 
-test('what the book has no looks for', () =>
+test('markup that is not taken for markup, told in its line', () =>
   refuses(
-    [paragraph('Some words\nand then\n<u>underlined</u> ones..')],
-    [CHAPTER, '<u>', 'what Doxygen calls <underline> has no looks in this book; write it in another way'],
+    [paragraph('First *emphasis*\nand **strong,\nthen 2*3\nand [a][b] -- so.')],
+    [
+      CHAPTER,
+      'and **strong',
+      '"**" was left standing in "and **strong,": Markdown did not take it for markup; write \\* if it is meant so',
+    ],
+    [CHAPTER, 'then 2*3', /^"\*" was left standing in "then 2\*3"/],
+    [CHAPTER, 'and [a]', /^"\]\[" was left/],
+    [CHAPTER, '-- so', /^"--" was left/],
   ));
+
+test('comments, over empty lines and with marks in them, leave nothing', () => {
+  assert.equal(
+    woven('One <!-- two --> three.\n\n<!--\n\\figure{nowhere}\n\n\\endaside --> Four.'),
+    '<p>One three.</p>\n<p>Four.</p>',
+  );
+});
+
+test('a bare address is a link', () =>
+  assert.equal(
+    woven('See https://example.org/a_b, not example.org.'),
+    '<p>See <a href="https://example.org/a_b">https://example.org/a_b</a>, not example.org.</p>',
+  ));
+
+test('a year at the start of a line starts no list', () => {
+  assert.equal(woven('- Bari,\n  2008. Pleiades.'), '<ul>\n<li>Bari, 2008. Pleiades.</li>\n</ul>');
+});
 
 test('a character behind a backslash is meant', () => {
   assert.equal(

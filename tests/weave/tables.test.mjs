@@ -1,17 +1,7 @@
-// Tables in Markdown: what Doxygen would make a paragraph of, and bars that are no borders.
+// Tables in Markdown: where they stand, what is wrong with them, and bars that are no borders.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CHAPTER, paragraph, refuses, woven } from './weaver.mjs';
-
-test('a table that came out as a paragraph', () =>
-  refuses(
-    [paragraph('> A quotation.\n| a | b |\n|---|---|\n| 1 | 2 |')],
-    [
-      CHAPTER,
-      '| a | b |',
-      'this table came out as a paragraph; check that each of its rows starts and ends with | and that the line above it is empty',
-    ],
-  ));
 
 test('bars in a sentence', () =>
   refuses(
@@ -19,7 +9,7 @@ test('bars in a sentence', () =>
     [
       CHAPTER,
       'thing is either',
-      '"|" was left standing in "either this | or that": Doxygen did not take it for markup; write \\| if it is meant so',
+      '"|" was left standing in "either this | or": Markdown did not take it for markup; write \\| if it is meant so',
     ],
   ));
 
@@ -27,30 +17,30 @@ test('tables with a mistake in them', () =>
   refuses(
     [
       paragraph(
-        [
-          '| a | b |\n| 1 | 2 |',
-          '| c | d |\n|---|---|',
-          '| e | f |\n|---|---|\n| 1 | 2 | 3 |\n| 4 |',
-          '> | g | h |\n> |---|---|\n> | 1 | 2 |',
-          '1. one\n\n   | i | j |\n   |---|---|\n   | 1 | 2 |\n2. two',
-        ].join('\n\n'),
+        ['| a | b |\n| 1 | 2 |', '| c | d |\n|---|---|', '| e | f |\n|---|---|\n| 1 | 2 | 3 |\n| 4 |'].join('\n\n'),
       ),
     ],
     [CHAPTER, '| a |', 'this table has no row of dashes below its head; write |---|---| as its second line'],
     [CHAPTER, '| c |', 'this table has a head and no rows; write its rows right below the dashes'],
     [CHAPTER, '| 3 |', 'this row has 3 cells and the head of its table 2; a | that is no border is written \\|'],
     [CHAPTER, '| 4 |', 'this row has 1 cells and the head of its table 2; a | that is no border is written \\|'],
-    [
-      CHAPTER,
-      '> | g',
-      'a table cannot start behind a > or in the line of a list mark: Doxygen makes a paragraph of it; put it on lines of its own',
-    ],
-    [
-      CHAPTER,
-      '| i |',
-      'this table stands apart from its list item; put it right below the text of the item, without an empty line, or do not indent it',
-    ],
   ));
+
+test('tables in quotations and lists', () => {
+  const table = '| a | b |\n|---|---|\n| 1 | 2 |';
+  const within = mark => table.replace(/^/gm, mark);
+  const found = '<div class="tablescroll"><table><thead><tr><th scope="col">a</th>';
+  assert.ok(woven(within('> ')).startsWith(`<blockquote>${found}`));
+  assert.match(
+    woven(`> A quotation.\n${table}`),
+    /^<blockquote><p>A quotation\.<\/p><\/blockquote>\n<div class="tablescroll">/,
+  );
+  assert.match(
+    woven(`1. one\n\n${within('   ')}\n2. two`),
+    /<ol>\n<li>one\n<div class="tablescroll">[^]*<\/div><\/li>\n<li>two<\/li>/,
+  );
+  assert.ok(woven(`- ${within('  ').trim()}`).startsWith(`<ul>\n<li>${found}`));
+});
 
 test('a box for a table without one, and with two', () =>
   refuses(
