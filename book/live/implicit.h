@@ -28,16 +28,16 @@ inline constexpr auto trapezoid = [](auto& x, auto& v, auto t, auto h, const aut
 /// solution.
 struct Bdf2 : measure::KeepsLastState {
   /// One step, as long as the one before it.
-  template <class Kept, class Real, class Scene>
-  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
-    integrate::Bdf2Previous<typename Kept::value_type> previous{kept[2], kept[3]};
+  template <class Memory, class Real, class Scene>
+  static void step(Memory& memory, Real t, Real h, const Scene& scene) {
+    integrate::Bdf2Previous<typename Memory::value_type> previous{memory[2], memory[3]};
     const bool solved =
-        integrate::bdf2(kept[0], kept[1], previous, t, h, h, scene, measure::solver_of(scene));
-    if (!solved) kept[0] = std::numeric_limits<double>::quiet_NaN() * kept[0];
-    kept[2] = previous.x, kept[3] = previous.v;
+        integrate::bdf2(memory[0], memory[1], previous, t, h, h, scene, measure::solver_of(scene));
+    if (!solved) memory[0] = std::numeric_limits<double>::quiet_NaN() * memory[0];
+    memory[2] = previous.x, memory[3] = previous.v;
   }
 };
 
-inline constexpr Bdf2 bdf2;  ///< to hand on
+inline constexpr Bdf2 bdf2;  ///< instance for generic code
 
 }  // namespace live

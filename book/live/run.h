@@ -56,7 +56,7 @@ class RunOf final : public Run<Vec> {
   void step() override {
     measure::advance(step_, kept_, this->t(), this->h, scene_);
     ++this->steps;
-    this->now = measure::state_of(step_, kept_, this->t(), this->h, scene_);
+    this->now = measure::to_state(step_, kept_, this->t(), this->h, scene_);
   }
 
  private:

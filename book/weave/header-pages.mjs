@@ -105,8 +105,8 @@ function vectors(header, libraries) {
   if (libraries.includes('Eigen')) return ' Its <code>Vec</code> is an Eigen vector of all unknowns.';
   if (onShelf(header)) return [...functions, ...types].some(entry => has(entry, 'Vec')) ? VECTORS + RAYLIB : '';
   if (!functions.some(steps)) return '';
-  const place = functions.some(entry => has(entry, 'Place'))
-    ? ' A <code>Place</code> is the same, or of a type of its own that <code>x + h * v</code> moves: a pose that a twist turns.'
+  const place = functions.some(entry => has(entry, 'Position'))
+    ? ' A <code>Position</code> is the same, or of a type of its own that <code>x + h * v</code> moves: a pose that a twist turns.'
     : '';
   return (
     VECTORS +

@@ -44,9 +44,9 @@ measure::Halving last_halving(Step step, const Scene& scene, double h = 1.0 / 64
 /// What a method keeps after some steps.
 template <class Step, class Scene>
 auto kept_after(Step step, const Scene& scene, double h, long steps) {
-  auto kept = measure::start(step, scene.start(), h, scene);
-  for (long n = 0; n < steps; ++n) measure::advance(step, kept, double(n) * h, h, scene);
-  return kept;
+  auto memory = measure::start(step, scene.start(), h, scene);
+  for (long n = 0; n < steps; ++n) measure::advance(step, memory, double(n) * h, h, scene);
+  return memory;
 }
 
 /// The largest distance between the positions of two methods in 1000 steps.

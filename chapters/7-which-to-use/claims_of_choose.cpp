@@ -57,12 +57,12 @@ double share(const Places& places, const Places& truth) {
 template <class Scene>
 auto places_of(const Method& method, const Scene& scene, const Bounds& bounds, long substeps) {
   const double h = 1 / (bounds.hz * double(substeps));
-  auto kept = method.start(scene.start(), h, scene);
+  auto memory = method.start(scene.start(), h, scene);
   std::vector places{scene.start().x};
   for (long n = 0; n < bounds.frames() * substeps; ++n) {
-    method.step(kept, double(n) * h, h, scene);
+    method.step(memory, double(n) * h, h, scene);
     if ((n + 1) % substeps == 0)
-      places.push_back(method.state_of(kept, double(n + 1) * h, h, scene).x);
+      places.push_back(method.to_state(memory, double(n + 1) * h, h, scene).x);
   }
   return places;
 }
@@ -155,12 +155,12 @@ TEST_CASE(
       const auto force = [&](double x, double v, double t) {
         return spring(x - (t > kerb ? 1.0 : 0.0), v, t);
       };
-      auto kept = method->start(scenes::State<double>{0, 0}, h, force);
+      auto memory = method->start(scenes::State<double>{0, 0}, h, force);
       double worst = 0;
       for (int n = 0; n < 180; ++n) {
-        method->step(kept, n * h, h, force);
+        method->step(memory, n * h, h, force);
         const double t = (n + 1) * h, truth = t > kerb ? 1 + spring.exact(t - kerb).x : 0;
-        worst = std::max(worst, std::abs(method->state_of(kept, t, h, force).x - truth));
+        worst = std::max(worst, std::abs(method->to_state(memory, t, h, force).x - truth));
       }
       least = std::min(least, worst), most = std::max(most, worst);
     }

@@ -137,12 +137,12 @@ double worst_over_kerb(const Step& step, int in_a_frame, double damper = Corner(
   const double h = frame / in_a_frame;
   double worst = 0;
   for (const auto& [corner, truth] : kerbs(damper)) {
-    auto kept = measure::start(step, corner.start(), h, corner);
+    auto memory = measure::start(step, corner.start(), h, corner);
     long taken = 0;
     for (std::size_t seen = 1; seen < truth.size(); ++seen) {
       for (int n = 0; n < in_a_frame; ++n, ++taken)
-        measure::advance(step, kept, double(taken) * h, h, corner);
-      const auto now = measure::state_of(step, kept, double(taken) * h, h, corner);
+        measure::advance(step, memory, double(taken) * h, h, corner);
+      const auto now = measure::to_state(step, memory, double(taken) * h, h, corner);
       const double error = (now.x - truth[seen]).norm();
       if (!(error < 10)) return INFINITY;
       worst = std::max(worst, error);

@@ -301,11 +301,11 @@ inline constexpr double day = 86'400;  ///< [s]
 inline double ahead_after_a_day(const measure::Method& method, double h, double started = 0) {
   double first = 0, last = 0;
   long turns = -1;
-  auto kept = measure::start(method, shuttle.exact(started), h, shuttle);
+  auto memory = measure::start(method, shuttle.exact(started), h, shuttle);
   for (long n = 0; n < std::lround(day / h); ++n) {
-    const double outwards = kept[0].dot(kept[1]);
-    measure::advance(method, kept, double(n) * h, h, shuttle);
-    const double afterwards = kept[0].dot(kept[1]);
+    const double outwards = memory[0].dot(memory[1]);
+    measure::advance(method, memory, double(n) * h, h, shuttle);
+    const double afterwards = memory[0].dot(memory[1]);
     if (outwards <= 0 || afterwards > 0) continue;
     last = (double(n) + outwards / (outwards - afterwards)) * h;
     if (++turns == 0) first = last;

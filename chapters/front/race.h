@@ -28,12 +28,12 @@ template <class Step, class Observe>
 void race(const Step& step, double rate, Observe&& observe) {
   const double h = affordable(step, rate);
   const auto start = race_shuttle.start();
-  auto kept = measure::start(step, start, h, race_shuttle);
+  auto memory = measure::start(step, start, h, race_shuttle);
   auto s = start;
   observe(0.0, s);
   for (long n = 0; n < std::lround(turns * shuttle_turn / h) && s.x.norm() > planet; ++n) {
-    measure::advance(step, kept, double(n) * h, h, race_shuttle);
-    s = measure::state_of(step, kept, double(n + 1) * h, h, race_shuttle);
+    measure::advance(step, memory, double(n) * h, h, race_shuttle);
+    s = measure::to_state(step, memory, double(n + 1) * h, h, race_shuttle);
     observe(double(n + 1) * h, s);
   }
 }

@@ -149,17 +149,17 @@ Attempt attempt(const measure::Method& method, const Scene& scene, const Bounds&
                 const Truth<Vec>& truth, long substeps, double patience) {
   Attempt worst{.substeps = substeps};
   const double h = 1 / (bounds.hz * double(substeps));
-  auto kept = measure::start(method, scene.start(), h, scene);
+  auto memory = measure::start(method, scene.start(), h, scene);
   long n = 0;  // steps taken
   for (std::size_t seen = 1; seen < truth.x.size(); ++seen) {
     try {
       for (; n < long(seen) * substeps; ++n)
-        measure::advance(method, kept, double(n) * h, h, scene);
+        measure::advance(method, memory, double(n) * h, h, scene);
     } catch (const std::runtime_error&) {
       worst.error = INFINITY;  // an implicit step that could not be solved
       break;
     }
-    update_worst(worst, scene, measure::state_of(method, kept, double(n) * h, h, scene),
+    update_worst(worst, scene, measure::to_state(method, memory, double(n) * h, h, scene),
                  truth.x[seen], truth.size);
     if (miss(worst, bounds) > patience) break;
   }
@@ -173,18 +173,18 @@ double uneven_error(const measure::Method& method, const Scene& scene, const Tru
                     long substeps) {
   Attempt worst;
   const double mean = uneven.ends.back() / double((uneven.ends.size() - 1) * std::size_t(substeps));
-  auto kept = measure::start(method, scene.start(), uneven.ends[1] / double(substeps), scene);
+  auto memory = measure::start(method, scene.start(), uneven.ends[1] / double(substeps), scene);
   for (std::size_t seen = 1; seen < uneven.x.size(); ++seen) {
     const double begin = uneven.ends[seen - 1], end = uneven.ends[seen];
     const double h = (end - begin) / double(substeps);
     const double taken = &method == &method::spring_folded ? mean : h;
     try {
       for (long n = 0; n < substeps; ++n)
-        measure::advance(method, kept, begin + double(n) * h, taken, scene);
+        measure::advance(method, memory, begin + double(n) * h, taken, scene);
     } catch (const std::runtime_error&) {
       return INFINITY;
     }
-    update_worst(worst, scene, measure::state_of(method, kept, end, h, scene), uneven.x[seen],
+    update_worst(worst, scene, measure::to_state(method, memory, end, h, scene), uneven.x[seen],
                  uneven.size);
     if (!(worst.error < 1e3)) return INFINITY;
   }
@@ -431,7 +431,8 @@ const char* remark_on(const Scene&) {
   if constexpr (!std::is_same_v<Scene, scenes::LinearDrag<>>) return "";
   return "Where gravity and this drag are all that acts, there is an exact step: its lines are on "
          "the page\n"
-         "Pick a method (pick-a-method.html), under the air. linear_damping_exact is another, exact in the "
+         "Pick a method (pick-a-method.html), under the air. linear_damping_exact is another, "
+         "exact in the "
          "velocity alone.";
 }
 

@@ -49,9 +49,9 @@ std::vector<const measure::Method*> exact_steps_of(const Scene&) {
 template <class Scene>
 long price(const measure::Method& method, const Scene& scene, double h) {
   const CostCounted<Scene> billed{scene};
-  auto kept = measure::start(method, scene.start(), h, billed);
+  auto memory = measure::start(method, scene.start(), h, billed);
   billed.evaluations = 0;
-  measure::advance(method, kept, 0.0, h, billed);
+  measure::advance(method, memory, 0.0, h, billed);
   return std::max(1L, billed.evaluations);
 }
 

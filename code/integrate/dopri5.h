@@ -143,17 +143,18 @@ struct Dopri5Verdict {
 /// @param v  velocity
 /// @param t  time of `x` and `v` [s]
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
-template <class Place, class Vec, class Time, class Acceleration>
-constexpr Vec dopri5_start(const Place& x, const Vec& v, Time t, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
+template <class Position, class Vec, class Time, class Acceleration>
+constexpr Vec dopri5_start(const Position& x, const Vec& v, Time t, Acceleration&& acceleration) {
+  constexpr bool calls =
+      std::is_invocable_r_v<Vec, Acceleration&, const Position&, const Vec&, Time>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   if constexpr (calls) return acceleration(x, v, t);
 }
 
 #ifdef __clang__
 // Else clang does not inline so long a function, and then cannot vectorise a loop over bodies.
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-[[gnu::always_inline]] constexpr Dopri5Error<Vec> dopri5(Place&, Vec&, Vec&, Time, Real,
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+[[gnu::always_inline]] constexpr Dopri5Error<Vec> dopri5(Position&, Vec&, Vec&, Time, Real,
                                                          Acceleration&&);
 #endif
 
@@ -170,17 +171,18 @@ template <class Place, class Vec, class Time, class Real, class Acceleration>
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @returns  the estimate, of order 4: more than the step's own error as long as h is small
 /// @see J. R. Dormand and P. J. Prince, A family of embedded Runge-Kutta formulae (1980)
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-constexpr Dopri5Error<Vec> dopri5(Place& x, Vec& v, Vec& a, Time t, Real h,
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+constexpr Dopri5Error<Vec> dopri5(Position& x, Vec& v, Vec& a, Time t, Real h,
                                   Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
+  constexpr bool calls =
+      std::is_invocable_r_v<Vec, Acceleration&, const Position&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Position, decltype(add), Position, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
+  static_assert(moves, "x + h * v must be a Position, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
     using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
@@ -188,27 +190,27 @@ constexpr Dopri5Error<Vec> dopri5(Place& x, Vec& v, Vec& a, Time t, Real h,
     // [move]
     using W = Dopri5Weights;
     const auto part = [h](double weight) { return h * Real(weight); };
-    const Place x2 = x + part(W::a21) * v;
+    const Position x2 = x + part(W::a21) * v;
     const Vec v2 = v + part(W::a21) * a;
     const Vec a2 = acceleration(x2, v2, at(W::c2));
-    const Place x3 = x + (part(W::a31) * v + part(W::a32) * v2);
+    const Position x3 = x + (part(W::a31) * v + part(W::a32) * v2);
     const Vec v3 = v + (part(W::a31) * a + part(W::a32) * a2);
     const Vec a3 = acceleration(x3, v3, at(W::c3));
-    const Place x4 = x + (part(W::a41) * v + part(W::a42) * v2 + part(W::a43) * v3);
+    const Position x4 = x + (part(W::a41) * v + part(W::a42) * v2 + part(W::a43) * v3);
     const Vec v4 = v + (part(W::a41) * a + part(W::a42) * a2 + part(W::a43) * a3);
     const Vec a4 = acceleration(x4, v4, at(W::c4));
-    const Place x5 =
+    const Position x5 =
         x + (part(W::a51) * v + part(W::a52) * v2 + part(W::a53) * v3 + part(W::a54) * v4);
     const Vec v5 =
         v + (part(W::a51) * a + part(W::a52) * a2 + part(W::a53) * a3 + part(W::a54) * a4);
     const Vec a5 = acceleration(x5, v5, at(W::c5));
-    const Place x6 = x + (part(W::a61) * v + part(W::a62) * v2 + part(W::a63) * v3 +
-                          part(W::a64) * v4 + part(W::a65) * v5);
+    const Position x6 = x + (part(W::a61) * v + part(W::a62) * v2 + part(W::a63) * v3 +
+                             part(W::a64) * v4 + part(W::a65) * v5);
     const Vec v6 = v + (part(W::a61) * a + part(W::a62) * a2 + part(W::a63) * a3 +
                         part(W::a64) * a4 + part(W::a65) * a5);
     const Vec a6 = acceleration(x6, v6, at(W::c6));
-    const Place x7 = x + (part(W::a71) * v + part(W::a73) * v3 + part(W::a74) * v4 +
-                          part(W::a75) * v5 + part(W::a76) * v6);
+    const Position x7 = x + (part(W::a71) * v + part(W::a73) * v3 + part(W::a74) * v4 +
+                             part(W::a75) * v5 + part(W::a76) * v6);
     const Vec v7 = v + (part(W::a71) * a + part(W::a73) * a3 + part(W::a74) * a4 +
                         part(W::a75) * a5 + part(W::a76) * a6);
     const Vec a7 = acceleration(x7, v7, at(W::c7));

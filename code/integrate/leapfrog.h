@@ -16,16 +16,17 @@
 namespace integrate {
 
 /// Checks that leapfrog can use these types; what one lacks is a compile error that says so.
-template <class Place, class Vec, class Time, class Real, class Acceleration>
+template <class Position, class Vec, class Time, class Real, class Acceleration>
 constexpr bool leapfrog_accepts() {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
+  constexpr bool calls =
+      std::is_invocable_r_v<Vec, Acceleration&, const Position&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Position, decltype(add), Position, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
+  static_assert(moves, "x + h * v must be a Position, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   return calls && scales && moves;
 }
@@ -37,10 +38,10 @@ constexpr bool leapfrog_accepts() {
 /// @param t  time of `x` and `v` [s]
 /// @param h  step size [s]
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-constexpr Vec leapfrog_start(const Place& x, const Vec& v, Time t, Real h,
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+constexpr Vec leapfrog_start(const Position& x, const Vec& v, Time t, Real h,
                              Acceleration&& acceleration) {
-  if constexpr (leapfrog_accepts<Place, Vec, Time, Real, Acceleration>())
+  if constexpr (leapfrog_accepts<Position, Vec, Time, Real, Acceleration>())
     return v + (h / Real(-2)) * acceleration(x, v, t);
 }
 
@@ -51,10 +52,10 @@ constexpr Vec leapfrog_start(const Place& x, const Vec& v, Time t, Real h,
 /// @param t  time of `x` [s]
 /// @param h  step size [s]
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-constexpr Vec leapfrog_velocity(const Place& x, const Vec& v_half, Time t, Real h,
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+constexpr Vec leapfrog_velocity(const Position& x, const Vec& v_half, Time t, Real h,
                                 Acceleration&& acceleration) {
-  if constexpr (leapfrog_accepts<Place, Vec, Time, Real, Acceleration>())
+  if constexpr (leapfrog_accepts<Position, Vec, Time, Real, Acceleration>())
     return v_half + (h / Real(2)) * acceleration(x, v_half, t);
 }
 
@@ -71,9 +72,9 @@ constexpr Vec leapfrog_velocity(const Place& x, const Vec& v_half, Time t, Real 
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see Hairer, Lubich and Wanner, Geometric numerical integration illustrated by the
 /// Stormer-Verlet method, Acta Numerica 12 (2003)
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-constexpr void leapfrog(Place& x, Vec& v_half, Time t, Real h, Acceleration&& acceleration) {
-  if constexpr (leapfrog_accepts<Place, Vec, Time, Real, Acceleration>()) {
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+constexpr void leapfrog(Position& x, Vec& v_half, Time t, Real h, Acceleration&& acceleration) {
+  if constexpr (leapfrog_accepts<Position, Vec, Time, Real, Acceleration>()) {
     // [move]
     const Vec a = acceleration(x, v_half, t);
     v_half = v_half + h * a;

@@ -29,16 +29,17 @@ namespace integrate {
 /// and the time of the middle of the step
 /// @see Hairer, Lubich and Wanner, Geometric numerical integration illustrated by the
 /// Stormer-Verlet method, Acta Numerica 12 (2003)
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-constexpr void leapfrog_drift(Place& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+constexpr void leapfrog_drift(Position& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
+  constexpr bool calls =
+      std::is_invocable_r_v<Vec, Acceleration&, const Position&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Position, decltype(add), Position, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
+  static_assert(moves, "x + h * v must be a Position, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
     using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion

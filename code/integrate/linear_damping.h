@@ -36,16 +36,17 @@
 namespace integrate {
 
 /// Checks that a damped step can use these types; what one lacks is a compile error that says so.
-template <class Place, class Vec, class Time, class Real, class Acceleration>
+template <class Position, class Vec, class Time, class Real, class Acceleration>
 constexpr bool linear_damping_accepts() {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
+  constexpr bool calls =
+      std::is_invocable_r_v<Vec, Acceleration&, const Position&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Position, decltype(add), Position, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
+  static_assert(moves, "x + h * v must be a Position, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   return calls && scales && moves;
 }
@@ -62,10 +63,10 @@ constexpr bool linear_damping_accepts() {
 /// @param h  step size [s]; a negative step goes back in time, but not out of a standstill
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-constexpr void linear_damping_explicit_last(Place& x, Vec& v, Time t, Real h, Real c,
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+constexpr void linear_damping_explicit_last(Position& x, Vec& v, Time t, Real h, Real c,
                                             Acceleration&& acceleration) {
-  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
+  if constexpr (linear_damping_accepts<Position, Vec, Time, Real, Acceleration>()) {
     const Vec a = acceleration(x, v, t);
     const Real keep = Real(1) - c * h;
     v = (keep > Real(0) ? keep : Real(0)) * Vec(v + h * a);
@@ -84,10 +85,10 @@ constexpr void linear_damping_explicit_last(Place& x, Vec& v, Time t, Real h, Re
 /// @param h  step size [s]; a negative step goes back in time, but not out of a standstill
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-constexpr void linear_damping_explicit_first(Place& x, Vec& v, Time t, Real h, Real c,
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+constexpr void linear_damping_explicit_first(Position& x, Vec& v, Time t, Real h, Real c,
                                              Acceleration&& acceleration) {
-  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
+  if constexpr (linear_damping_accepts<Position, Vec, Time, Real, Acceleration>()) {
     const Vec a = acceleration(x, v, t);
     const Real keep = Real(1) - c * h;
     v = (keep > Real(0) ? keep : Real(0)) * v + h * a;
@@ -106,10 +107,10 @@ constexpr void linear_damping_explicit_first(Place& x, Vec& v, Time t, Real h, R
 /// @param h  step size [s]; a negative step goes back in time while c*|h| < 1; at 1 v is infinite
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-constexpr void linear_damping_implicit_last(Place& x, Vec& v, Time t, Real h, Real c,
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+constexpr void linear_damping_implicit_last(Position& x, Vec& v, Time t, Real h, Real c,
                                             Acceleration&& acceleration) {
-  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
+  if constexpr (linear_damping_accepts<Position, Vec, Time, Real, Acceleration>()) {
     // [implicit-last-move]
     const Vec a = acceleration(x, v, t);
     v = (Real(1) / (Real(1) + c * h)) * Vec(v + h * a);
@@ -129,10 +130,10 @@ constexpr void linear_damping_implicit_last(Place& x, Vec& v, Time t, Real h, Re
 /// @param h  step size [s]; a negative step goes back in time while c*|h| < 1; at 1 v is infinite
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-constexpr void linear_damping_implicit_first(Place& x, Vec& v, Time t, Real h, Real c,
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+constexpr void linear_damping_implicit_first(Position& x, Vec& v, Time t, Real h, Real c,
                                              Acceleration&& acceleration) {
-  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
+  if constexpr (linear_damping_accepts<Position, Vec, Time, Real, Acceleration>()) {
     const Vec a = acceleration(x, v, t);
     v = (Real(1) / (Real(1) + c * h)) * v + h * a;
     x = x + h * v;
@@ -150,10 +151,10 @@ constexpr void linear_damping_implicit_first(Place& x, Vec& v, Time t, Real h, R
 /// @param h  step size [s]; a negative step goes back in time, and takes back the damping
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-void linear_damping_exponential_last(Place& x, Vec& v, Time t, Real h, Real c,
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+void linear_damping_exponential_last(Position& x, Vec& v, Time t, Real h, Real c,
                                      Acceleration&& acceleration) {
-  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
+  if constexpr (linear_damping_accepts<Position, Vec, Time, Real, Acceleration>()) {
     const Vec a = acceleration(x, v, t);
     v = std::exp(-c * h) * Vec(v + h * a);
     x = x + h * v;
@@ -171,10 +172,10 @@ void linear_damping_exponential_last(Place& x, Vec& v, Time t, Real h, Real c,
 /// @param h  step size [s]; a negative step goes back in time, and takes back the damping
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-void linear_damping_exponential_first(Place& x, Vec& v, Time t, Real h, Real c,
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+void linear_damping_exponential_first(Position& x, Vec& v, Time t, Real h, Real c,
                                       Acceleration&& acceleration) {
-  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
+  if constexpr (linear_damping_accepts<Position, Vec, Time, Real, Acceleration>()) {
     const Vec a = acceleration(x, v, t);
     v = std::exp(-c * h) * v + h * a;
     x = x + h * v;
@@ -195,9 +196,10 @@ void linear_damping_exponential_first(Place& x, Vec& v, Time t, Real h, Real c,
 /// @param h  step size [s]; a negative step goes back in time, and takes back damping and force
 /// @param c  damping per mass [1/s]; not negative
 /// @param acceleration  of all forces but the damping, callable `(x, v, t) -> Vec`
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-void linear_damping_exact(Place& x, Vec& v, Time t, Real h, Real c, Acceleration&& acceleration) {
-  if constexpr (linear_damping_accepts<Place, Vec, Time, Real, Acceleration>()) {
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+void linear_damping_exact(Position& x, Vec& v, Time t, Real h, Real c,
+                          Acceleration&& acceleration) {
+  if constexpr (linear_damping_accepts<Position, Vec, Time, Real, Acceleration>()) {
     const Vec a = acceleration(x, v, t);
     const Real push = c * h == Real(0) ? h : -std::expm1(-c * h) / c;
     v = std::exp(-c * h) * v + push * a;

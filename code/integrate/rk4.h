@@ -14,8 +14,8 @@ namespace integrate {
 
 #ifdef __clang__
 // Else clang does not inline so long a function, and then cannot vectorise a loop over bodies.
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-[[gnu::always_inline]] constexpr void rk4(Place&, Vec&, Time, Real, Acceleration&&);
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+[[gnu::always_inline]] constexpr void rk4(Position&, Vec&, Time, Real, Acceleration&&);
 #endif
 
 /// One step of the classical Runge-Kutta method.
@@ -29,16 +29,17 @@ template <class Place, class Vec, class Time, class Real, class Acceleration>
 /// @param h  step size [s]; a negative step goes back in time
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see W. Kutta, Beitrag zur naeherungsweisen Integration totaler Differentialgleichungen (1901)
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-constexpr void rk4(Place& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+constexpr void rk4(Position& x, Vec& v, Time t, Real h, Acceleration&& acceleration) {
+  constexpr bool calls =
+      std::is_invocable_r_v<Vec, Acceleration&, const Position&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Position, decltype(add), Position, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
+  static_assert(moves, "x + h * v must be a Position, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
     using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
@@ -48,11 +49,11 @@ constexpr void rk4(Place& x, Vec& v, Time t, Real h, Acceleration&& acceleration
     const Real half = h / Real(2);
     const Vec a1 = acceleration(x, v, t);
     const Vec v2 = v + half * a1;
-    const Vec a2 = acceleration(Place(x + half * v), v2, t_middle);
+    const Vec a2 = acceleration(Position(x + half * v), v2, t_middle);
     const Vec v3 = v + half * a2;
-    const Vec a3 = acceleration(Place(x + half * v2), v3, t_middle);
+    const Vec a3 = acceleration(Position(x + half * v2), v3, t_middle);
     const Vec v4 = v + h * a3;
-    const Vec a4 = acceleration(Place(x + h * v3), v4, t_end);
+    const Vec a4 = acceleration(Position(x + h * v3), v4, t_end);
     x = x + (h / Real(6)) * (v + Real(2) * (v2 + v3) + v4);
     v = v + (h / Real(6)) * (a1 + Real(2) * (a2 + a3) + a4);
     // [move]

@@ -20,10 +20,11 @@ namespace integrate {
 /// @param v  velocity
 /// @param t  time of `x` and `v` [s]
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
-template <class Place, class Vec, class Time, class Acceleration>
-constexpr Vec velocity_verlet_start(const Place& x, const Vec& v, Time t,
+template <class Position, class Vec, class Time, class Acceleration>
+constexpr Vec velocity_verlet_start(const Position& x, const Vec& v, Time t,
                                     Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
+  constexpr bool calls =
+      std::is_invocable_r_v<Vec, Acceleration&, const Position&, const Vec&, Time>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   if constexpr (calls) return acceleration(x, v, t);
 }
@@ -41,17 +42,18 @@ constexpr Vec velocity_verlet_start(const Place& x, const Vec& v, Time t,
 /// @param h  step size [s]; a negative step goes back in time
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see Swope, Andersen, Berens and Wilson, Journal of Chemical Physics 76 (1982)
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-constexpr void velocity_verlet(Place& x, Vec& v, Vec& a, Time t, Real h,
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+constexpr void velocity_verlet(Position& x, Vec& v, Vec& a, Time t, Real h,
                                Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
+  constexpr bool calls =
+      std::is_invocable_r_v<Vec, Acceleration&, const Position&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Position, decltype(add), Position, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
+  static_assert(moves, "x + h * v must be a Position, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
     using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion

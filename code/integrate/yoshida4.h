@@ -20,17 +20,18 @@ namespace integrate {
 /// @param v  velocity
 /// @param t  time of `x` and `v` [s]
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
-template <class Place, class Vec, class Time, class Acceleration>
-constexpr Vec yoshida4_start(const Place& x, const Vec& v, Time t, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
+template <class Position, class Vec, class Time, class Acceleration>
+constexpr Vec yoshida4_start(const Position& x, const Vec& v, Time t, Acceleration&& acceleration) {
+  constexpr bool calls =
+      std::is_invocable_r_v<Vec, Acceleration&, const Position&, const Vec&, Time>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   if constexpr (calls) return acceleration(x, v, t);
 }
 
 #ifdef __clang__
 // Else clang does not inline so long a function, and then cannot vectorise a loop over bodies.
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-[[gnu::always_inline]] constexpr void yoshida4(Place&, Vec&, Vec&, Time, Real, Acceleration&&);
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+[[gnu::always_inline]] constexpr void yoshida4(Position&, Vec&, Vec&, Time, Real, Acceleration&&);
 #endif
 
 /// One step of Yoshida's method: velocity Verlet forward, backward and forward again.
@@ -46,16 +47,17 @@ template <class Place, class Vec, class Time, class Real, class Acceleration>
 /// @param acceleration  callable `(x, v, t) -> Vec` [units of x per s^2]
 /// @see H. Yoshida, Construction of higher order symplectic integrators, Physics Letters A 150
 /// (1990)
-template <class Place, class Vec, class Time, class Real, class Acceleration>
-constexpr void yoshida4(Place& x, Vec& v, Vec& a, Time t, Real h, Acceleration&& acceleration) {
-  constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Place&, const Vec&, Time>;
+template <class Position, class Vec, class Time, class Real, class Acceleration>
+constexpr void yoshida4(Position& x, Vec& v, Vec& a, Time t, Real h, Acceleration&& acceleration) {
+  constexpr bool calls =
+      std::is_invocable_r_v<Vec, Acceleration&, const Position&, const Vec&, Time>;
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr auto add = [](const auto& y, const auto& z) -> decltype(y + z) { return y + z; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  constexpr bool moves = std::is_invocable_r_v<Place, decltype(add), Place, Vec>;
+  constexpr bool moves = std::is_invocable_r_v<Position, decltype(add), Position, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
-  static_assert(moves, "x + h * v must be a Place, which is the type of x");
+  static_assert(moves, "x + h * v must be a Position, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {
     using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion

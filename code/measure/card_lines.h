@@ -191,11 +191,11 @@ struct CountedJacobian : Counted<Scene> {
 /// pendulum at sixty steps a second.
 inline void solves(Card& card, const Method& method) {
   const CountedJacobian<scenes::Pendulum<>> pendulum{scenes::Pendulum<>{}};
-  auto kept = start(method, pendulum.start(), 1 / 60.0, pendulum);
+  auto memory = start(method, pendulum.start(), 1 / 60.0, pendulum);
   long least[2] = {1000, 1000}, most[2] = {0, 0};
   for (int n = 0; n < 600; ++n) {
     pendulum.evaluations = pendulum.solves = 0;
-    advance(method, kept, n / 60.0, 1 / 60.0, pendulum);
+    advance(method, memory, n / 60.0, 1 / 60.0, pendulum);
     const long counts[2] = {pendulum.evaluations, pendulum.solves};
     for (int i = 0; i < 2; ++i) {
       least[i] = std::min(least[i], counts[i]);

@@ -29,9 +29,9 @@ struct Counted : Scene {
 template <class Step, class Scene>
 long evaluations_per_step(Step step, const Scene& scene, double h) {
   const Counted<Scene> counted{scene};
-  auto kept = start(step, scene.start(), h, counted);
+  auto memory = start(step, scene.start(), h, counted);
   counted.evaluations = 0;
-  advance(step, kept, 0.0, h, counted);
+  advance(step, memory, 0.0, h, counted);
   return counted.evaluations;
 }
 

@@ -17,10 +17,10 @@ namespace measure {
 template <class Vec>
 struct Stepper {
   /// All that the method keeps from one step to the next: position and velocity, or its memory.
-  using Kept = std::vector<Vec>;
-  Kept (*start)(const scenes::State<Vec>& s, double h, const Force<Vec>& force) = nullptr;
-  void (*step)(Kept& kept, double t, double h, const Force<Vec>& force) = nullptr;
-  scenes::State<Vec> (*state_of)(const Kept& kept, double t, double h,
+  using Memory = std::vector<Vec>;
+  Memory (*start)(const scenes::State<Vec>& s, double h, const Force<Vec>& force) = nullptr;
+  void (*step)(Memory& memory, double t, double h, const Force<Vec>& force) = nullptr;
+  scenes::State<Vec> (*to_state)(const Memory& memory, double t, double h,
                                  const Force<Vec>& force) = nullptr;
 };
 
@@ -45,15 +45,15 @@ class Method {
 
   /// One step.
   template <class Vec, class Scene>
-  void step(std::vector<Vec>& kept, double t, double h, const Scene& scene) const {
-    on<Vec>().step(kept, t, h, Force<Vec>(scene));
+  void step(std::vector<Vec>& memory, double t, double h, const Scene& scene) const {
+    on<Vec>().step(memory, t, h, Force<Vec>(scene));
   }
 
   /// The state that it stands for.
   template <class Vec, class Scene>
-  scenes::State<Vec> state_of(const std::vector<Vec>& kept, double t, double h,
+  scenes::State<Vec> to_state(const std::vector<Vec>& memory, double t, double h,
                               const Scene& scene) const {
-    return on<Vec>().state_of(kept, t, h, Force<Vec>(scene));
+    return on<Vec>().to_state(memory, t, h, Force<Vec>(scene));
   }
 
  private:

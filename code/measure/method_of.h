@@ -21,17 +21,17 @@ concept Moves =
 /// @tparam Step  of an object without members: a lambda without captures, or one with a memory
 template <class Step, class Vec>
 constexpr Stepper<Vec> stepper_of() {
-  using Kept = typename Stepper<Vec>::Kept;
+  using Memory = typename Stepper<Vec>::Memory;
   if constexpr (Moves<Step, Vec>) {
     return {[](const scenes::State<Vec>& s, double h, const Force<Vec>& force) {
-              const auto kept = measure::start(Step(), s, h, force);
-              return Kept(kept.begin(), kept.end());
+              const auto memory = measure::start(Step(), s, h, force);
+              return Memory(memory.begin(), memory.end());
             },
-            [](Kept& kept, double t, double h, const Force<Vec>& force) {
-              measure::advance(Step(), kept, t, h, force);
+            [](Memory& memory, double t, double h, const Force<Vec>& force) {
+              measure::advance(Step(), memory, t, h, force);
             },
-            [](const Kept& kept, double t, double h, const Force<Vec>& force) {
-              return measure::state_of(Step(), kept, t, h, force);
+            [](const Memory& memory, double t, double h, const Force<Vec>& force) {
+              return measure::to_state(Step(), memory, t, h, force);
             }};
   } else {
     return {};

@@ -66,15 +66,17 @@ template <class... Methods>
 constexpr bool require_names(std::tuple<Methods...>) {
   return (measure::require_names<Methods>() && ...);
 }
-static_assert(require_all_traits(Joined<EulerKin, VerletKin, RungeKuttaKin, ImplicitKin>()));
+static_assert(require_all_traits(Joined<EulerFamily, VerletFamily, RungeKuttaKin, ImplicitKin>()));
 static_assert(require_names(Joined<SpringKin, DampingKin>()));
 /// Whether a method says all that is asked of it.
-inline constexpr auto is_whole = [](auto method) { return measure::IsWhole<decltype(method)>; };
+inline constexpr auto is_whole = [](auto method) {
+  return measure::HasAllTraits<decltype(method)>;
+};
 /// Whether a method says what it is called.
 inline constexpr auto is_named = [](auto method) { return measure::IsNamed<decltype(method)>; };
 
 /// The explicit methods that take any acceleration.
-using EveryExplicit = Among<Joined<EulerKin, VerletKin, RungeKuttaKin>, is_whole>;
+using EveryExplicit = Among<Joined<EulerFamily, VerletFamily, RungeKuttaKin>, is_whole>;
 
 /// The methods that take any acceleration, and its Jacobian.
 using EveryImplicit = Among<ImplicitKin, is_whole>;
@@ -109,10 +111,10 @@ template <class List>
 using Chosen = List;
 #endif
 
-using Explicit = Chosen<EveryExplicit>;    ///< those to go over
-using OnSprings = Chosen<EveryOnSprings>;  ///< those to go over
-using Damping = Chosen<EveryDamping>;      ///< those to go over
-using General = Chosen<EveryGeneral>;      ///< those to go over
+using Explicit = Chosen<EveryExplicit>;    ///< the methods under test
+using OnSprings = Chosen<EveryOnSprings>;  ///< the methods under test
+using Damping = Chosen<EveryDamping>;      ///< the methods under test
+using General = Chosen<EveryGeneral>;      ///< the methods under test
 
 /// Those for any acceleration of which something holds, such as
 /// `[](auto method) { return method.symplectic; }`.

@@ -30,19 +30,26 @@ std::vector<measure::Cell> style() {
 
 template <class Method>
 std::vector<measure::Cell> traits() {
-  if constexpr (measure::IsWhole<Method>)
-    return {double(Method::order),   double(Method::drag_order), double(Method::evaluations),
-            Method::spring_limit,    Method::drag_limit,         double(Method::free_fall),
-            yes(Method::symplectic), yes(Method::reversible),    yes(Method::central),
-            yes(Method::goes_back),  yes(Method::contender)};
+  if constexpr (measure::HasAllTraits<Method>)
+    return {double(Method::order),
+            double(Method::drag_order),
+            double(Method::evaluations),
+            Method::spring_limit,
+            Method::drag_limit,
+            double(Method::free_fall_after_ten_steps),
+            yes(Method::symplectic),
+            yes(Method::reversible),
+            yes(Method::conserves_angular_momentum),
+            yes(Method::allows_negative_step),
+            yes(Method::contender)};
   return std::vector<measure::Cell>(11, "none");
 }
 
 template <class List>
-void add(measure::Table& table, const char* kin) {
+void add(measure::Table& table, const char* family) {
   list::for_each(List(), [&](auto method) {
     using Method = decltype(method);
-    std::vector<measure::Cell> row{Method::name, Method::header, Method::function, kin};
+    std::vector<measure::Cell> row{Method::name, Method::header, Method::function, family};
     for (const auto& cells : {style<Method>(), traits<Method>()})
       row.insert(row.end(), cells.begin(), cells.end());
     table.add(row);
@@ -53,14 +60,28 @@ void add(measure::Table& table, const char* kin) {
 
 int main(int argc, char** argv) {
   return measure::record(argc, argv, [](measure::Record& record) {
-    measure::Table& table =
-        record.table("methods", {{"name"},         {"header"},     {"function"},   {"kin"},
-                                 {"colour"},       {"dash"},       {"symbol"},     {"size"},
-                                 {"width"},        {"order"},      {"drag_order"}, {"evaluations"},
-                                 {"spring_limit"}, {"drag_limit"}, {"free_fall"},  {"symplectic"},
-                                 {"reversible"},   {"central"},    {"goes_back"},  {"contender"}});
-    add<list::EulerKin>(table, "Euler");
-    add<list::VerletKin>(table, "Verlet");
+    measure::Table& table = record.table("methods", {{"name"},
+                                                     {"header"},
+                                                     {"function"},
+                                                     {"family"},
+                                                     {"colour"},
+                                                     {"dash"},
+                                                     {"symbol"},
+                                                     {"size"},
+                                                     {"width"},
+                                                     {"order"},
+                                                     {"drag_order"},
+                                                     {"evaluations"},
+                                                     {"spring_limit"},
+                                                     {"drag_limit"},
+                                                     {"free_fall_after_ten_steps"},
+                                                     {"symplectic"},
+                                                     {"reversible"},
+                                                     {"conserves_angular_momentum"},
+                                                     {"allows_negative_step"},
+                                                     {"contender"}});
+    add<list::EulerFamily>(table, "Euler");
+    add<list::VerletFamily>(table, "Verlet");
     add<list::RungeKuttaKin>(table, "Runge-Kutta");
     add<list::ImplicitKin>(table, "implicit");
     add<list::SpringKin>(table, "spring");

@@ -8,7 +8,8 @@
 
 namespace measure {
 
-/// What a method keeps from one step to the next: position and velocity, if it has no memory.
+/// The state of a method as an integrator, from one step to the next: position and velocity, if it
+/// has no memory of its own.
 /// @param step  a method, called as `step(x, v, t, h, scene)`, or one with a memory
 /// @param s  the start, at time zero
 /// @param h  step size [s]
@@ -22,34 +23,34 @@ auto start(const Step& step, const scenes::State<Vec>& s, Real h, const Scene& s
   }
 }
 
-/// One step of a method on what it keeps.
+/// One step of a method on its memory.
 /// @param step  a method, called as `step(x, v, t, h, scene)`, or one with a memory
-/// @param kept  from start(), advanced in place
+/// @param memory  from start(), advanced in place
 /// @param t  time at the start of the step [s]
 /// @param h  step size [s]
 /// @param scene  the acceleration, called as `scene(x, v, t)`
-template <class Step, class Kept, class Real, class Scene>
-void advance(const Step& step, Kept& kept, Real t, Real h, const Scene& scene) {
-  if constexpr (requires { step.step(kept, t, h, scene); }) {
-    step.step(kept, t, h, scene);
+template <class Step, class Memory, class Real, class Scene>
+void advance(const Step& step, Memory& memory, Real t, Real h, const Scene& scene) {
+  if constexpr (requires { step.step(memory, t, h, scene); }) {
+    step.step(memory, t, h, scene);
   } else {
-    step(kept[0], kept[1], t, h, scene);
+    step(memory[0], memory[1], t, h, scene);
   }
 }
 
-/// The state that a method stands for, worked out of what it keeps.
+/// The position and velocity that the memory of a method stands for.
 /// @param step  a method, called as `step(x, v, t, h, scene)`, or one with a memory
-/// @param kept  from start()
+/// @param memory  from start()
 /// @param t  time [s]
 /// @param h  step size [s]
 /// @param scene  the acceleration, called as `scene(x, v, t)`
-template <class Step, class Kept, class Real, class Scene>
-scenes::State<typename Kept::value_type> state_of(const Step& step, const Kept& kept, Real t,
-                                                  Real h, const Scene& scene) {
-  if constexpr (requires { step.state_of(kept, t, h, scene); }) {
-    return step.state_of(kept, t, h, scene);
+template <class Step, class Memory, class Real, class Scene>
+scenes::State<typename Memory::value_type> to_state(const Step& step, const Memory& memory, Real t,
+                                                    Real h, const Scene& scene) {
+  if constexpr (requires { step.to_state(memory, t, h, scene); }) {
+    return step.to_state(memory, t, h, scene);
   } else {
-    return {kept[0], kept[1]};
+    return {memory[0], memory[1]};
   }
 }
 
@@ -67,11 +68,11 @@ scenes::State<typename Kept::value_type> state_of(const Step& step, const Kept& 
 template <class Step, class Scene, class Vec, class Real, class Observe>
 void run(Step step, const Scene& scene, scenes::State<Vec>& s, Real h, long steps,
          Observe&& observe) {
-  auto kept = start(step, s, h, scene);
+  auto memory = start(step, s, h, scene);
   observe(Real(0), s);
   for (long n = 0; n < steps; ++n) {
-    advance(step, kept, Real(n) * h, h, scene);
-    s = state_of(step, kept, Real(n + 1) * h, h, scene);
+    advance(step, memory, Real(n) * h, h, scene);
+    s = to_state(step, memory, Real(n + 1) * h, h, scene);
     observe(Real(n + 1) * h, s);
   }
 }
@@ -86,9 +87,9 @@ void run(Step step, const Scene& scene, scenes::State<Vec>& s, Real h, long step
 template <class Step, class Scene, class Vec, class Real>
 scenes::State<Vec> after(Step step, const Scene& scene, const scenes::State<Vec>& s, Real h,
                          long steps) {
-  auto kept = start(step, s, h, scene);
-  for (long n = 0; n < steps; ++n) advance(step, kept, Real(n) * h, h, scene);
-  return state_of(step, kept, Real(steps) * h, h, scene);
+  auto memory = start(step, s, h, scene);
+  for (long n = 0; n < steps; ++n) advance(step, memory, Real(n) * h, h, scene);
+  return to_state(step, memory, Real(steps) * h, h, scene);
 }
 
 }  // namespace measure

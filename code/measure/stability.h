@@ -23,13 +23,13 @@ namespace measure {
 /// @param h  step size [s]
 template <class Step, class Scene>
 Eigen::MatrixXd step_matrix(Step step, const Scene& scene, double h) {
-  auto kept = start(step, scenes::State<double>{1, 0}, h, scene);
-  Eigen::MatrixXd matrix(kept.size(), kept.size());
+  auto memory = start(step, scenes::State<double>{1, 0}, h, scene);
+  Eigen::MatrixXd matrix(memory.size(), memory.size());
   for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
-    std::fill(kept.begin(), kept.end(), 0.0);
-    kept[std::size_t(column)] = 1;
-    advance(step, kept, 0.0, h, scene);
-    std::copy(kept.begin(), kept.end(), matrix.col(column).begin());
+    std::fill(memory.begin(), memory.end(), 0.0);
+    memory[std::size_t(column)] = 1;
+    advance(step, memory, 0.0, h, scene);
+    std::copy(memory.begin(), memory.end(), matrix.col(column).begin());
   }
   return matrix;
 }

@@ -50,7 +50,7 @@ double time_of(Step step, const Scene& scene, const scenes::State<Vec>& s, Real 
     } else {
       // [loop]
       for (long n = 0; n < rounds; ++n) {
-        for (auto& kept : all) advance(step, kept, Real(n) * h, h, scene);
+        for (auto& memory : all) advance(step, memory, Real(n) * h, h, scene);
       }
       // [loop]
     }

@@ -25,7 +25,7 @@ test('a function that moves x on has a card below its signature', () => {
   for (const page of headers) {
     const $ = parse(page);
     $('section.member')
-      .filter((_, e) => /\((Place|Vec)& x,/.test($(e).find('.signature').first().text()))
+      .filter((_, e) => /\((Position|Vec)& x,/.test($(e).find('.signature').first().text()))
       .each((_, e) => {
         ++stepping;
         const method = text($(e).find('h2 code').first());

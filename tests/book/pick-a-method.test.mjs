@@ -62,7 +62,7 @@ const ends = $('.choice:has(> div > .take)')
 
 // What an answer, or a word at its end, asks of the method there.
 const RULES = [
-  [/known force.*constant/i, ({ method }) => method.free_fall === '50'],
+  [/known force.*constant/i, ({ method }) => method.free_fall_after_ten_steps === '50'],
   [
     /known force.*drag/i,
     ({ card }) => card['drag-limit'] === 'any step' && Number(card['terminal-speed']).toFixed(6) === '1.000000',

@@ -45,7 +45,7 @@ Miss miss(const Step& step, double h, int steps) {
 // its middle or of its end. In ten steps that is a tenth of what the free fall is off.
 template <class Method>
 constexpr double lead(Method) {
-  return (Method::free_fall - 50) / 10.0;
+  return (Method::free_fall_after_ten_steps - 50) / 10.0;
 }
 
 // BDF2's start leads once, and not with every step; tests/methods/engines.cpp has by how much.

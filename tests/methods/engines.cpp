@@ -34,14 +34,15 @@ void check_fingerprint(double wanted) {
 
 // The speeds of the steps that each moves with, in g h, are 0 to 9, 1/2 to 9 1/2, or 1 to 10.
 template <auto Depth>
-using Falling = list::Where<[](auto method) { return method.free_fall == Depth; }>;
+using Falling = list::Where<[](auto method) { return method.free_fall_after_ten_steps == Depth; }>;
 // Of BDF2's start, whose first step moves with a third of the velocity of its start and two thirds
 // of that of its end.
-using FallingByStart = Falling<measure::KeepsLastState::free_fall>;
+using FallingByStart = Falling<measure::KeepsLastState::free_fall_after_ten_steps>;
 static_assert(std::tuple_size_v<Falling<45>> + std::tuple_size_v<Falling<50>> +
                       std::tuple_size_v<Falling<55>> + std::tuple_size_v<FallingByStart> >=
                   std::tuple_size_v<list::General>,
-              "tests/methods/engines.cpp: a method whose `free_fall` is none of 45, 50 and 55");
+              "tests/methods/engines.cpp: a method whose `free_fall_after_ten_steps` is none of "
+              "45, 50 and 55");
 
 // The speed at which a fall ends.
 template <class Step>

@@ -52,10 +52,10 @@ template <class Method, class Real, class Force>
 std::vector<State<Real>> steps_of_header(const Force& force, const State<Real>& start, Real h,
                                          int count) {
   std::vector<State<Real>> states;
-  auto kept = measure::start(Method(), start, h, force);
+  auto memory = measure::start(Method(), start, h, force);
   for (int n = 0; n < count; ++n) {
-    measure::advance(Method(), kept, Real(n) * h, h, force);
-    states.push_back(measure::state_of(Method(), kept, Real(n + 1) * h, h, force));
+    measure::advance(Method(), memory, Real(n) * h, h, force);
+    states.push_back(measure::to_state(Method(), memory, Real(n + 1) * h, h, force));
   }
   return states;
 }

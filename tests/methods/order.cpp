@@ -36,7 +36,7 @@ TEMPLATE_LIST_TEST_CASE("Under a force with drag in it, every method has its ord
 TEMPLATE_LIST_TEST_CASE("Back in time, every method that may go there has the same orders", "",
                         list::General) {
   INFO(TestType::header);
-  if (!TestType::goes_back) return;
+  if (!TestType::allows_negative_step) return;
   order::check(TestType(), order::driven<order::Number<TestType>>(-0.45), TestType::order,
                TestType::velocity_order);
 }

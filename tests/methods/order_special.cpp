@@ -23,14 +23,14 @@ struct LongAndShort {
     return {s.x, integrate::stormer_verlet_start(s.x, s.v, Real(0), brief, scene)};
   }
   template <class Vec, class Real, class Scene>
-  static void step(std::array<Vec, 2>& kept, Real t, Real h, const Scene& scene) {
+  static void step(std::array<Vec, 2>& memory, Real t, Real h, const Scene& scene) {
     const Real lengthy = Real(0.625) * h, brief = Real(0.375) * h;
-    integrate::stormer_verlet_uneven(kept[0], kept[1], t, lengthy, brief, scene);
-    integrate::stormer_verlet_uneven(kept[0], kept[1], t + lengthy, brief, lengthy, scene);
+    integrate::stormer_verlet_uneven(memory[0], memory[1], t, lengthy, brief, scene);
+    integrate::stormer_verlet_uneven(memory[0], memory[1], t + lengthy, brief, lengthy, scene);
   }
   template <class Vec, class Real, class Scene>
-  static scenes::State<Vec> state_of(const std::array<Vec, 2>& kept, Real, Real h, const Scene&) {
-    return {kept[0], integrate::stormer_verlet_velocity(kept[0], kept[1], Real(0.375) * h)};
+  static scenes::State<Vec> to_state(const std::array<Vec, 2>& memory, Real, Real h, const Scene&) {
+    return {memory[0], integrate::stormer_verlet_velocity(memory[0], memory[1], Real(0.375) * h)};
   }
 };
 
@@ -43,27 +43,28 @@ struct LongAndShortBdf2 {
     return {s.x, s.v, previous.x, previous.v};
   }
   template <class Vec, class Real, class Scene>
-  static void step(std::array<Vec, 4>& kept, Real t, Real h, const Scene& scene) {
+  static void step(std::array<Vec, 4>& memory, Real t, Real h, const Scene& scene) {
     const Real lengthy = Real(0.625) * h, brief = Real(0.375) * h;
-    part(kept, t, lengthy, brief, scene);
-    part(kept, t + lengthy, brief, lengthy, scene);
+    part(memory, t, lengthy, brief, scene);
+    part(memory, t + lengthy, brief, lengthy, scene);
   }
   template <class Vec, class Real, class Scene>
-  static void part(std::array<Vec, 4>& kept, Real t, Real h, Real h_previous, const Scene& scene) {
+  static void part(std::array<Vec, 4>& memory, Real t, Real h, Real h_previous,
+                   const Scene& scene) {
     const auto solve = measure::solver_of(scene);
-    integrate::Bdf2Previous<Vec> previous{kept[2], kept[3]};
+    integrate::Bdf2Previous<Vec> previous{memory[2], memory[3]};
     if constexpr (to_the_end) {
       const auto size = [](const Vec& y) { return Real(measure::length(y)); };
-      REQUIRE(integrate::bdf2_newton(kept[0], kept[1], previous, t, h, h_previous, scene, solve,
+      REQUIRE(integrate::bdf2_newton(memory[0], memory[1], previous, t, h, h_previous, scene, solve,
                                      size, Real(1e-13)) > 0);
     } else {
-      REQUIRE(integrate::bdf2(kept[0], kept[1], previous, t, h, h_previous, scene, solve));
+      REQUIRE(integrate::bdf2(memory[0], memory[1], previous, t, h, h_previous, scene, solve));
     }
-    kept = {kept[0], kept[1], previous.x, previous.v};
+    memory = {memory[0], memory[1], previous.x, previous.v};
   }
   template <class Vec, class Real, class Scene>
-  static scenes::State<Vec> state_of(const std::array<Vec, 4>& kept, Real, Real, const Scene&) {
-    return {kept[0], kept[1]};
+  static scenes::State<Vec> to_state(const std::array<Vec, 4>& memory, Real, Real, const Scene&) {
+    return {memory[0], memory[1]};
   }
 };
 

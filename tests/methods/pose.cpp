@@ -163,12 +163,12 @@ double order(const Run& run) {
   return std::log2(apart(coarse, middle) / apart(middle, fine));
 }
 
-// Of each function that moves a Place, the order that its comment promises on poses; none if it
+// Of each function that moves a Position, the order that its comment promises on poses; none if it
 // promises nothing.
 std::map<std::string, std::string> promised() {
   std::map<std::string, std::string> orders;
   const std::regex function(
-      R"(((?:///.*\n)+)(?:#ifdef[^#]*#endif\n\n)?template <class Place.*\n.*?(\w+)\(Place& x,)");
+      R"(((?:///.*\n)+)(?:#ifdef[^#]*#endif\n\n)?template <class Position.*\n.*?(\w+)\(Position& x,)");
   for (const auto& entry : std::filesystem::directory_iterator(INTEGRATE_FOLDER)) {
     std::ifstream file(entry.path());
     const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -225,8 +225,8 @@ TEST_CASE("Strong lengths and speeds take the steps of numbers") {
       [h](auto& x, auto& v, double t, auto& a) { integrate::symplectic_euler(x, v, t, h, a); }));
   CHECK(same([h](auto& x, auto& v, double t, auto& a) { integrate::rk4(x, v, t, h, a); }));
   CHECK(same([h](auto& x, auto& v, double t, auto& a) {
-    auto kept = integrate::yoshida4_start(x, v, t, a);
-    integrate::yoshida4(x, v, kept, t, h, a);
+    auto memory = integrate::yoshida4_start(x, v, t, a);
+    integrate::yoshida4(x, v, memory, t, h, a);
   }));
 }
 

@@ -32,18 +32,18 @@ double turn(auto, auto&, double t, double) {
 }
 double turn(theory::OneOf<measure::StormerVerlet, measure::StormerVerletUneven,
                           measure::StormerVerletCarried> auto,
-            auto& kept, double t, double h) {
-  std::swap(kept[0], kept[1]);
+            auto& memory, double t, double h) {
+  std::swap(memory[0], memory[1]);
   return t - h;
 }
-double turn(measure::StormerVerletDistance, auto& kept, double t, double h) {
-  kept[0] -= kept[1];
-  kept[1] = -kept[1];
+double turn(measure::StormerVerletDistance, auto& memory, double t, double h) {
+  memory[0] -= memory[1];
+  memory[1] = -memory[1];
   return t - h;
 }
-double turn(measure::Leapfrog, auto& kept, double t, double h) {
-  const double v = integrate::leapfrog_velocity(kept[0], kept[1], t, h, swing);
-  kept[1] = integrate::leapfrog_start(kept[0], v, t, -h, swing);
+double turn(measure::Leapfrog, auto& memory, double t, double h) {
+  const double v = integrate::leapfrog_velocity(memory[0], memory[1], t, h, swing);
+  memory[1] = integrate::leapfrog_start(memory[0], v, t, -h, swing);
   return t;
 }
 
@@ -52,12 +52,12 @@ template <class Method>
 double miss(int steps) {
   const double h = duration / steps;
   const auto first = measure::start(Method(), scenes::State<double>{1.1, 0.4}, h, swing);
-  auto kept = first;
-  for (int n = 0; n < steps; ++n) measure::advance(Method(), kept, n * h, h, swing);
-  const double end = turn(Method(), kept, duration, h);
-  for (int n = 0; n < steps; ++n) measure::advance(Method(), kept, end - n * h, -h, swing);
-  turn(Method(), kept, 0, -h);
-  return std::max(std::abs(kept[0] - first[0]), std::abs(kept[1] - first[1]));
+  auto memory = first;
+  for (int n = 0; n < steps; ++n) measure::advance(Method(), memory, n * h, h, swing);
+  const double end = turn(Method(), memory, duration, h);
+  for (int n = 0; n < steps; ++n) measure::advance(Method(), memory, end - n * h, -h, swing);
+  turn(Method(), memory, 0, -h);
+  return std::max(std::abs(memory[0] - first[0]), std::abs(memory[1] - first[1]));
 }
 
 // A position rounded in one step moves all later ones by as much a step, as if it were thrown.
@@ -67,7 +67,7 @@ constexpr double rounding(int steps) {
 
 using Symmetric = list::Where<[](auto method) { return method.reversible; }>;
 using NotSymmetric =
-    list::Where<[](auto method) { return !method.reversible && method.goes_back; }>;
+    list::Where<[](auto method) { return !method.reversible && method.allows_negative_step; }>;
 
 // Errors of even powers of h cancel on the way back: what is missed is of the next odd order.
 constexpr int power_of_miss(auto method) {

@@ -27,12 +27,12 @@ struct Errors {
 template <class Step, class Real, class Scene, class Vec>
 Errors largest_errors(const Step& step, const Problem<Real, Scene, Vec>& problem, int steps) {
   const Real h = problem.part / Real(steps);
-  auto kept = measure::start(step, problem.start, h, problem.scene);
+  auto memory = measure::start(step, problem.start, h, problem.scene);
   Errors largest;
   for (int n = 0; n < 8 * steps; ++n) {
-    measure::advance(step, kept, Real(n) * h, h, problem.scene);
+    measure::advance(step, memory, Real(n) * h, h, problem.scene);
     if ((n + 1) % steps != 0) continue;
-    const auto now = measure::state_of(step, kept, Real(n + 1) * h, h, problem.scene);
+    const auto now = measure::to_state(step, memory, Real(n + 1) * h, h, problem.scene);
     const auto& truth = problem.truth[std::size_t((n + 1) / steps - 1)];
     const double in_position = double(equation::length(Vec(now.x - truth.x)));
     const double in_velocity = double(equation::length(Vec(now.v - truth.v)));

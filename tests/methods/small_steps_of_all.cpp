@@ -59,9 +59,9 @@ void steps_are_right(Drawn& drawn) {
   const Damped<Real> spring{Real(omega * omega), Real(drawn.power(1e-6, 1) / length)};
   const scenes::State<Real> start{Real(drawn.between(-2, 2)), Real(drawn.between(-2, 2))};
 
-  auto kept = measure::start(Method(), start, h, spring);
-  measure::advance(Method(), kept, Real(0), h, spring);
-  const auto found = measure::state_of(Method(), kept, h, h, spring);
+  auto memory = measure::start(Method(), start, h, spring);
+  measure::advance(Method(), memory, Real(0), h, spring);
+  const auto found = measure::to_state(Method(), memory, h, h, spring);
 
   const Damped<long double> same{spring.k, spring.c};
   const auto expected = textbook::steps(Method(), same, {start.x, start.v}, h, 1).back();

@@ -32,10 +32,10 @@ const auto size = [](const Complex& y) { return std::abs(y); };
 // One step from what the method keeps: the first two, and an acceleration that belongs to them.
 template <class Method>
 std::array<Complex, 2> moved(Method, Complex first, Complex second, double h) {
-  auto kept = measure::start(Method(), scenes::State<Complex>{first, second}, h, Swing());
-  kept[0] = first, kept[1] = second;
-  measure::advance(Method(), kept, 0.0, h, Swing());
-  return {kept[0], kept[1]};
+  auto memory = measure::start(Method(), scenes::State<Complex>{first, second}, h, Swing());
+  memory[0] = first, memory[1] = second;
+  measure::advance(Method(), memory, 0.0, h, Swing());
+  return {memory[0], memory[1]};
 }
 std::array<Complex, 2> moved(measure::BackwardEuler, Complex x, Complex v, double h) {
   REQUIRE(integrate::backward_euler(x, v, 0.0, h, Swing(), solve));

@@ -69,8 +69,8 @@ using NotSymplectic = list::Where<drifts>;
 
 // Each change of the velocity points at the sun from where the planet is. Not so the carried form,
 // since what it is seen to have is brought up to date by the pull of a step ago.
-using Central = list::Where<[](auto method) { return method.central; }>;
-using NotCentral = list::Where<[](auto method) { return !method.central; }>;
+using Central = list::Where<[](auto method) { return method.conserves_angular_momentum; }>;
+using NotCentral = list::Where<[](auto method) { return !method.conserves_angular_momentum; }>;
 
 }  // namespace
 

@@ -11,7 +11,7 @@ function(calls_of header folder file)
   set(calls "")
   foreach(signature IN LISTS functions classes)
     if(NOT signature MATCHES
-       "^([a-z0-9_]+)\\((Place|Vec)& x, Vec& v, Time t, Real h, Acceleration&& acceleration\\)$")
+       "^([a-z0-9_]+)\\((Position|Vec)& x, Vec& v, Time t, Real h, Acceleration&& acceleration\\)$")
       message(FATAL_ERROR "tests/snippets/calls/${name}.h is missing: nobody else knows how "
         "integrate::${signature} is called")
     endif()

@@ -11,16 +11,16 @@ struct Label {
 };
 
 template <int Line, class SomeVec, class SomeReal, class SomeOtherVec = SomeVec,
-          class SomePlace = SomeVec>
+          class SomePosition = SomeVec>
 struct Call {
-  using Place = SomePlace;
+  using Position = SomePosition;
   using Vec = SomeVec;
   using OtherVec = SomeOtherVec;
   using Real = SomeReal;
   using Time = double;
   using Path = integrate::Dopri5Path<Vec, Time, Real>;
   struct Acceleration {
-    Vec operator()(const Place& x, const Vec& v, Time t) const;
+    Vec operator()(const Position& x, const Vec& v, Time t) const;
   };
   struct Solve {
     bool operator()(const Vec& x, const Vec& v, Time t, Real p, Real q, Vec& change) const;

@@ -137,12 +137,12 @@ class TrialOf final : public Trial {
   template <class Step>
   Path path(Step step, int in_a_frame) const {
     const double h = frame / in_a_frame;
-    auto kept = measure::start(step, scene_.start(), h, scene_);
+    auto memory = measure::start(step, scene_.start(), h, scene_);
     Path places{scene_.start().x};
     for (long n = 0; n < frames_ * in_a_frame;) {
-      measure::advance(step, kept, double(n) * h, h, scene_);
+      measure::advance(step, memory, double(n) * h, h, scene_);
       if (++n % in_a_frame == 0) {
-        places.push_back(measure::state_of(step, kept, double(n) * h, h, scene_).x);
+        places.push_back(measure::to_state(step, memory, double(n) * h, h, scene_).x);
       }
     }
     return places;
@@ -176,9 +176,9 @@ class TrialOf final : public Trial {
   template <class Step>
   double evaluations(Step step) const {
     const CostCounted<Scene> billed{scene_};
-    auto kept = measure::start(step, scene_.start(), frame, billed);
+    auto memory = measure::start(step, scene_.start(), frame, billed);
     billed.evaluations = 0;
-    measure::advance(step, kept, 0.0, frame, billed);
+    measure::advance(step, memory, 0.0, frame, billed);
     return double(std::max(1L, billed.evaluations));
   }
 
@@ -208,7 +208,8 @@ class TrialOf final : public Trial {
   __attribute__((flatten)) double move_all(Step step, int rounds) const {
     std::vector bodies(in_a_loop, measure::start(step, scene_.start(), brief_step, scene_));
     for (int n = 0; n < rounds; ++n) {
-      for (auto& kept : bodies) measure::advance(step, kept, n * brief_step, brief_step, scene_);
+      for (auto& memory : bodies)
+        measure::advance(step, memory, n * brief_step, brief_step, scene_);
     }
     return measure::length(bodies.back()[0]);
   }

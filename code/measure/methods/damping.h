@@ -104,13 +104,19 @@ struct LinearDampingExact {
   }
 };
 
-inline constexpr LinearDampingExplicitLast linear_damping_explicit_last;          ///< to hand on
-inline constexpr LinearDampingExplicitFirst linear_damping_explicit_first;        ///< to hand on
-inline constexpr LinearDampingImplicitLast linear_damping_implicit_last;          ///< to hand on
-inline constexpr LinearDampingImplicitFirst linear_damping_implicit_first;        ///< to hand on
-inline constexpr LinearDampingExponentialLast linear_damping_exponential_last;    ///< to hand on
-inline constexpr LinearDampingExponentialFirst linear_damping_exponential_first;  ///< to hand on
-inline constexpr LinearDampingExact linear_damping_exact;                         ///< to hand on
+inline constexpr LinearDampingExplicitLast
+    linear_damping_explicit_last;  ///< instance for generic code
+inline constexpr LinearDampingExplicitFirst
+    linear_damping_explicit_first;  ///< instance for generic code
+inline constexpr LinearDampingImplicitLast
+    linear_damping_implicit_last;  ///< instance for generic code
+inline constexpr LinearDampingImplicitFirst
+    linear_damping_implicit_first;  ///< instance for generic code
+inline constexpr LinearDampingExponentialLast
+    linear_damping_exponential_last;  ///< instance for generic code
+inline constexpr LinearDampingExponentialFirst
+    linear_damping_exponential_first;                      ///< instance for generic code
+inline constexpr LinearDampingExact linear_damping_exact;  ///< instance for generic code
 
 }  // namespace measure
 

@@ -18,9 +18,9 @@ struct Euler : Orders<1> {
   static constexpr std::string_view name = "Euler", function = "euler", header = "euler.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = 2, spring_limit = 0;
-  static constexpr int free_fall = 45;
-  static constexpr bool symplectic = false, reversible = false, central = false;
-  static constexpr bool goes_back = true, contender = true;
+  static constexpr int free_fall_after_ten_steps = 45;
+  static constexpr bool symplectic = false, reversible = false, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = true, contender = true;
   static constexpr FigureStyle style{1, Dash::solid, 7, 0.6};
 
   /// One step.
@@ -36,9 +36,9 @@ struct ConstantAcceleration : Orders<1> {
                                     header = "constant_acceleration.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = 2, spring_limit = 0;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = false, reversible = false, central = false;
-  static constexpr bool goes_back = true, contender = false;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = false, reversible = false, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = true, contender = false;
   static constexpr FigureStyle style{1, Dash::dashed, 5, 0.55};
 
   /// One step.
@@ -53,9 +53,9 @@ struct SymplecticEuler : Orders<1> {
                                     header = "symplectic_euler.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = 2, spring_limit = 2;
-  static constexpr int free_fall = 55;
-  static constexpr bool symplectic = true, reversible = false, central = true;
-  static constexpr bool goes_back = true, contender = true;
+  static constexpr int free_fall_after_ten_steps = 55;
+  static constexpr bool symplectic = true, reversible = false, conserves_angular_momentum = true;
+  static constexpr bool allows_negative_step = true, contender = true;
   static constexpr FigureStyle style{2, Dash::solid, 5, 0.55};
 
   /// One step.
@@ -71,9 +71,9 @@ struct SymplecticEulerPositionFirst : Orders<1> {
                                     header = "symplectic_euler.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = 2, spring_limit = 2;
-  static constexpr int free_fall = 45;
-  static constexpr bool symplectic = true, reversible = false, central = true;
-  static constexpr bool goes_back = true, contender = false;
+  static constexpr int free_fall_after_ten_steps = 45;
+  static constexpr bool symplectic = true, reversible = false, conserves_angular_momentum = true;
+  static constexpr bool allows_negative_step = true, contender = false;
 
   /// One step.
   constexpr void operator()(auto& x, auto& v, auto t, auto h, auto&& acceleration) const {
@@ -81,17 +81,18 @@ struct SymplecticEulerPositionFirst : Orders<1> {
   }
 };
 
-inline constexpr Euler euler;                                                   ///< to hand on
-inline constexpr ConstantAcceleration constant_acceleration;                    ///< to hand on
-inline constexpr SymplecticEuler symplectic_euler;                              ///< to hand on
-inline constexpr SymplecticEulerPositionFirst symplectic_euler_position_first;  ///< to hand on
+inline constexpr Euler euler;                                 ///< instance for generic code
+inline constexpr ConstantAcceleration constant_acceleration;  ///< instance for generic code
+inline constexpr SymplecticEuler symplectic_euler;            ///< instance for generic code
+inline constexpr SymplecticEulerPositionFirst
+    symplectic_euler_position_first;  ///< instance for generic code
 
 }  // namespace measure
 
 namespace list {
 
 /// Euler’s method and its kin.
-using EulerKin = std::tuple<measure::Euler, measure::ConstantAcceleration, measure::SymplecticEuler,
-                            measure::SymplecticEulerPositionFirst>;
+using EulerFamily = std::tuple<measure::Euler, measure::ConstantAcceleration,
+                               measure::SymplecticEuler, measure::SymplecticEulerPositionFirst>;
 
 }  // namespace list

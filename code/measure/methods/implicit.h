@@ -29,9 +29,9 @@ struct BackwardEuler : Orders<1> {
                                     header = "backward_euler.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = always, spring_limit = always;
-  static constexpr int free_fall = 55;
-  static constexpr bool symplectic = false, reversible = false, central = false;
-  static constexpr bool goes_back = false, contender = true;
+  static constexpr int free_fall_after_ten_steps = 55;
+  static constexpr bool symplectic = false, reversible = false, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = false, contender = true;
   static constexpr FigureStyle style{5, Dash::solid, 15, 0.6};
 
   /// One step.
@@ -46,9 +46,9 @@ struct BackwardEulerNewton : Orders<1> {
                                     function = "backward_euler_newton", header = "backward_euler.h";
   static constexpr long evaluations = as_needed;
   static constexpr double drag_limit = always, spring_limit = always;
-  static constexpr int free_fall = 55;
-  static constexpr bool symplectic = false, reversible = false, central = false;
-  static constexpr bool goes_back = false, contender = false;
+  static constexpr int free_fall_after_ten_steps = 55;
+  static constexpr bool symplectic = false, reversible = false, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = false, contender = false;
 
   /// One step.
   void operator()(auto& x, auto& v, auto t, auto h, const auto& scene) const {
@@ -65,9 +65,9 @@ struct Trapezoid : Orders<2> {
                                     header = "trapezoid.h";
   static constexpr long evaluations = 2;
   static constexpr double drag_limit = always, spring_limit = always;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = false, reversible = false, central = false;
-  static constexpr bool goes_back = true, contender = true;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = false, reversible = false, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = true, contender = true;
   static constexpr FigureStyle style{11, Dash::dashed, 14, 0.7};
 
   /// One step.
@@ -82,9 +82,9 @@ struct TrapezoidNewton : Orders<2> {
                                     header = "trapezoid.h";
   static constexpr long evaluations = as_needed;
   static constexpr double drag_limit = always, spring_limit = always;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = false, reversible = true, central = false;
-  static constexpr bool goes_back = true, contender = false;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = false, reversible = true, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = true, contender = false;
 
   /// One step.
   void operator()(auto& x, auto& v, auto t, auto h, const auto& scene) const {
@@ -100,16 +100,17 @@ struct Bdf2 : Orders<2>, KeepsLastState {
   static constexpr std::string_view name = "BDF2", function = "bdf2", header = "bdf2.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = always, spring_limit = always;
-  static constexpr bool symplectic = false, reversible = false, central = false;
-  static constexpr bool goes_back = false, contender = true;
+  static constexpr bool symplectic = false, reversible = false, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = false, contender = true;
   static constexpr FigureStyle style{12, Dash::solid, 12, 0.8};
 
   /// One step, as long as the one before it.
-  template <class Kept, class Real, class Scene>
-  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
-    integrate::Bdf2Previous<typename Kept::value_type> previous{kept[2], kept[3]};
-    require_solved(integrate::bdf2(kept[0], kept[1], previous, t, h, h, scene, solver_of(scene)));
-    kept[2] = previous.x, kept[3] = previous.v;
+  template <class Memory, class Real, class Scene>
+  static void step(Memory& memory, Real t, Real h, const Scene& scene) {
+    integrate::Bdf2Previous<typename Memory::value_type> previous{memory[2], memory[3]};
+    require_solved(
+        integrate::bdf2(memory[0], memory[1], previous, t, h, h, scene, solver_of(scene)));
+    memory[2] = previous.x, memory[3] = previous.v;
   }
 };
 
@@ -120,27 +121,27 @@ struct Bdf2Newton : Orders<2>, KeepsLastState {
                                     header = "bdf2.h";
   static constexpr long evaluations = as_needed;
   static constexpr double drag_limit = always, spring_limit = always;
-  static constexpr bool symplectic = false, reversible = false, central = false;
-  static constexpr bool goes_back = false, contender = false;
+  static constexpr bool symplectic = false, reversible = false, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = false, contender = false;
 
   /// One step, as long as the one before it.
-  template <class Kept, class Real, class Scene>
-  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
+  template <class Memory, class Real, class Scene>
+  static void step(Memory& memory, Real t, Real h, const Scene& scene) {
     const auto size = [](const auto& y) { return Real(length(y)); };
-    const auto tolerance = 512 * std::numeric_limits<Real>::epsilon() * (1 + size(kept[1]));
-    integrate::Bdf2Previous<typename Kept::value_type> previous{kept[2], kept[3]};
-    require_solved(integrate::bdf2_newton(kept[0], kept[1], previous, t, h, h, scene,
+    const auto tolerance = 512 * std::numeric_limits<Real>::epsilon() * (1 + size(memory[1]));
+    integrate::Bdf2Previous<typename Memory::value_type> previous{memory[2], memory[3]};
+    require_solved(integrate::bdf2_newton(memory[0], memory[1], previous, t, h, h, scene,
                                           solver_of(scene), size, tolerance) > 0);
-    kept[2] = previous.x, kept[3] = previous.v;
+    memory[2] = previous.x, memory[3] = previous.v;
   }
 };
 
-inline constexpr BackwardEuler backward_euler;               ///< to hand on
-inline constexpr BackwardEulerNewton backward_euler_newton;  ///< to hand on
-inline constexpr Trapezoid trapezoid;                        ///< to hand on
-inline constexpr TrapezoidNewton trapezoid_newton;           ///< to hand on
-inline constexpr Bdf2 bdf2;                                  ///< to hand on
-inline constexpr Bdf2Newton bdf2_newton;                     ///< to hand on
+inline constexpr BackwardEuler backward_euler;               ///< instance for generic code
+inline constexpr BackwardEulerNewton backward_euler_newton;  ///< instance for generic code
+inline constexpr Trapezoid trapezoid;                        ///< instance for generic code
+inline constexpr TrapezoidNewton trapezoid_newton;           ///< instance for generic code
+inline constexpr Bdf2 bdf2;                                  ///< instance for generic code
+inline constexpr Bdf2Newton bdf2_newton;                     ///< instance for generic code
 
 }  // namespace measure
 

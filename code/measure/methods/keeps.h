@@ -13,39 +13,39 @@
 
 namespace measure {
 
-/// The state of a method that keeps these.
-template <class Kept>
-using StateOf = scenes::State<typename Kept::value_type>;
+/// The position and velocity of a memory.
+template <class Memory>
+using StateOf = scenes::State<typename Memory::value_type>;
 
 /// What the methods have in common that keep the acceleration.
 struct KeepsAcceleration {
-  /// What is kept at the start.
+  /// The memory at the start.
   template <class Vec, class Real, class Scene>
   static std::array<Vec, 3> start(const scenes::State<Vec>& s, Real, const Scene& scene) {
     return {s.x, s.v, integrate::velocity_verlet_start(s.x, s.v, Real(0), scene)};
   }
-  /// The state that it stands for.
-  template <class Kept, class Real, class Scene>
-  static StateOf<Kept> state_of(const Kept& kept, Real, Real, const Scene&) {
-    return {kept[0], kept[1]};
+  /// The position and velocity that the memory stands for.
+  template <class Memory, class Real, class Scene>
+  static StateOf<Memory> to_state(const Memory& memory, Real, Real, const Scene&) {
+    return {memory[0], memory[1]};
   }
 };
 
 /// What both forms of BDF2 have in common: they keep the state of a step ago as well.
 struct KeepsLastState {
   /// Besides the true 50, a quarter that its start moves too far.
-  static constexpr double free_fall = 50.25 - 0.25 / 59049;
+  static constexpr double free_fall_after_ten_steps = 50.25 - 0.25 / 59049;
 
-  /// What it keeps at the start.
+  /// The memory at the start.
   template <class Vec, class Real, class Scene>
   static std::array<Vec, 4> start(const scenes::State<Vec>& s, Real h, const Scene& scene) {
     const auto previous = integrate::bdf2_start(s.x, s.v, Real(0), h, scene);
     return {s.x, s.v, previous.x, previous.v};
   }
-  /// The state that it stands for.
-  template <class Kept, class Real, class Scene>
-  static StateOf<Kept> state_of(const Kept& kept, Real, Real, const Scene&) {
-    return {kept[0], kept[1]};
+  /// The position and velocity that the memory stands for.
+  template <class Memory, class Real, class Scene>
+  static StateOf<Memory> to_state(const Memory& memory, Real, Real, const Scene&) {
+    return {memory[0], memory[1]};
   }
 };
 

@@ -20,9 +20,9 @@ struct Midpoint : Orders<2> {
   static constexpr std::string_view name = "midpoint", function = "midpoint", header = "midpoint.h";
   static constexpr long evaluations = 2;
   static constexpr double drag_limit = 2, spring_limit = 0;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = false, reversible = false, central = false;
-  static constexpr bool goes_back = true, contender = true;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = false, reversible = false, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = true, contender = true;
   static constexpr FigureStyle style{6, Dash::solid, 11, 0.7};
 
   /// One step.
@@ -36,9 +36,9 @@ struct Heun : Orders<2> {
   static constexpr std::string_view name = "Heun", function = "heun", header = "heun.h";
   static constexpr long evaluations = 2;
   static constexpr double drag_limit = 2, spring_limit = 0;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = false, reversible = false, central = false;
-  static constexpr bool goes_back = true, contender = true;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = false, reversible = false, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = true, contender = true;
   static constexpr FigureStyle style{6, Dash::dashed, 10, 0.8};
 
   /// One step.
@@ -52,9 +52,9 @@ struct Rk4 : Orders<4> {
   static constexpr std::string_view name = "RK4", function = "rk4", header = "rk4.h";
   static constexpr long evaluations = 4;
   static constexpr double drag_limit = 2.785293563405282, spring_limit = 2.8284271247461903;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = false, reversible = false, central = false;
-  static constexpr bool goes_back = true, contender = true;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = false, reversible = false, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = true, contender = true;
   static constexpr FigureStyle style{4, Dash::solid, 13, 0.75};
 
   /// One step.
@@ -69,15 +69,15 @@ struct Dopri5 : Orders<5>, KeepsAcceleration {
                                     header = "dopri5.h";
   static constexpr long evaluations = 6;
   static constexpr double drag_limit = 3.306567, spring_limit = 0.997189;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = false, reversible = false, central = false;
-  static constexpr bool goes_back = true, contender = true;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = false, reversible = false, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = true, contender = true;
   static constexpr FigureStyle style{4, Dash::dashed, 12, 0.8};
 
   /// One step.
-  template <class Kept, class Real, class Scene>
-  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
-    integrate::dopri5(kept[0], kept[1], kept[2], t, h, scene);
+  template <class Memory, class Real, class Scene>
+  static void step(Memory& memory, Real t, Real h, const Scene& scene) {
+    integrate::dopri5(memory[0], memory[1], memory[2], t, h, scene);
   }
 };
 
@@ -96,16 +96,16 @@ struct PredictedEuler : Orders<1>, Corrected<1> {
                                     header = "predicted_euler.h";
   static constexpr long evaluations = 2;
   static constexpr double drag_limit = 1, spring_limit = 1;
-  static constexpr int free_fall = 55;
-  static constexpr bool symplectic = false, reversible = false, central = false;
-  static constexpr bool goes_back = true, contender = true;
+  static constexpr int free_fall_after_ten_steps = 55;
+  static constexpr bool symplectic = false, reversible = false, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = true, contender = true;
   static constexpr FigureStyle style{5, Dash::dotted, 3, 0.8};
 };
 
-inline constexpr Midpoint midpoint;  ///< to hand on
-inline constexpr Heun heun;          ///< to hand on
-inline constexpr Rk4 rk4;            ///< to hand on
-inline constexpr Dopri5 dopri5;      ///< to hand on
+inline constexpr Midpoint midpoint;  ///< instance for generic code
+inline constexpr Heun heun;          ///< instance for generic code
+inline constexpr Rk4 rk4;            ///< instance for generic code
+inline constexpr Dopri5 dopri5;      ///< instance for generic code
 
 /// To hand on.
 template <int Corrections = 1>

@@ -61,10 +61,10 @@ struct SpringFolded {
   }
 };
 
-inline constexpr BackwardEulerSpring backward_euler_spring;  ///< to hand on
-inline constexpr Rk4Linear rk4_linear;                       ///< to hand on
-inline constexpr SpringExact spring_exact;                   ///< to hand on
-inline constexpr SpringFolded spring_folded;                 ///< to hand on
+inline constexpr BackwardEulerSpring backward_euler_spring;  ///< instance for generic code
+inline constexpr Rk4Linear rk4_linear;                       ///< instance for generic code
+inline constexpr SpringExact spring_exact;                   ///< instance for generic code
+inline constexpr SpringFolded spring_folded;                 ///< instance for generic code
 
 }  // namespace measure
 

@@ -9,11 +9,14 @@
 //   spring_limit below which h omega has to stay on an undamped spring; 0 is never, `always` has no
 //                limit. Those of Yoshida 4 and Dormand-Prince are their own polynomials', and have
 //                no closed form: the tests derive them
-//   free_fall    how deep it falls in ten steps from rest, in g h^2: 50 is the truth
+//   free_fall_after_ten_steps
+//                how deep it falls in ten steps from rest, in g h^2: 50 is the truth
 //   symplectic   whether it keeps areas in phase space
 //   reversible   whether steps of -h lead back to the start, to rounding
-//   central      whether it keeps the angular momentum of a planet
-//   goes_back    whether it takes negative steps at all
+//   conserves_angular_momentum
+//                whether it does, of a planet
+//   allows_negative_step
+//                whether it takes negative steps at all
 //   contender    whether the chapters run it against the others; not if it is a variant of one that
 //                they do
 //   style        how figures show it, if they do: they have to show a contender
@@ -61,10 +64,11 @@ concept IsNamed = requires { Method::name, Method::function, Method::header; };
 
 /// What says all that is asked of a method for any acceleration.
 template <class Method>
-concept IsWhole = IsNamed<Method> && requires {
+concept HasAllTraits = IsNamed<Method> && requires {
   Method::order, Method::drag_order, Method::evaluations, Method::drag_limit, Method::spring_limit;
-  Method::free_fall, Method::symplectic, Method::reversible, Method::central;
-  Method::goes_back, Method::contender;
+  Method::free_fall_after_ten_steps, Method::symplectic, Method::reversible,
+      Method::conserves_angular_momentum;
+  Method::allows_negative_step, Method::contender;
 };
 
 /// Stops the compiler with a sentence where a method doesn't say what it is called.
@@ -88,17 +92,18 @@ constexpr bool require_all_traits() {
       requires { Method::drag_limit, Method::spring_limit; },
       "a method in code/measure/methods has no `drag_limit` or `spring_limit`");
   static_assert(
-      requires { Method::free_fall; }, "a method in code/measure/methods has no `free_fall`");
+      requires { Method::free_fall_after_ten_steps; },
+      "a method in code/measure/methods has no `free_fall_after_ten_steps`");
   static_assert(
       requires { Method::symplectic; },
       "a method in code/measure/methods doesn't say whether it is `symplectic`");
   static_assert(
-      requires { Method::reversible, Method::goes_back; },
+      requires { Method::reversible, Method::allows_negative_step; },
       "a method in code/measure/methods doesn't say whether it is `reversible` or "
-      "`goes_back`");
+      "`allows_negative_step`");
   static_assert(
-      requires { Method::central; },
-      "a method in code/measure/methods doesn't say whether it is `central`");
+      requires { Method::conserves_angular_momentum; },
+      "a method in code/measure/methods doesn't say whether it is `conserves_angular_momentum`");
   static_assert(
       requires { Method::contender; },
       "a method in code/measure/methods doesn't say whether it is a `contender`");

@@ -26,9 +26,9 @@ struct KeepsTwoPositions {
     return {s.x, integrate::stormer_verlet_start(s.x, s.v, Real(0), h, scene)};
   }
   /// The state that it stands for, its velocity half a step late.
-  template <class Kept, class Real, class Scene>
-  static StateOf<Kept> state_of(const Kept& kept, Real, Real h, const Scene&) {
-    return {kept[0], integrate::stormer_verlet_velocity(kept[0], kept[1], h)};
+  template <class Memory, class Real, class Scene>
+  static StateOf<Memory> to_state(const Memory& memory, Real, Real h, const Scene&) {
+    return {memory[0], integrate::stormer_verlet_velocity(memory[0], memory[1], h)};
   }
 };
 
@@ -37,9 +37,9 @@ struct Leapfrog : Orders<2, 2, 1> {
   static constexpr std::string_view name = "leapfrog", function = "leapfrog", header = "leapfrog.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = 2, spring_limit = 2;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = true, reversible = true, central = true;
-  static constexpr bool goes_back = true, contender = true;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = true, reversible = true, conserves_angular_momentum = true;
+  static constexpr bool allows_negative_step = true, contender = true;
   static constexpr FigureStyle style{3, Dash::dotted, 1, 0.8};
 
   /// What it keeps at the start.
@@ -48,14 +48,14 @@ struct Leapfrog : Orders<2, 2, 1> {
     return {s.x, integrate::leapfrog_start(s.x, s.v, Real(0), h, scene)};
   }
   /// One step.
-  template <class Kept, class Real, class Scene>
-  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
-    integrate::leapfrog(kept[0], kept[1], t, h, scene);
+  template <class Memory, class Real, class Scene>
+  static void step(Memory& memory, Real t, Real h, const Scene& scene) {
+    integrate::leapfrog(memory[0], memory[1], t, h, scene);
   }
   /// The state that it stands for; asks for the acceleration to bring the velocity up to date.
-  template <class Kept, class Real, class Scene>
-  static StateOf<Kept> state_of(const Kept& kept, Real t, Real h, const Scene& scene) {
-    return {kept[0], integrate::leapfrog_velocity(kept[0], kept[1], t, h, scene)};
+  template <class Memory, class Real, class Scene>
+  static StateOf<Memory> to_state(const Memory& memory, Real t, Real h, const Scene& scene) {
+    return {memory[0], integrate::leapfrog_velocity(memory[0], memory[1], t, h, scene)};
   }
 };
 
@@ -65,9 +65,9 @@ struct LeapfrogDrift : Orders<2, 2, 1> {
                                     header = "leapfrog_drift.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = 2, spring_limit = 2;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = true, reversible = true, central = true;
-  static constexpr bool goes_back = true, contender = false;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = true, reversible = true, conserves_angular_momentum = true;
+  static constexpr bool allows_negative_step = true, contender = false;
 
   /// One step.
   constexpr void operator()(auto& x, auto& v, auto t, auto h, auto&& acceleration) const {
@@ -81,15 +81,15 @@ struct StormerVerlet : Orders<2, 1>, KeepsTwoPositions {
                                     header = "stormer_verlet.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = 2, spring_limit = 2;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = true, reversible = true, central = true;
-  static constexpr bool goes_back = true, contender = true;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = true, reversible = true, conserves_angular_momentum = true;
+  static constexpr bool allows_negative_step = true, contender = true;
   static constexpr FigureStyle style{3, Dash::dashed, 8, 0.8};
 
   /// One step.
-  template <class Kept, class Real, class Scene>
-  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
-    integrate::stormer_verlet(kept[0], kept[1], t, h, scene);
+  template <class Memory, class Real, class Scene>
+  static void step(Memory& memory, Real t, Real h, const Scene& scene) {
+    integrate::stormer_verlet(memory[0], memory[1], t, h, scene);
   }
 };
 
@@ -100,9 +100,9 @@ struct StormerVerletCarried : Orders<2> {
                                     header = "stormer_verlet.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = 1, spring_limit = 2;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = true, reversible = true, central = false;
-  static constexpr bool goes_back = true, contender = false;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = true, reversible = true, conserves_angular_momentum = false;
+  static constexpr bool allows_negative_step = true, contender = false;
 
   /// What it keeps at the start.
   template <class Vec, class Real, class Scene>
@@ -111,14 +111,15 @@ struct StormerVerletCarried : Orders<2> {
     return {s.x, integrate::stormer_verlet_start(s.x, s.v, Real(0), h, scene), a};
   }
   /// One step.
-  template <class Kept, class Real, class Scene>
-  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
-    integrate::stormer_verlet_carried(kept[0], kept[1], kept[2], t, h, scene);
+  template <class Memory, class Real, class Scene>
+  static void step(Memory& memory, Real t, Real h, const Scene& scene) {
+    integrate::stormer_verlet_carried(memory[0], memory[1], memory[2], t, h, scene);
   }
   /// The state that it stands for, its velocity brought up to date.
-  template <class Kept, class Real, class Scene>
-  static StateOf<Kept> state_of(const Kept& kept, Real, Real h, const Scene&) {
-    return {kept[0], integrate::stormer_verlet_carried_velocity(kept[0], kept[1], kept[2], h)};
+  template <class Memory, class Real, class Scene>
+  static StateOf<Memory> to_state(const Memory& memory, Real, Real h, const Scene&) {
+    return {memory[0],
+            integrate::stormer_verlet_carried_velocity(memory[0], memory[1], memory[2], h)};
   }
 };
 
@@ -129,9 +130,9 @@ struct StormerVerletDistance : Orders<2, 1> {
                                     header = "stormer_verlet.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = 2, spring_limit = 2;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = true, reversible = true, central = true;
-  static constexpr bool goes_back = true, contender = false;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = true, reversible = true, conserves_angular_momentum = true;
+  static constexpr bool allows_negative_step = true, contender = false;
 
   /// What it keeps at the start.
   template <class Vec, class Real, class Scene>
@@ -139,14 +140,14 @@ struct StormerVerletDistance : Orders<2, 1> {
     return {s.x, integrate::stormer_verlet_distance_start(s.x, s.v, Real(0), h, scene)};
   }
   /// One step.
-  template <class Kept, class Real, class Scene>
-  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
-    integrate::stormer_verlet_distance(kept[0], kept[1], t, h, scene);
+  template <class Memory, class Real, class Scene>
+  static void step(Memory& memory, Real t, Real h, const Scene& scene) {
+    integrate::stormer_verlet_distance(memory[0], memory[1], t, h, scene);
   }
   /// The state that it stands for, its velocity half a step late.
-  template <class Kept, class Real, class Scene>
-  static StateOf<Kept> state_of(const Kept& kept, Real, Real h, const Scene&) {
-    return {kept[0], (Real(1) / h) * kept[1]};
+  template <class Memory, class Real, class Scene>
+  static StateOf<Memory> to_state(const Memory& memory, Real, Real h, const Scene&) {
+    return {memory[0], (Real(1) / h) * memory[1]};
   }
 };
 
@@ -156,14 +157,14 @@ struct StormerVerletUneven : Orders<2, 1>, KeepsTwoPositions {
                                     function = "stormer_verlet_uneven", header = "stormer_verlet.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = 2, spring_limit = 2;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = true, reversible = true, central = true;
-  static constexpr bool goes_back = true, contender = false;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = true, reversible = true, conserves_angular_momentum = true;
+  static constexpr bool allows_negative_step = true, contender = false;
 
   /// One step, as long as the one before it.
-  template <class Kept, class Real, class Scene>
-  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
-    integrate::stormer_verlet_uneven(kept[0], kept[1], t, h, h, scene);
+  template <class Memory, class Real, class Scene>
+  static void step(Memory& memory, Real t, Real h, const Scene& scene) {
+    integrate::stormer_verlet_uneven(memory[0], memory[1], t, h, h, scene);
   }
 };
 
@@ -173,15 +174,15 @@ struct VelocityVerlet : Orders<2>, KeepsAcceleration {
                                     header = "velocity_verlet.h";
   static constexpr long evaluations = 1;
   static constexpr double drag_limit = 1, spring_limit = 2;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = true, reversible = true, central = true;
-  static constexpr bool goes_back = true, contender = true;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = true, reversible = true, conserves_angular_momentum = true;
+  static constexpr bool allows_negative_step = true, contender = true;
   static constexpr FigureStyle style{3, Dash::solid, 9, 0.7};
 
   /// One step.
-  template <class Kept, class Real, class Scene>
-  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
-    integrate::velocity_verlet(kept[0], kept[1], kept[2], t, h, scene);
+  template <class Memory, class Real, class Scene>
+  static void step(Memory& memory, Real t, Real h, const Scene& scene) {
+    integrate::velocity_verlet(memory[0], memory[1], memory[2], t, h, scene);
   }
 };
 
@@ -191,33 +192,33 @@ struct Yoshida4 : Orders<4, 4, 2>, KeepsAcceleration {
                                     header = "yoshida4.h";
   static constexpr long evaluations = 3;
   static constexpr double drag_limit = 0.912983, spring_limit = 1.573401;
-  static constexpr int free_fall = 50;
-  static constexpr bool symplectic = true, reversible = true, central = true;
-  static constexpr bool goes_back = true, contender = true;
+  static constexpr int free_fall_after_ten_steps = 50;
+  static constexpr bool symplectic = true, reversible = true, conserves_angular_momentum = true;
+  static constexpr bool allows_negative_step = true, contender = true;
   static constexpr FigureStyle style{10, Dash::solid, 2, 0.8};
 
   /// One step.
-  template <class Kept, class Real, class Scene>
-  static void step(Kept& kept, Real t, Real h, const Scene& scene) {
-    integrate::yoshida4(kept[0], kept[1], kept[2], t, h, scene);
+  template <class Memory, class Real, class Scene>
+  static void step(Memory& memory, Real t, Real h, const Scene& scene) {
+    integrate::yoshida4(memory[0], memory[1], memory[2], t, h, scene);
   }
 };
 
-inline constexpr Leapfrog leapfrog;                              ///< to hand on
-inline constexpr LeapfrogDrift leapfrog_drift;                   ///< to hand on
-inline constexpr StormerVerlet stormer_verlet;                   ///< to hand on
-inline constexpr StormerVerletCarried stormer_verlet_carried;    ///< to hand on
-inline constexpr StormerVerletDistance stormer_verlet_distance;  ///< to hand on
-inline constexpr StormerVerletUneven stormer_verlet_uneven;      ///< to hand on
-inline constexpr VelocityVerlet velocity_verlet;                 ///< to hand on
-inline constexpr Yoshida4 yoshida4;                              ///< to hand on
+inline constexpr Leapfrog leapfrog;                              ///< instance for generic code
+inline constexpr LeapfrogDrift leapfrog_drift;                   ///< instance for generic code
+inline constexpr StormerVerlet stormer_verlet;                   ///< instance for generic code
+inline constexpr StormerVerletCarried stormer_verlet_carried;    ///< instance for generic code
+inline constexpr StormerVerletDistance stormer_verlet_distance;  ///< instance for generic code
+inline constexpr StormerVerletUneven stormer_verlet_uneven;      ///< instance for generic code
+inline constexpr VelocityVerlet velocity_verlet;                 ///< instance for generic code
+inline constexpr Yoshida4 yoshida4;                              ///< instance for generic code
 
 }  // namespace measure
 
 namespace list {
 
 /// Verlet’s methods and those made of them.
-using VerletKin =
+using VerletFamily =
     std::tuple<measure::Leapfrog, measure::LeapfrogDrift, measure::StormerVerlet,
                measure::StormerVerletCarried, measure::StormerVerletDistance,
                measure::StormerVerletUneven, measure::VelocityVerlet, measure::Yoshida4>;

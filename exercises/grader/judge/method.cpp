@@ -28,17 +28,17 @@ std::string called(std::string_view name) {
 // A method of the book, with what it keeps from step to step. Its clock begins at zero.
 template <class Of>
 Step begin() {
-  using Kept = decltype(measure::start(Of(), scenes::State<Vec>(), 0.0, Acceleration()));
-  return [kept = Kept(), from = 0.0, begun = false](Vec& x, Vec& v, double t, double h,
-                                                    const Acceleration& acceleration) mutable {
+  using Memory = decltype(measure::start(Of(), scenes::State<Vec>(), 0.0, Acceleration()));
+  return [memory = Memory(), from = 0.0, begun = false](Vec& x, Vec& v, double t, double h,
+                                                        const Acceleration& acceleration) mutable {
     if (!begun) from = t;
     const auto scene = [&](const Vec& at, const Vec& with, double since) {
       return acceleration(at, with, from + since);
     };
-    if (!begun) kept = measure::start(Of(), scenes::State<Vec>{x, v}, h, scene);
+    if (!begun) memory = measure::start(Of(), scenes::State<Vec>{x, v}, h, scene);
     begun = true;
-    measure::advance(Of(), kept, t - from, h, scene);
-    const auto end = measure::state_of(Of(), kept, t - from + h, h, scene);
+    measure::advance(Of(), memory, t - from, h, scene);
+    const auto end = measure::to_state(Of(), memory, t - from + h, h, scene);
     x = end.x;
     v = end.v;
   };

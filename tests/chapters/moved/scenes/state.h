@@ -45,7 +45,7 @@ Vec beside(const Vec& vec) {
 /// Whether a state is set up by this function: all are but those that a method reads off what it
 /// keeps, which are no starts.
 inline bool sets_up(std::string_view function) {
-  return function.find("state_of(") == std::string_view::npos;
+  return function.find("to_state(") == std::string_view::npos;
 }
 
 }  // namespace scenes::aside
