@@ -9,7 +9,9 @@ import { loadXml, plainText } from './xml.mjs';
 const TYPES = ['struct', 'class', 'concept'];
 
 export function readApi(xml, source) {
-  const api = { compounds: new Map(), headers: new Map(), hrefs: new Map(), names: new Map(), anchors: new Map() };
+  const api = Object.fromEntries(
+    ['compounds', 'headers', 'hrefs', 'names', 'anchors', 'linkers'].map(name => [name, new Map()]),
+  );
   for (const file of existsSync(xml) ? readdirSync(xml).sort() : []) {
     if (!/^(namespace|struct|class|concept).*\.xml$|_8h\.xml$/.test(file)) continue;
     const $ = loadXml(join(xml, file));
@@ -137,6 +139,11 @@ const templates = e => children(child(e, 'templateparamlist') ?? { children: [] 
 
 // How code refers to the API: a full name always, a bare name if it is a type's, or if the file itself declares it.
 export function linker(api, file = '') {
+  if (!api.linkers.has(file)) api.linkers.set(file, linkerOf(api, file));
+  return api.linkers.get(file);
+}
+
+function linkerOf(api, file) {
   const bare = new Map();
   for (const [name, target] of api.names) {
     const own = name.split('::').at(-1);

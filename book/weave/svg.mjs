@@ -5,14 +5,12 @@ import { escapeHtml, smarten } from './text.mjs';
 const COLOURS = { stroke: true, fill: true, color: true };
 
 export function adoptSvg(svg, { id, title, description }) {
-  const $ = cheerio.load(svg.replace(/^[\s\S]*?<svg/, '<svg'), { xml: { decodeEntities: true } });
+  const $ = cheerio.load(svg.replace(/^[\s\S]*?<svg/, '<svg').replace(/<!--[\s\S]*?-->/g, ''), {
+    xml: { decodeEntities: true },
+  });
   const root = $('svg').first();
   root.children('title, desc').remove();
   $('filter, script, style').remove();
-  $('*')
-    .contents()
-    .filter((_, n) => n.type === 'comment')
-    .remove();
   adoptTips($);
   removeNames($);
   removeEmpty($);

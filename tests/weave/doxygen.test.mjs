@@ -1,5 +1,6 @@
 // What refers to the code, and what Doxygen makes of its comments and complains of in them.
 import assert from 'node:assert/strict';
+import { chmodSync } from 'node:fs';
 import { test } from 'node:test';
 import { CHAPTER, paragraph, refuses, sampleBook, weaves } from './weaver.mjs';
 
@@ -98,4 +99,24 @@ test('a reference to something', () => {
     html,
     /<p>See <a href="integrate-euler\.html#euler"><code>integrate::euler<\/code><\/a>, or <a href="scenes-spring\.html"><code>scenes::Spring<\/code><\/a>\.<\/p>/,
   );
+});
+
+test('Doxygen runs where the code is another than before, and where it failed', () => {
+  const book = sampleBook(['runs.txt', '']);
+  const { DOXYGEN = 'doxygen' } = process.env;
+  book.edit('doxygen.sh', `#!/bin/sh\n[ "$1" = --version ] || echo >>${book.path('runs.txt')}\nexec ${DOXYGEN} "$@"\n`);
+  chmodSync(book.path('doxygen.sh'), 0o755);
+  const weave = (...edit) => {
+    if (edit.length) book.edit(...edit);
+    const { status } = book.weave(book.path('doxygen.sh'));
+    return [status, book.read('runs.txt').length];
+  };
+  const header = 'code/scenes/spring.h';
+  assert.deepEqual(weave(), [0, 1]);
+  assert.deepEqual(weave(CHAPTER, 'The energy grows', 'So the energy grows'), [0, 1]);
+  assert.deepEqual(weave(header, 'A mass on a spring', 'A weight on a spring'), [0, 2]);
+  assert.match(book.read('built/book/scenes-spring.html'), /A weight on a spring/);
+  assert.deepEqual(weave(header, 'A weight on', '\\ref nothing::there A weight on'), [1, 3]);
+  assert.deepEqual(weave(), [1, 4]);
+  assert.deepEqual(weave(header, '\\ref nothing::there A weight on', 'A weight on'), [0, 5]);
 });
