@@ -220,7 +220,7 @@ TEST_CASE("finding out steps that will do costs no more than four runs",
           "Stop doubling as soon as the answer is in sight. You need not run it to know it.");
 }
 
-TEST_CASE("the steps are right from hundreds of them to thousands, from rest or fast, and by turns",
+TEST_CASE("the steps are right from hundreds to thousands, at rest or fast, and by turns",
           "[2-euler/steps-you-can-afford][1 point]") {
   Random random;
   constexpr int scenes = 12;
