@@ -27,7 +27,11 @@ function section(book, chapter) {
   );
 }
 
-const placeOf = ({ number, name }) => (number ? `chapter ${number}` : `the ${name === 'index' ? 'start page' : name}`);
+function placeOf({ number, name, title }) {
+  if (number) return `chapter ${number}`;
+  if (name === 'index') return 'the start page';
+  return name.includes('-') ? `the page ${escapeHtml(title)}` : `the ${name}`;
+}
 
 // Words for the screen stand in a book with live figures alone.
 const isShown = (book, { piece }) => book.config.live || piece.box?.name !== 'screen';
