@@ -5,14 +5,14 @@
 #include <array>
 
 #include "../cast.h"
-#include "scenes/ball.h"
+#include "scenes/toss.h"
 
 /// Steps in a frame that the page tries.
 inline constexpr std::array<int, 7> tried_in_a_frame{1, 2, 3, 4, 6, 8, 12};
 
 // [level]
 /// The jump by its height alone.
-inline const scenes::Ball height_of_jump(jump.start_velocity.y());
+inline const scenes::Toss height_of_jump(jump.start_velocity.y());
 
 /// Calls `visit(name, scene, seconds)` for each thing, with how long it is watched.
 template <class Visit>

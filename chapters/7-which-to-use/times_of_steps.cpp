@@ -32,7 +32,7 @@ template <class Scene>
 auto special_methods(const Scene& scene) {
   using namespace measure;
   const std::tuple<LinearDampingImplicitLast, LinearDampingExact> dampers;
-  if constexpr (std::is_same_v<Scene, scenes::Ball>) {
+  if constexpr (std::is_same_v<Scene, scenes::Toss>) {
     return std::tuple<ConstantAcceleration>();
   } else if constexpr (std::is_same_v<Scene, scenes::Spring<>>) {
     return std::tuple_cat(std::tuple(SpringExact(), folded_once(scene), BackwardEulerSpring()),

@@ -13,7 +13,7 @@
 // [kinds]
 // The drone is in chapters/cast.h.
 inline constexpr scenes::LinearDrag<> skid{.c = 2, .g = 0, .v0 = 10};
-inline constexpr scenes::Ball toss(10);
+inline constexpr scenes::Toss toss(10);
 
 inline constexpr double minute = 60;  ///< the drone is watched for so long [s]
 inline constexpr double moment = 2;   ///< the skid and the toss [s]

@@ -60,7 +60,7 @@ scenes::LinearDrag<> drag_of(const Parameters& p) {
   return {.c = p.drag};
 }
 
-scenes::Ball ball_of(const Parameters&) {
+scenes::Toss ball_of(const Parameters&) {
   return thrown_ball;
 }
 

@@ -16,11 +16,11 @@
 #include "frames/recorded.h"
 #include "integrate/dopri5.h"
 #include "measure/error.h"
-#include "scenes/ball.h"
 #include "scenes/linear_drag.h"
 #include "scenes/orbit.h"
 #include "scenes/pendulum.h"
 #include "scenes/spring.h"
+#include "scenes/toss.h"
 
 /// The bounds that a method has to meet.
 struct Bounds {
@@ -252,7 +252,7 @@ inline const char* timed_as(const scenes::Pendulum<>&) {
 inline const char* timed_as(const scenes::LinearDrag<>&) {
   return "leaf";
 }
-inline const char* timed_as(const scenes::Ball&) {
+inline const char* timed_as(const scenes::Toss&) {
   return "jump";
 }
 
@@ -432,8 +432,7 @@ const char* remark_on(const Scene&) {
   return "Where gravity and this drag are all that acts, there is an exact step: its lines are on "
          "the page\n"
          "Pick a method (pick-a-method.html), under the air. linear_damping_exact is another, "
-         "exact in the "
-         "velocity alone.";
+         "exact in the velocity alone.";
 }
 
 /// The contest with all that `choose` tells besides: prices in time, errors in uneven frames, and

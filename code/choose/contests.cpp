@@ -5,10 +5,10 @@ template Contest contest(const scenes::Spring<>&, const Bounds&);
 template Contest contest(const scenes::Orbit<>&, const Bounds&);
 template Contest contest(const scenes::Pendulum<>&, const Bounds&);
 template Contest contest(const scenes::LinearDrag<>&, const Bounds&);
-template Contest contest(const scenes::Ball&, const Bounds&);
+template Contest contest(const scenes::Toss&, const Bounds&);
 
 template Contest full_contest(const scenes::Spring<>&, const Bounds&);
 template Contest full_contest(const scenes::Orbit<>&, const Bounds&);
 template Contest full_contest(const scenes::Pendulum<>&, const Bounds&);
 template Contest full_contest(const scenes::LinearDrag<>&, const Bounds&);
-template Contest full_contest(const scenes::Ball&, const Bounds&);
+template Contest full_contest(const scenes::Toss&, const Bounds&);

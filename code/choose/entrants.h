@@ -14,8 +14,8 @@
 #include "choose/cost.h"
 #include "measure/compiled.h"
 #include "measure/times.h"
-#include "scenes/ball.h"
 #include "scenes/spring.h"
+#include "scenes/toss.h"
 
 /// The methods that take any acceleration.
 inline constexpr auto entrants = measure::all_compiled(list::Contenders());
@@ -40,7 +40,7 @@ template <class Scene>
 std::vector<const measure::Method*> exact_steps_of(const Scene&) {
   if constexpr (std::is_same_v<Scene, scenes::Spring<>>)
     return {&method::spring_folded, &method::spring_exact};
-  if constexpr (std::is_same_v<Scene, scenes::Ball>) return {&method::constant_acceleration};
+  if constexpr (std::is_same_v<Scene, scenes::Toss>) return {&method::constant_acceleration};
   return {};
 }
 

@@ -8,7 +8,7 @@
 
 namespace measure {
 
-/// Whether no start grows for ever.
+/// Returns whether no start grows for ever.
 ///
 /// @param step  a method, called as `step(x, v, t, h, scene)`, or one with a memory
 /// @param scene  linear in x and v, one-dimensional

@@ -49,12 +49,12 @@ template <class Scene, class Step>
 constexpr bool is_for(const Step&) {
   using namespace measure;
   if constexpr (std::is_same_v<Step, LinearDampingImplicitLast>) {
-    return !std::is_same_v<Scene, scenes::Ball> && requires(const Scene scene) { scene.damping(); };
+    return !std::is_same_v<Scene, scenes::Toss> && requires(const Scene scene) { scene.damping(); };
   } else if constexpr (std::is_same_v<Step, BackwardEulerSpring> ||
                        std::is_same_v<Step, SpringFolded>) {
     return requires(const Scene scene) { scene.omega, scene.zeta; };
   } else if constexpr (std::is_same_v<Step, ConstantAcceleration>) {
-    return std::is_same_v<Scene, scenes::Ball>;
+    return std::is_same_v<Scene, scenes::Toss>;
   } else {
     return true;
   }

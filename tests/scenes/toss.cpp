@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-#include "scenes/ball.h"
+#include "scenes/toss.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -8,12 +8,12 @@ using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 TEST_CASE("A ball is pulled down by gravity alone, however fast it is") {
-  const scenes::Ball ball(5);
+  const scenes::Toss ball(5);
   for (const double v : {-100.0, 0.0, 5.0}) CHECK(ball(2.0, v, 0.0) == -ball.g);
 }
 
 TEST_CASE("A ball keeps its energy, and is back in the hand as fast as it left") {
-  const scenes::Ball ball(5);
+  const scenes::Toss ball(5);
   const auto start = ball.start();
   const double up = ball.energy(start.x, start.v);
   for (const double t : {0.1, 0.5, 2.0}) {
