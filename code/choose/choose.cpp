@@ -131,7 +131,7 @@ void require_frames(const Bounds& bounds) {
   if (bounds.frames() > most_steps / 8) {
     throw std::invalid_argument("--seconds times --hz must stay below " +
                                 std::to_string(most_steps / 8) + ": at these --hz, --seconds " +
-                                format_number(std::floor(most_steps / 8 / bounds.hz), 6));
+                                format_number(std::floor(double(most_steps) / 8 / bounds.hz), 6));
   }
 }
 
