@@ -113,11 +113,16 @@ function addMember(api, compound, e, source) {
     documented: false,
   };
   member.documented = Boolean(textOf(member.brief) || textOf(member.details));
+  if (checksTypes(member)) return;
   compound.members.push(member);
   api.hrefs.set(e.attribs.id, member.href);
   const qualified = `${compound.name}::${name}`;
   if (!api.names.has(qualified)) api.names.set(qualified, { href: member.href, isType: false, file: member.file });
 }
+
+// A template without parameters and without a comment for readers is asked by its own header alone, whether types will do.
+const checksTypes = ({ kind, templates: types, parameters, documented }) =>
+  kind === 'function' && types.length > 0 && parameters.length === 0 && !documented;
 
 function description(e, source) {
   const location = child(e, 'location')?.attribs ?? {};

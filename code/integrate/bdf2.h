@@ -39,7 +39,7 @@
 
 namespace integrate {
 
-/// Checks that BDF2 can use these types; what one lacks is a compile error that says so.
+// Checks that BDF2 can use these types; what one lacks is a compile error that says so.
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr bool bdf2_accepts() {
   constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;

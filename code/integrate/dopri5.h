@@ -33,8 +33,8 @@
 
 namespace integrate {
 
-/// Checks that a path of dopri5 can use these types; what one lacks is a compile error that says
-/// so.
+// Checks that a path of dopri5 can use these types; what one lacks is a compile error that says
+// so.
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr bool dopri5_accepts() {
   constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;

@@ -15,7 +15,7 @@
 
 namespace integrate {
 
-/// Checks that leapfrog can use these types; what one lacks is a compile error that says so.
+// Checks that leapfrog can use these types; what one lacks is a compile error that says so.
 template <class Position, class Vec, class Time, class Real, class Acceleration>
 constexpr bool leapfrog_accepts() {
   constexpr bool calls =

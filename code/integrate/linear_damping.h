@@ -35,7 +35,7 @@
 
 namespace integrate {
 
-/// Checks that a damped step can use these types; what one lacks is a compile error that says so.
+// Checks that a damped step can use these types; what one lacks is a compile error that says so.
 template <class Position, class Vec, class Time, class Real, class Acceleration>
 constexpr bool linear_damping_accepts() {
   constexpr bool calls =

@@ -50,7 +50,7 @@
 
 namespace integrate {
 
-/// Checks that position Verlet can use these types; what one lacks is a compile error that says so.
+// Checks that position Verlet can use these types; what one lacks is a compile error that says so.
 template <class Vec, class Time, class Real, class Acceleration>
 constexpr bool stormer_verlet_accepts() {
   constexpr bool calls = std::is_invocable_r_v<Vec, Acceleration&, const Vec&, const Vec&, Time>;
