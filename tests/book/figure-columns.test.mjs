@@ -137,7 +137,7 @@ for (const [what, line] of Object.entries(WRONG)) {
   });
 }
 
-test('so is a method without a style, a number that nobody recorded, a table that is not there, and a warning', () => {
+test('a method without a style, a number that nobody recorded, an absent table and a warning are refused', () => {
   const faults = {
     'set label 1 "a" at 0,0 tc ls style("Eler"); plot 1': 'no style for "Eler"',
     'set label 1 number("apx") at 0,0; plot 1': 'no number "apx"',

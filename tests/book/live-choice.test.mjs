@@ -98,7 +98,7 @@ test('the price is taken hold of in the chart, by mouse and by finger', async ()
   }
 });
 
-test('it takes its own times beside the page, and draws them over the recorded ones', async () => {
+test('the live choice takes its own times beside the page, and draws them over the recorded ones', async () => {
   const live = await open(tab, figure, 'thing=leaf&price=70');
   const [before, chart] = [await live.now(), await live.chart()];
   assert.match(await live.stage.locator('.ranked').textContent(), /as recorded/);

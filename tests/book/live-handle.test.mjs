@@ -83,7 +83,7 @@ test('the arrow keys move the hand, say where it is, and stop at the edge; Reset
   assert.deepEqual([(await now()).x[0], (await now()).y[0]], [x.start, y.start]);
 });
 
-test('it has no end: the chart goes along and keeps the last seconds', async () => {
+test('the live handle has no end: the chart goes along and keeps the last seconds', async () => {
   await openRope(tab);
   const { ended, t, kept, from, until } = await tab.evaluate(async name => {
     const opened = globalThis.Live.opened[name],

@@ -391,7 +391,7 @@ test('without scripts the answers fold out all the same, and the steps a swing a
   }
 });
 
-test('it prints on one sheet, all open, and is then as it was', async () => {
+test('the page prints on one sheet, all open, and is then as it was', async () => {
   for (const more of [{}, { javaScriptEnabled: false }]) {
     const printer = await openTab('light', more);
     await printer.goto(addressOf(page), { waitUntil: 'load' });

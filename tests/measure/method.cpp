@@ -35,7 +35,9 @@ TEMPLATE_LIST_TEST_CASE("A method behind one type has the bits of its header", "
   check_same_steps<TestType>(scenes::Orbit<>());
 }
 
-TEMPLATE_LIST_TEST_CASE("So has one for damping or springs alone", "", Special) {
+TEMPLATE_LIST_TEST_CASE(
+    "A method for damping or springs alone behind one type has the bits of its header", "",
+    Special) {
   INFO(TestType::name);
   check_same_steps<TestType>(scenes::Spring<>{.omega = 3, .zeta = 0.2});
 }

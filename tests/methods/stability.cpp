@@ -61,7 +61,9 @@ TEMPLATE_LIST_TEST_CASE("On springs a step has the characteristic polynomial of 
   check_springs<TestType>();
 }
 
-TEMPLATE_LIST_TEST_CASE("So has the step of a method made for springs", "", list::OnSprings) {
+TEMPLATE_LIST_TEST_CASE(
+    "A step of a method made for springs has the characteristic polynomial of theory", "",
+    list::OnSprings) {
   INFO(typeid(TestType).name());
   check_springs<TestType>();
 }
@@ -72,7 +74,9 @@ TEMPLATE_LIST_TEST_CASE("On drag a step has the characteristic polynomial of the
   check_drag<TestType>();
 }
 
-TEMPLATE_LIST_TEST_CASE("So has symplectic Euler with damping of its own", "", list::Damping) {
+TEMPLATE_LIST_TEST_CASE(
+    "On drag symplectic Euler with damping of its own has the characteristic polynomial of theory",
+    "", list::Damping) {
   INFO(typeid(TestType).name());
   check_springs<TestType>();
   check_drag<TestType>();
