@@ -22,25 +22,25 @@ inline Row row(const std::vector<double>& x, const std::vector<double>& v, doubl
 inline void step(std::vector<double>& x, std::vector<double>& v, double h,
                  const std::vector<double>& k) {
   const std::size_t n = x.size();
-  std::vector<std::vector<double>> matrix(n, std::vector<double>(n));
+  std::vector<double> matrix(n * n);
   std::vector<double> right(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Row from = row(x, v, h, k, i);
-    if (i > 0) matrix[i][i - 1] = from.below;
-    matrix[i][i] = from.middle;
-    if (i + 1 < n) matrix[i][i + 1] = from.above;
+    if (i > 0) matrix[i * n + i - 1] = from.below;
+    matrix[i * n + i] = from.middle;
+    if (i + 1 < n) matrix[i * n + i + 1] = from.above;
     right[i] = from.right;
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 1; j < n; ++j) {
-      const double multiple = matrix[j][i] / matrix[i][i];
-      for (std::size_t c = i; c < n; ++c) matrix[j][c] -= multiple * matrix[i][c];
+      const double multiple = matrix[j * n + i] / matrix[i * n + i];
+      for (std::size_t c = i; c < n; ++c) matrix[j * n + c] -= multiple * matrix[i * n + c];
       right[j] -= multiple * right[i];
     }
   }
   for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t c = i + 1; c < n; ++c) right[i] -= matrix[i][c] * right[c];
-    right[i] /= matrix[i][i];
+    for (std::size_t c = i + 1; c < n; ++c) right[i] -= matrix[i * n + c] * right[c];
+    right[i] /= matrix[i * n + i];
   }
   v = right;
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += h * v[i];
