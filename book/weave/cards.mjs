@@ -33,7 +33,8 @@ function readCard(name, records) {
 }
 
 // A function that moves its first argument on is one that steps.
-export const steps = member => member.kind === 'function' && /^(Position|Vec) ?&$/.test(member.parameters[0]?.type ?? '');
+export const steps = member =>
+  member.kind === 'function' && /^(Position|Vec) ?&$/.test(member.parameters[0]?.type ?? '');
 
 export const stepping = api =>
   [...api.headers.values()].filter(header => !onShelf(header)).flatMap(header => header.functions.filter(steps));

@@ -30,7 +30,8 @@ struct Promise {
 void read_promises(const std::filesystem::path& header, std::vector<Promise>& found) {
   std::ifstream file(header);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const std::regex function(R"(((?:///.*\n)+)template <.*\n(?:.*[ \]])?(\w+)\((?:Position|Vec)& x,)");
+  const std::regex function(
+      R"(((?:///.*\n)+)template <.*\n(?:.*[ \]])?(\w+)\((?:Position|Vec)& x,)");
   for (std::sregex_iterator at(text.begin(), text.end(), function), end; at != end; ++at) {
     const std::string words = std::regex_replace((*at)[1].str(), std::regex("\\s*///\\s*"), " ");
     found.push_back({(*at)[2], words});
