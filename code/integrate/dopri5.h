@@ -89,7 +89,7 @@ struct Dopri5Path {
   Vec x_bend;     ///< how the positions of the last step bend away from a cubic
   Vec v_bend;     ///< the same of the velocities
 
-  /// Whether a time lies in the last step. Of no other can the path be asked.
+  /// True of a time in the last step. The path can be asked of no other.
   constexpr bool holds(Time at) const {
     return (t_before <= at && at <= t) || (t <= at && at <= t_before);
   }
@@ -112,7 +112,7 @@ struct Dopri5Path {
   }
 };
 
-/// What an estimate says of its step, and of the size of the next.
+/// The verdict of an estimate on its step, and on the size of the next.
 template <class Real>
 struct Dopri5Verdict {
   bool good = false;        ///< whether the step is within the tolerance

@@ -34,7 +34,7 @@ struct Passing : scenes::Orbit<> {
   scenes::State<Vec> exact(double t) const { return Orbit::exact(t - early); }
 };
 
-/// What is moved while the steps of a method for any acceleration are timed.
+/// The scene that is moved while the steps of a method for any acceleration are timed.
 inline constexpr scenes::Orbit<> orbit;
 
 /// A damped spring, which also asks for the velocity.

@@ -8,7 +8,7 @@
 
 namespace {
 
-// What a reader of the card should know about its lines.
+// Notes for a reader of the card, on its lines.
 std::string note(const measure::Card& card) {
   const auto& rows = card.rows;
   const bool limits = std::any_of(rows.begin(), rows.end(), [](const measure::CardRow& row) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What a method does to a quantity that the scene conserves.
+/// The effect of a method on a quantity that the scene conserves.
 #pragma once
 #include <cmath>
 

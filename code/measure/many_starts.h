@@ -9,7 +9,7 @@
 
 namespace measure {
 
-/// What is measured at angles evenly around a circle, in order of size.
+/// Measurements at angles evenly around a circle, in order of size.
 /// @param count  how many angles
 /// @param measured  called as `measured(angle)` [rad]
 template <class Measured>

@@ -13,7 +13,7 @@
 
 namespace measure {
 
-/// What a method does with one kind of vector.
+/// The functions of a method for one kind of vector.
 template <class Vec>
 struct Stepper {
   /// All that the method keeps from one step to the next: position and velocity, or its memory.
@@ -35,7 +35,7 @@ class Method {
   Stepper<Eigen::Vector2d> in_a_plane;
   Stepper<Eigen::VectorXd> of_many;
 
-  /// What it keeps at the start.
+  /// Returns the memory at the start.
   /// @throws std::logic_error  it doesn't move such vectors
   template <class Vec, class Scene>
   auto start(const scenes::State<Vec>& s, double h, const Scene& scene) const {

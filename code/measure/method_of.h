@@ -11,13 +11,13 @@
 
 namespace measure {
 
-/// Whether a step moves one kind of vector.
+/// True of a step that moves one kind of vector.
 template <class Step, class Vec>
 concept Moves =
     requires(Vec& x, const Force<Vec>& force) { Step()(x, x, 0.0, 0.0, force); } ||
     requires(const scenes::State<Vec>& s, const Force<Vec>& force) { Step().start(s, 0.0, force); };
 
-/// What a step does with one kind of vector; nothing but nulls if it doesn't move them.
+/// Returns the functions of a step for one kind of vector; nulls if it doesn't move them.
 /// @tparam Step  of an object without members: a lambda without captures, or one with a memory
 template <class Step, class Vec>
 constexpr Stepper<Vec> stepper_of() {

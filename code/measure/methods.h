@@ -16,7 +16,7 @@
 #include "measure/methods/traits.h"
 #include "measure/methods/verlet.h"
 
-/// What is asked of a method on a scene: errors, orders, energies, limits and costs.
+/// Measurements of a method on a scene: errors, orders, energies, limits and costs.
 namespace measure {}
 
 /// The methods of the book, as lists of their types.
@@ -42,7 +42,7 @@ struct Filtered<std::tuple<Methods...>, holds> {
 template <class List, auto holds>
 using Among = typename Filtered<List, holds>::List;
 
-/// Whether a method stands in a list.
+/// True of a method that stands in a list.
 template <class Method, class... Methods>
 constexpr bool is_in(std::tuple<Methods...>) {
   return (std::is_same_v<Method, Methods> || ...);
@@ -68,11 +68,11 @@ constexpr bool require_names(std::tuple<Methods...>) {
 }
 static_assert(require_all_traits(Joined<EulerFamily, VerletFamily, RungeKuttaKin, ImplicitKin>()));
 static_assert(require_names(Joined<SpringKin, DampingKin>()));
-/// Whether a method says all that is asked of it.
+/// True of a method that says all that is asked of it.
 inline constexpr auto is_whole = [](auto method) {
   return measure::HasAllTraits<decltype(method)>;
 };
-/// Whether a method says what it is called.
+/// True of a method that says what it is called.
 inline constexpr auto is_named = [](auto method) { return measure::IsNamed<decltype(method)>; };
 
 /// The explicit methods that take any acceleration.
@@ -90,7 +90,7 @@ using EveryOnSprings = Among<SpringKin, is_named>;
 /// The methods that take linear damping apart from the other forces.
 using EveryDamping = Among<DampingKin, is_named>;
 
-/// Whether the chapters run a method against the others.
+/// True of a method that the chapters run against the others.
 inline constexpr auto is_contender = [](auto method) { return method.contender; };
 
 /// The methods that the chapters run against each other.
@@ -99,7 +99,7 @@ using Contenders = Among<EveryGeneral, is_contender>;
 // Compiled with -DONLY=Rk4, the lists hold that method alone. A list without it stays whole, since
 // Catch2 takes no empty ones.
 #ifdef ONLY
-/// Whether a method is the chosen one.
+/// True of the chosen method.
 inline constexpr auto is_chosen = [](auto method) {
   return std::is_same_v<decltype(method), measure::ONLY>;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What a header of the shelf promises, and what was measured of each promise.
+/// The promises of a header of the shelf, and what was measured of each.
 #pragma once
 #include <string>
 #include <vector>

@@ -10,7 +10,7 @@
 
 namespace measure {
 
-/// What a quarter, a half and three quarters of the runs stayed below.
+/// The times that a quarter, a half and three quarters of the runs stayed below.
 struct Quartiles {
   double lower = 0, median = 0, upper = 0;
 

@@ -11,7 +11,7 @@
 
 namespace measure {
 
-/// What a spinning body has to remember, begun as an exact one is.
+/// The memory of a spinning body, begun as an exact one is.
 struct Tumbling {
   shelf::Vec3<double> inertia, L;
   shelf::Quaternion<double> q{};

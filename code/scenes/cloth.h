@@ -67,7 +67,7 @@ struct Cloth {
   /// One of the masses [kg].
   Real mass_of(int) const { return mass; }
 
-  /// Whether a mass keeps the velocity that it has, which is none at the start.
+  /// True of a mass that keeps the velocity that it has, which is none at the start.
   bool held(int i) const { return i == 0 || i == side - 1; }
 
   /// Calls `visit(i, j, link)` for each spring.

@@ -49,7 +49,7 @@ struct Link {
     return c * Block(along * along.transpose());
   }
 
-  /// What is stored in the spring [J].
+  /// The energy stored in the spring [J].
   /// @param d  from the first point to the second [m]
   Real energy(const Vec3& d) const {
     const Real stretch = d.norm() - length;

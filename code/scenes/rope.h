@@ -71,7 +71,7 @@ struct Rope {
   /// One of the masses [kg].
   Real mass_of(int i) const { return i + 1 < count ? mass : tip; }
 
-  /// Whether a mass keeps the velocity that it has, which is none at the start.
+  /// True of a mass that keeps the velocity that it has, which is none at the start.
   bool held(int i) const { return i == 0 ? first_held : i + 1 == count && last_held; }
 
   /// Calls `visit(i, j, link)` for each spring.

@@ -3,7 +3,7 @@
 /// Where a thing is and how fast it moves.
 #pragma once
 
-/// What is integrated: each scene is an acceleration, a start, and what is known about the answer.
+/// The scenes to integrate: each is an acceleration, a start, and what is known about the answer.
 ///
 /// A scene is a plain struct. Calling it as `scene(x, v, t)` gives the acceleration. `start()` is a
 /// start that suits the scene. Where there is an exact solution, `exact(t)` is the state at time t

@@ -184,7 +184,7 @@ constexpr void link(Vec& x1, Vec& x2, Real& tension, Real w1, Real w2, Real leng
   }
 }
 
-/// What a rope is made of, and how its links are solved. See rope_step.
+/// The parts of a rope, and how its links are solved. See rope_step.
 template <class Real>
 struct Rope {
   Real length;                ///< of each link [m]

@@ -33,7 +33,7 @@
 
 namespace shelf {
 
-/// What a soft constraint multiplies by, for one step size. See softness.
+/// The factors of a soft constraint, for one step size. See softness.
 template <class Real>
 struct Softness {
   Real bias_rate;      ///< speed asked for by each metre of stretch [1/s]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// What the methods have in common that keep more than position and velocity.
+/// The common parts of methods that keep more than position and velocity.
 ///
 /// Each says how its memory begins, how a step changes it, and which state it stands for. The rest
 /// is what run() does.
@@ -17,7 +17,7 @@ namespace measure {
 template <class Memory>
 using StateOf = scenes::State<typename Memory::value_type>;
 
-/// What the methods have in common that keep the acceleration.
+/// The common part of methods that keep the acceleration.
 struct KeepsAcceleration {
   /// The memory at the start.
   template <class Vec, class Real, class Scene>
@@ -31,7 +31,7 @@ struct KeepsAcceleration {
   }
 };
 
-/// What both forms of BDF2 have in common: they keep the state of a step ago as well.
+/// The common part of both forms of BDF2: they keep the state of a step ago as well.
 struct KeepsLastState {
   /// Besides the true 50, a quarter that its start moves too far.
   static constexpr double free_fall_after_ten_steps = 50.25 - 0.25 / 59049;

@@ -18,9 +18,9 @@
 
 namespace measure {
 
-/// What the forms of position Verlet have in common that keep two positions.
+/// The common part of the forms of position Verlet that keep two positions.
 struct KeepsTwoPositions {
-  /// What it keeps at the start.
+  /// The memory at the start.
   template <class Vec, class Real, class Scene>
   static std::array<Vec, 2> start(const scenes::State<Vec>& s, Real h, const Scene& scene) {
     return {s.x, integrate::stormer_verlet_start(s.x, s.v, Real(0), h, scene)};
@@ -42,7 +42,7 @@ struct Leapfrog : Orders<2, 2, 1> {
   static constexpr bool allows_negative_step = true, contender = true;
   static constexpr FigureStyle style{3, Dash::dotted, 1, 0.8};
 
-  /// What it keeps at the start.
+  /// The memory at the start.
   template <class Vec, class Real, class Scene>
   static std::array<Vec, 2> start(const scenes::State<Vec>& s, Real h, const Scene& scene) {
     return {s.x, integrate::leapfrog_start(s.x, s.v, Real(0), h, scene)};
@@ -104,7 +104,7 @@ struct StormerVerletCarried : Orders<2> {
   static constexpr bool symplectic = true, reversible = true, conserves_angular_momentum = false;
   static constexpr bool allows_negative_step = true, contender = false;
 
-  /// What it keeps at the start.
+  /// The memory at the start.
   template <class Vec, class Real, class Scene>
   static std::array<Vec, 3> start(const scenes::State<Vec>& s, Real h, const Scene& scene) {
     const Vec a = scene(s.x, s.v, Real(0));
@@ -134,7 +134,7 @@ struct StormerVerletDistance : Orders<2, 1> {
   static constexpr bool symplectic = true, reversible = true, conserves_angular_momentum = true;
   static constexpr bool allows_negative_step = true, contender = false;
 
-  /// What it keeps at the start.
+  /// The memory at the start.
   template <class Vec, class Real, class Scene>
   static std::array<Vec, 2> start(const scenes::State<Vec>& s, Real h, const Scene& scene) {
     return {s.x, integrate::stormer_verlet_distance_start(s.x, s.v, Real(0), h, scene)};

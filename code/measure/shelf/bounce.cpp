@@ -27,7 +27,7 @@ double length(Flat p) {
   return std::hypot(p.right, p.up);
 }
 
-// Whether a way, above zero at first, is nowhere below before some moment.
+// True of a way that, above zero at first, is nowhere below before some moment.
 template <class Height>
 bool above_until(double end, Height height, long double allowed) {
   for (int i = 0; i <= 1000; ++i) {
