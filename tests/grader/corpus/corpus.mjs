@@ -1,6 +1,6 @@
 // Grades hostile and broken submissions of the corpus through the real grader, and prints
 // one table:  node corpus.mjs GRADE ALONE EXERCISES BUILD few|others|all|PART-OF-A-NAME
-// `few` are the first of either kind that can have one verdict alone, for each verdict.
+// `few` are the first of either kind for each verdict, one that can have no other if there is any.
 import { readFileSync } from 'node:fs';
 import os from 'node:os';
 import { join } from 'node:path';
@@ -10,9 +10,11 @@ import { checker } from './one.mjs';
 const [grade, alone, exercises, build, which] = process.argv.slice(2);
 const check = checker({ grade, alone, exercises, build });
 const all = items(readFileSync(join(exercises, '2-euler/orbit-drift/solution.h'), 'utf8'));
-const outcome = item => `${item.name.split('/')[0]} ${item.verdict}`;
-const firsts = new Map([...all].reverse().map(item => [outcome(item), item]));
-const few = item => !item.verdict.includes('|') && firsts.get(outcome(item)) === item;
+const outcome = item => `${item.name.split('/')[0]} ${item.verdict.split('|')[0]}`;
+const alternatives = item => item.verdict.split('|').length;
+const lastToFirst = [...all].reverse().sort((a, b) => alternatives(b) - alternatives(a));
+const firsts = new Map(lastToFirst.map(item => [outcome(item), item]));
+const few = item => firsts.get(outcome(item)) === item;
 const parts = { few, others: item => !few(item), all: () => true };
 const waiting = all.filter(parts[which] ?? (item => item.name.includes(which)));
 if (waiting.length === 0) throw new Error(`no item's name holds '${which}'`);

@@ -1,5 +1,5 @@
 // Fails: a hundred thousand beads take a step in the time that there is
-// Says: wanted more memory than
+// Says: asked for memory that there is not
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
