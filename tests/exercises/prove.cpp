@@ -200,7 +200,7 @@ std::optional<int> lucky(const Grade& grade, const std::filesystem::path& file, 
                          const std::string& test, int seeds) {
   if (first.verdict == Verdict::time_limit) return std::nullopt;
   using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::seconds(5);
+  const auto end = Clock::now() + std::chrono::seconds(3);
   judge::session().diagnoses = false;
   std::optional<int> lucky;
   for (int seed = 2; seed <= seeds && Clock::now() < end; ++seed)
