@@ -39,6 +39,15 @@ cage::Limits usual() {
   return limits;
 }
 
+/// Memory ends before time does, even where a new page of memory takes long.
+cage::Limits little_memory() {
+  cage::Limits limits = usual();
+  limits.processor = 60;
+  limits.wall = 180;
+  limits.memory = 1'000'000'000;
+  return limits;
+}
+
 Compiled compile(const std::string& text, Sandbox sandbox = Sandbox::bubblewrap,
                  const cage::Limits& limits = usual()) {
   return grade::compile(text, "drift.h", asks, sandbox, kit(), limits);
@@ -58,9 +67,9 @@ struct Case {
   std::vector<std::string> says;
 };
 
-void check(const Case& next) {
+void check(const Case& next, const cage::Limits& limits = usual()) {
   INFO(next.text);
-  const Compiled compiled = compile(next.text);
+  const Compiled compiled = compile(next.text, Sandbox::bubblewrap, limits);
   REQUIRE(compiled.failed);
   CHECK(name(*compiled.failed) == name(next.verdict));
   for (const std::string& part : next.says) CHECK_THAT(compiled.message, ContainsSubstring(part));
@@ -253,13 +262,13 @@ TEST_CASE("A compiler without end is stopped") {
   check({"inline int big[1 << 28] = {1};\ninline void step(Vec& x) { x.x = big[0]; }\n",
          Verdict::compile_limit,
          {"room for its output"}});
-  check(
-      {"#define A x x x x x x x x x x\n#define B A A A A A A A A A A\n"
-       "#define C B B B B B B B B B B\n#define D C C C C C C C C C C\n"
-       "#define E D D D D D D D D D D\n#define F E E E E E E E E E E\n"
-       "#define G F F F F F F F F F F\n#define H G G G G G G G G G G\nH H H H H H H H H H\n",
-       Verdict::compile_limit,
-       {"ran out of memory"}});
+  check({"#define A x x x x x x x x x x\n#define B A A A A A A A A A A\n"
+         "#define C B B B B B B B B B B\n#define D C C C C C C C C C C\n"
+         "#define E D D D D D D D D D D\n#define F E E E E E E E E E E\n"
+         "#define G F F F F F F F F F F\n#define H G G G G G G G G G G\nH H H H H H H H H H\n",
+         Verdict::compile_limit,
+         {"ran out of memory"}},
+        little_memory());
 }
 
 TEST_CASE("Whatever stops the assembler is said") {
@@ -268,7 +277,8 @@ TEST_CASE("Whatever stops the assembler is said") {
          {"depth of assembler macros"}});
   check({"asm(\".rept 100000000\\n.quad 1\\n.endr\");\n" + good,
          Verdict::compile_limit,
-         {"ran out of memory"}});
+         {"ran out of memory"}},
+        little_memory());
   const auto all = grade::diagnostics(
       "{standard input}:5: Fatal error: one\n{standard input}: Internal error: two\n"
       "a.h:1:2: internal compiler error: three\na.h:1:2: sorry, unimplemented: four\n");
