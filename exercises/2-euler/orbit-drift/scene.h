@@ -16,16 +16,17 @@ namespace drone {
 constexpr int most_steps = 200000;  ///< that the judge will fly
 
 /// The path of the drone over so many steps.
+/// @param every  how many steps lie between two places that are kept
 /// @param angle  that all of them cover on the circle of one metre
-inline judge::Path fly(int steps, double angle = 2 * std::numbers::pi) {
+inline judge::Path fly(int steps, int every = 1, double angle = 2 * std::numbers::pi) {
   const harness::Force leash{harness::Force::spring, {1, 0}};
-  return judge::run(judge::euler, {{1, 0, 0}, {0, 1, 0}, 0}, angle / steps, steps, 1, leash);
+  return judge::run(judge::euler, {{1, 0, 0}, {0, 1, 0}, 0}, angle / steps, steps, every, leash);
 }
 
 /// The share by which the distance has grown then; without end if there is no step.
 inline double growth(int steps, double angle = 2 * std::numbers::pi) {
   if (steps < 1 || steps > most_steps) return steps < 1 ? INFINITY : 0;
-  return length(fly(steps, angle).states.back().x) - 1;
+  return length(fly(steps, steps, angle).states.back().x) - 1;
 }
 
 /// The growth that the designer allows, and the fewest steps that stay within it.
