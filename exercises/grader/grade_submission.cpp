@@ -46,12 +46,14 @@ Judged judge_once(const Request& request, const cage::Kit& kit, const cage::File
   session = {};
   session.kit = &kit;
   session.driver = &driver;
+  session.called = request.called;
   session.sandbox = request.sandbox;
   session.limits = request.run_limits;
   session.longest = longest_run(request);
   session.seed = request.seed;
   session.arguments = request.arguments;
   session.only = request.only;
+  session.diagnoses = request.diagnoses;
   judge::run_tests(request.exercise.name);
   Judged judged{session.ended, session.why, session.tests};
   if (!session.stopped()) judged.verdict = verdict(judged);
@@ -182,6 +184,10 @@ Report grade_driver(const Request& request, const cage::File& driver) {
   return reported(request, [&](const Request&, Report& report) {
     judge_driver(request, kit_in(installed().kit), driver, report);
   });
+}
+
+Report grade_called(const Request& request) {
+  return grade_driver(request, {});
 }
 
 std::optional<Obstacle> calibrate(Request& request) {

@@ -14,6 +14,10 @@
 #include "finding.h"
 #include "verdict.h"
 
+namespace harness {
+class Call;
+}
+
 namespace grade {
 
 struct Request {
@@ -26,6 +30,8 @@ struct Request {
   int runs = 3;                        ///< with the same inputs, of which the worst counts
   std::vector<std::string> arguments;  ///< of the driver; that of a submission takes none
   std::string only;                    ///< the one test to run, by its name; all, if empty
+  bool diagnoses = true;               ///< whether known wrong ways are looked for
+  void (*called)(harness::Call& call) = nullptr;  ///< code of ours, in this process
 };
 
 /// All that is known at the end; the report in words and in JSON is made from this alone.
@@ -65,6 +71,9 @@ void check_memory(const Request& request, Report& report);
 
 /// Runs and judges what is compiled already. Of the request, the submission is only named.
 Report grade_driver(const Request& request, const cage::File& driver);
+
+/// Judges what the request calls in this process. If it crashes or never comes back, so do we.
+Report grade_called(const Request& request);
 
 /// The reason why nobody can be graded.
 struct Obstacle {

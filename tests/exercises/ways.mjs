@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
-// node ways.mjs OUT HARNESS HEADER...: writes the source of one driver that holds all these submissions of an exercise, each
-// with the exercise's harness in a namespace of its own. The driver's argument says which of them it is: the header's path.
+// node ways.mjs OUT HARNESS HEADER...: writes one source that holds all these submissions of an exercise, each with the
+// exercise's harness in a namespace of its own, and finds them by their headers' paths. With driver.cpp it becomes a driver,
+// and with library.cpp a library.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -10,23 +11,16 @@ export function driverOf(harness, headers) {
   const ways = headers.map((header, i) => inNamespace(`way_${i}`, header, harness));
   const table = headers.map((path, i) => `    {"${path}", way_${i}::answer},\n`);
   return `${includedBy(harness, headers)}
-#include <cstdlib>
 #include <string_view>
 #include <utility>
 
 ${ways.join('\n')}
-static void (*chosen)(harness::Call&);
-
-[[gnu::constructor]] static void choose(int count, char** arguments, char**) {
+extern "C" void (*way_of(const char* header))(harness::Call&) {
   static constexpr std::pair<std::string_view, void (*)(harness::Call&)> ways[] = {
 ${table.join('')}  };
   for (const auto& [name, way] : ways)
-    if (count == 2 && name == arguments[1]) chosen = way;
-  if (!chosen) std::abort();
-}
-
-void answer(harness::Call& call) {
-  chosen(call);
+    if (name == header) return way;
+  return nullptr;
 }
 `;
 }

@@ -115,7 +115,7 @@ Process run(Sandbox sandbox, const Kit& kit, const File& driver, const Limits& l
   const bool checked = build != Build::scored;
   Words command = checked ? check_command(sandbox, kit, limits) : run_command(sandbox, limits);
   command.insert(command.end(), arguments.begin(), arguments.end());
-  if (sandbox == Sandbox::none) return Process(command, {{driver.get(), 8}}, limits);
+  if (sandbox != Sandbox::bubblewrap) return Process(command, {{driver.get(), 8}}, limits);
   const File filter = part(fs::path(kit.filters) / (checked ? "check.bpf" : "run.bpf"));
   std::vector<std::pair<int, int>> files = {{driver.get(), 8}, {filter.get(), 9}};
   const File limited = checked ? part(kit.limited) : File();

@@ -14,6 +14,7 @@ namespace cage {
 enum class Sandbox {
   bubblewrap,  ///< namespaces, system call filter, limits
   none,        ///< limits only: for a student's own code on the student's own machine
+  trusted,     ///< nothing: for a driver of this project's own code, which limits itself
 };
 
 /// The files and folders that the grader brought along.

@@ -107,6 +107,7 @@ Words limits_prefix(Sandbox sandbox, const Limits& limits, int open_files) {
 }
 
 Words run_command(Sandbox sandbox, const Limits& limits) {
+  if (sandbox == Sandbox::trusted) return {"/proc/self/fd/8"};
   Words words = limits_prefix(sandbox, limits, 16);
   if (sandbox == Sandbox::none) {
     words.push_back("/proc/self/fd/8");

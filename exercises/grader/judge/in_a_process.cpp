@@ -14,14 +14,14 @@ namespace {
 // Ends the process if it computes for so long from now on.
 void end_after(int milliseconds) {
   itimerval timer{};
-  timer.it_value.tv_usec = 1000 * milliseconds;
+  timer.it_value = {milliseconds / 1000, milliseconds % 1000 * 1000};
   setitimer(ITIMER_VIRTUAL, &timer, nullptr);
 }
 
 // From that place on, in the child.
 [[noreturn]] void compute_all(int to, std::size_t from, std::size_t count,
-                              const std::function<double(std::size_t place)>& compute) {
-  constexpr int longest = 500;  // [ms]
+                              const std::function<double(std::size_t place)>& compute,
+                              int longest) {
   close(STDERR_FILENO);
   for (std::size_t place = from; place < count; ++place) {
     end_after(longest);
@@ -34,13 +34,14 @@ void end_after(int milliseconds) {
 }  // namespace
 
 std::vector<double> in_a_process(std::size_t count,
-                                 const std::function<double(std::size_t place)>& compute) {
+                                 const std::function<double(std::size_t place)>& compute,
+                                 int longest) {
   std::vector<double> all;
   while (all.size() < count) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) break;
     const pid_t child = fork();
-    if (child == 0) compute_all(ends[1], all.size(), count, compute);
+    if (child == 0) compute_all(ends[1], all.size(), count, compute, longest);
     close(ends[1]);
     double found = 0;
     while (child > 0 && read(ends[0], &found, sizeof found) == sizeof found) all.push_back(found);

@@ -9,10 +9,12 @@
 namespace judge {
 
 /// Computes so many numbers in a process of their own, with which ends what they remember. One that
-/// crashes, or takes half a second of processor time, is infinite, and the next begins anew.
+/// crashes, or takes longer than it may, is infinite, and the next begins anew.
 /// @param compute  the number of that place
+/// @param longest  processor time of one number [ms]
 std::vector<double> in_a_process(std::size_t count,
-                                 const std::function<double(std::size_t place)>& compute);
+                                 const std::function<double(std::size_t place)>& compute,
+                                 int longest = 500);
 
 /// A single number.
 double in_a_process(const std::function<double()>& compute);

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "judge/answering.h"
 #include "judge/diagnose.h"
 #include "judge/in_a_process.h"
 
@@ -48,15 +49,8 @@ bool alike(const Evaluation& one, const Evaluation& other) {
 // Thrown where a way no longer does as the student did.
 struct Differs {};
 
-// The exchange that is gone through again, and how far.
-struct Replay {
-  const Exchange* exchange = nullptr;
-  std::size_t asked = 0;
-} replay;
-
 double apart(const Exchange& exchange, const std::vector<double>& answer) {
-  if (replay.asked != exchange.evaluations.size() || answer.size() != exchange.answer.size())
-    return INFINITY;
+  if (answer.size() != exchange.answer.size()) return INFINITY;
   double size = 0, largest = 0;
   for (const double number : exchange.answer)
     if (std::isfinite(number)) size = std::max(size, std::abs(number));
@@ -65,15 +59,21 @@ double apart(const Exchange& exchange, const std::vector<double>& answer) {
   return largest;
 }
 
-// The answer of a way; nothing if it asks elsewhere, or throws where the student's answer came.
+// The answer of a way that is told what the student was told; nothing if it asks elsewhere or less,
+// or throws where the student's answer came.
 std::vector<double> answer_of(Answer way, const Exchange& exchange) {
-  replay = {&exchange, 0};
+  auto next = exchange.evaluations.begin();
+  const Answering answering([&](const Vec& x, const Vec& v, double t) {
+    if (next == exchange.evaluations.end() || !alike(*next, {x, v, t})) throw Differs();
+    return next++->a;
+  });
   harness::Call call(exchange.function, exchange.arguments);
   try {
     way(call);
   } catch (...) {
     return {};
   }
+  if (next != exchange.evaluations.end()) return {};
   return call.answer();
 }
 
@@ -208,13 +208,3 @@ bool Known::is_right(const std::string& exercise, const Exchange& exchange) {
 }
 
 }  // namespace judge
-
-// Asked where the student asked, and told the same.
-Vec harness::ask(const Vec& x, const Vec& v, double t) {
-  using namespace judge;
-  const auto& evaluations = replay.exchange->evaluations;
-  if (replay.asked == evaluations.size()) throw Differs();
-  const Evaluation& theirs = evaluations[replay.asked++];
-  if (!alike(theirs, {x, v, t})) throw Differs();
-  return theirs.a;
-}

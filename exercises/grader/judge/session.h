@@ -20,6 +20,7 @@ struct Session {
   // Given.
   const cage::Kit* kit = nullptr;
   const cage::File* driver = nullptr;
+  void (*called)(harness::Call& call) = nullptr;  ///< in this process, in place of a driver
   cage::Sandbox sandbox = cage::Sandbox::bubblewrap;
   cage::Build build = cage::Build::scored;  ///< of the driver
   cage::Limits limits;                      ///< of each driver

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "harness/call.h"
+#include "judge/answering.h"
 #include "judge/ending.h"
 #include "judge/numbers.h"
 #include "judge/session.h"
@@ -34,7 +35,7 @@ void note(std::size_t program, const Exchange& exchange) {
 
 Student::Student() {
   if (session().stopped()) throw Stopped();
-  process_ = start_driver();
+  if (!session().called) process_ = start_driver();
   program_ = session().programs.size();
   session().programs.emplace_back();
 }
@@ -58,20 +59,31 @@ std::vector<double> Student::receive(std::size_t count) {
   return numbers;
 }
 
+Vec Student::evaluate(const Vec& x, const Vec& v, double t) {
+  evaluations_.push_back({x, v, t});
+  const Vec a = acceleration_(x, v, t);
+  evaluations_.back().a = a;
+  return a;
+}
+
 void Student::answer_question() {
   const std::vector<double> asked = receive(7);
-  const Evaluation evaluation{
-      {asked[0], asked[1], asked[2]}, {asked[3], asked[4], asked[5]}, asked[6]};
-  evaluations_.push_back(evaluation);
-  const Vec a = acceleration_(evaluation.x, evaluation.v, evaluation.t);
-  evaluations_.back().a = a;
+  const Vec a = evaluate({asked[0], asked[1], asked[2]}, {asked[3], asked[4], asked[5]}, asked[6]);
   if (!process_->send(std::as_bytes(std::span(&a, 1)))) stop();
 }
 
-std::vector<double> Student::call(int function, const std::vector<double>& arguments,
-                                  std::size_t wanted) {
-  if (session().stopped()) throw Stopped();
-  evaluations_.clear();
+// What it throws ends this process, as it would end a driver.
+std::vector<double> Student::call_here(int function,
+                                       const std::vector<double>& arguments) noexcept {
+  const Answering answering(
+      [this](const Vec& x, const Vec& v, double t) { return evaluate(x, v, t); });
+  harness::Call call(function, arguments);
+  session().called(call);
+  return call.answer();
+}
+
+std::vector<double> Student::ask_driver(int function, const std::vector<double>& arguments,
+                                        std::size_t wanted) {
   const std::vector<double> request = as_numbers(function, arguments.size(), arguments);
   if (!process_->send(std::as_bytes(std::span(request)))) stop();
   for (;;) {
@@ -84,7 +96,19 @@ std::vector<double> Student::call(int function, const std::vector<double>& argum
     }
     answer_question();
   }
-  std::vector<double> answer = receive(wanted);
+  return receive(wanted);
+}
+
+std::vector<double> Student::call(int function, const std::vector<double>& arguments,
+                                  std::size_t wanted) {
+  if (session().stopped()) throw Stopped();
+  evaluations_.clear();
+  std::vector<double> answer =
+      process_ ? ask_driver(function, arguments, wanted) : call_here(function, arguments);
+  if (answer.size() != wanted) {
+    note_other_count(static_cast<double>(answer.size()), wanted);
+    throw Stopped();
+  }
   note(program_, {function, arguments, evaluations_, answer});
   return answer;
 }

@@ -11,8 +11,8 @@
 
 namespace judge {
 
-/// A driver in its cage, for as long as this lives. A test makes one, or more to see whether
-/// anything is remembered between runs.
+/// A driver in its cage, for as long as this lives, or code of ours that is called in this process.
+/// A test makes one, or more to see whether anything is remembered between runs.
 class Student {
  public:
   /// @throws Stopped if the code of an earlier test did not end as it should
@@ -38,6 +38,10 @@ class Student {
            int function = 0);
 
  private:
+  Vec evaluate(const Vec& x, const Vec& v, double t);
+  std::vector<double> call_here(int function, const std::vector<double>& arguments) noexcept;
+  std::vector<double> ask_driver(int function, const std::vector<double>& arguments,
+                                 std::size_t wanted);
   std::vector<double> receive(std::size_t count);
   void answer_question();
   void stop();
