@@ -103,7 +103,7 @@ test('the live choice takes its own times beside the page, and draws them over t
   const [before, chart] = [await live.now(), await live.chart()];
   assert.match(await live.stage.locator('.ranked').textContent(), /as recorded/);
   await live.press('time');
-  await live.stage.locator('.ranked', { hasText: /: taken in/ }).waitFor();
+  await live.stage.locator('.ranked', { hasText: /: taken in/ }).waitFor({ timeout: 120_000 });
   const times = await tab.evaluate(name => globalThis.Live.opened[name].run.times, figure.name);
   assert.deepEqual(Object.keys(times), Object.keys(figure.methods));
   const now = await live.now();

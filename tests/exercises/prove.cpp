@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT-0
-// Proves an exercise's tests: prove 2-euler/orbit-drift [SEEDS]. Its solution and every
+// Proves an exercise's tests: prove 2-euler/orbit-drift [SEEDS | caged]. Its solution and every
 // right/*.h score full marks, its starter scores nothing, and every way in wrong, be it a header or
 // an edit of the solution, fails the test that its first line names and is told what its line
 // `Says:` promises. All of them lie in one driver, which is run without a cage, the right ones
-// under one seed, the wrong ones by the test that they are named for; then the right ones and one
+// under one seed, the wrong ones by the test that they are named for; then the solution and one
 // that is wrong go the way of a submission. What the tests ask is within the bounds that harness.h
-// names, and all of these are among it, with numbers of every size between. With a number, the
-// driver is tried under so many seeds, and the wrong ways that end otherwise than by an answer go
-// the way of a submission. Prints one line for each; the exit code is 1 if any is not so.
+// names, and all of these are among it, with numbers of every size between. With a number, all are
+// tried under so many seeds, without a cage; with `caged`, the other right ways, the starter and
+// the wrong ways that end otherwise than by an answer go the way of a submission. Prints one line
+// for each; the exit code is 1 if any is not so.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -317,16 +318,37 @@ bool ends_otherwise(const Grade& grade, const std::filesystem::path& file) {
   return verdict != Verdict::wrong_answer && verdict != Verdict::partial;
 }
 
-std::vector<std::filesystem::path> one_of(std::vector<std::filesystem::path> files) {
-  files.resize(std::min<std::size_t>(files.size(), 1));
-  return files;
+// Which ways go the way of a submission.
+enum class Caged {
+  none,
+  few,   ///< the solution, and one that is wrong
+  most,  ///< the other right ones, the starter, and the wrong ones that end otherwise
+};
+
+struct Trial {
+  int seeds = 1;  ///< with none, only the cage is tried
+  Caged caged = Caged::few;
+};
+
+bool prove_caged(const Ways& compiled, const grade::Exercise& exercise, Caged which,
+                 const std::vector<std::filesystem::path>& right,
+                 const std::vector<std::filesystem::path>& wrong) {
+  std::printf("       in the cage\n");
+  const Ways caged = {in_the_cage(exercise), {}};
+  if (which == Caged::few)
+    return is_right(caged, exercise.folder / "solution.h", 1) && is_caught(caged, wrong.front(), 1);
+  bool good = is_nothing(caged.driven, exercise.folder / "starter.h");
+  for (const auto& file : right) good = is_right(caged, file, 1) && good;
+  for (const auto& file : wrong)
+    if (ends_otherwise(compiled.driven, file)) good = is_caught(caged, file, 1) && good;
+  return good;
 }
 
-int prove(const grade::Exercise& exercise, int seeds) {
+bool prove(const grade::Exercise& exercise, const Trial& trial) {
   print_tests(exercise.name);
   const auto right = headers(exercise, "right"), wrong = headers(exercise, "wrong");
-  bool good = are_enough("right ways", right.size(), 2);
-  good = are_enough("wrong ways", wrong.size(), 6) && good;
+  if (!are_enough("right ways", right.size(), 2) || !are_enough("wrong ways", wrong.size(), 6))
+    return false;
 
   const auto made = std::filesystem::path(EDITED) / exercise.name;
   const ways::Driver driver(exercise, made / "ways");
@@ -337,30 +359,37 @@ int prove(const grade::Exercise& exercise, int seeds) {
                          [&](const auto& file, std::uint64_t seed, const std::string& only) {
                            return library.grade(file, seed, only);
                          }};
-  good = asks_all(compiled.driven, exercise) && good;
-  good = prove(compiled, exercise, seeds, right, wrong) && good;
+  bool good = true;
+  if (trial.seeds > 0) {
+    good = asks_all(compiled.driven, exercise);
+    good = prove(compiled, exercise, trial.seeds, right, wrong) && good;
+  }
+  if (trial.caged == Caged::none) return good;
+  return prove_caged(compiled, exercise, trial.caged, right, wrong) && good;
+}
 
-  std::printf("       in the cage\n");
-  const Ways caged = {in_the_cage(exercise), {}};
-  if (seeds == 1) return prove(caged, exercise, 1, right, one_of(wrong)) && good ? 0 : 1;
-  for (const auto& file : wrong)
-    if (ends_otherwise(compiled.driven, file)) good = is_caught(caged, file, 1) && good;
-  return good ? 0 : 1;
+// What the second argument asks for.
+std::optional<Trial> trial(const std::string& word) {
+  if (word.empty()) return Trial{};
+  if (word == "caged") return Trial{0, Caged::most};
+  const int seeds = std::atoi(word.c_str());
+  if (seeds < 1) return std::nullopt;
+  return Trial{seeds, Caged::none};
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
   const auto exercise = count > 1 ? grade::exercise(arguments[1]) : std::nullopt;
-  const int seeds = count > 2 ? std::atoi(arguments[2]) : 1;
-  if (!exercise || seeds < 1 || count > 3) {
+  const auto asked = trial(count > 2 ? arguments[2] : "");
+  if (!exercise || !asked || count > 3) {
     std::fprintf(stderr,
                  "prove: name one exercise, such as 2-euler/orbit-drift, and perhaps behind it how "
-                 "many seeds\n");
+                 "many seeds, or the word caged\n");
     return 2;
   }
   try {
-    return prove(*exercise, seeds);
+    return prove(*exercise, *asked) ? 0 : 1;
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "prove: %s\n", problem.what());
     return 1;
