@@ -15,7 +15,7 @@ namespace {
 void end_after(int milliseconds) {
   itimerval timer{};
   timer.it_value = {milliseconds / 1000, milliseconds % 1000 * 1000};
-  setitimer(ITIMER_VIRTUAL, &timer, nullptr);
+  setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
 // From that place on, in the child.
