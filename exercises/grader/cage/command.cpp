@@ -88,6 +88,7 @@ std::optional<uid_t> unprivileged() {
 
 Words limits_prefix(Sandbox sandbox, const Limits& limits, int open_files) {
   Words words;
+  if (sandbox == Sandbox::trusted) return words;
   if (const auto user = unprivileged()) {
     const std::string id = std::to_string(*user);
     words = {"setpriv", "--reuid", id, "--regid", id, "--clear-groups", "--inh-caps=-all"};
@@ -107,9 +108,8 @@ Words limits_prefix(Sandbox sandbox, const Limits& limits, int open_files) {
 }
 
 Words run_command(Sandbox sandbox, const Limits& limits) {
-  if (sandbox == Sandbox::trusted) return {"/proc/self/fd/8"};
   Words words = limits_prefix(sandbox, limits, 16);
-  if (sandbox == Sandbox::none) {
+  if (sandbox != Sandbox::bubblewrap) {
     words.push_back("/proc/self/fd/8");
     return words;
   }
@@ -123,7 +123,7 @@ Words check_command(Sandbox sandbox, const Kit& kit, const Limits& limits) {
   Limits unlimited = limits;
   unlimited.memory = no_limit;
   Words words = limits_prefix(sandbox, unlimited, 16);
-  if (sandbox == Sandbox::none) {
+  if (sandbox != Sandbox::bubblewrap) {
     words.push_back("/proc/self/fd/8");
     return words;
   }
