@@ -50,8 +50,7 @@ inline std::string prices(const Entry& entry) {
 /// An error in full.
 inline std::string error_of(const Entry& entry, const Bounds& bounds) {
   const std::string unit = bounds.reach > 0 ? " m" : "";
-  const std::string even =
-      "error " + format_number(in_reported_units(entry.last.error, bounds)) + unit;
+  std::string even = "error " + format_number(in_reported_units(entry.last.error, bounds)) + unit;
   if (!is_for_even_frames(entry, bounds)) return even;
   return even +
          ", too much in uneven frames: " + format_number(in_reported_units(entry.uneven, bounds)) +

@@ -8,7 +8,7 @@ import { items } from './items.mjs';
 import { checker } from './one.mjs';
 
 const [grade, alone, exercises, build, which] = process.argv.slice(2);
-const check = checker({ grade, alone, exercises, build });
+const { check, nextIsAccepted } = checker({ grade, alone, exercises, build });
 const all = items(readFileSync(join(exercises, '2-euler/orbit-drift/solution.h'), 'utf8'));
 const outcome = item => `${item.name.split('/')[0]} ${item.verdict.split('|')[0]}`;
 const alternatives = item => item.verdict.split('|').length;
@@ -19,9 +19,16 @@ const parts = { few, others: item => !few(item), all: () => true };
 const waiting = all.filter(parts[which] ?? (item => item.name.includes(which)));
 if (waiting.length === 0) throw new Error(`no item's name holds '${which}'`);
 
+// After every few of them, and after the last, the right answer still has full marks.
+const between = 8;
 const done = [];
 async function work() {
-  for (let item = waiting.shift(); item; item = waiting.shift()) done.push(await check(item));
+  for (let count = 1, item = waiting.shift(); item; item = waiting.shift(), ++count) {
+    const checked = await check(item);
+    if ((count % between === 0 || waiting.length === 0) && !(await nextIsAccepted()))
+      checked.faults.push(`the next submission, after this or one of the ${between} before`);
+    done.push(checked);
+  }
 }
 await Promise.all(Array.from({ length: os.cpus().length }, work));
 
