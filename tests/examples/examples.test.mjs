@@ -5,7 +5,7 @@ import { spawnSync } from 'node:child_process';
 import { copyFileSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { test } from 'node:test';
+import { after, before, test } from 'node:test';
 
 const [methods, shelf, cards, eigen, compiler] = process.argv.slice(2);
 const headersOf = folder =>
@@ -105,21 +105,22 @@ int off(const char* expression, double found, double said, double allowed) {
 }
 `;
 
-// Compiles and runs it in a folder of its own.
+const warnings = ['-Wall', '-Wextra', '-Wpedantic', '-Wconversion', '-Wshadow', '-Werror', '-Wno-unused-variable'];
+const flags = ['-std=c++17', '-O1', ...warnings, '-isystem', eigen];
+
+function compile(cwd, ...words) {
+  const { status, stderr } = spawnSync(compiler, [...flags, ...words], { cwd, encoding: 'utf8' });
+  assert.equal(status, 0, stderr);
+}
+
+// Compiles and runs it in a folder of its own, with what checks it, an object file.
 function tryOut(folder, name, source, check) {
   const scratch = mkdtempSync(join(tmpdir(), 'example-'));
   try {
     for (const [, needed] of source.matchAll(/^#include "(.*)"$/gm))
       copyFileSync(join(folder, needed), join(scratch, needed));
     writeFileSync(join(scratch, 'example.cpp'), source);
-    writeFileSync(join(scratch, 'check.cpp'), check);
-    const warnings = ['-Wall', '-Wextra', '-Wpedantic', '-Wconversion', '-Wshadow', '-Werror', '-Wno-unused-variable'];
-    const flags = ['-std=c++17', '-O1', ...warnings, '-isystem', eigen];
-    const made = spawnSync(compiler, [...flags, 'example.cpp', 'check.cpp', '-o', 'example'], {
-      cwd: scratch,
-      encoding: 'utf8',
-    });
-    assert.equal(made.status, 0, made.stderr);
+    compile(scratch, 'example.cpp', check, '-o', 'example');
     const run = spawnSync(join(scratch, 'example'), { encoding: 'utf8' });
     assert.equal(run.status, 0, run.stdout + run.stderr);
   } finally {
@@ -128,11 +129,18 @@ function tryOut(folder, name, source, check) {
 }
 
 function tryAll(folder, makeProgram, check) {
+  const checked = mkdtempSync(join(tmpdir(), 'check-'));
+  after(() => rmSync(checked, { recursive: true }));
+  const object = join(checked, 'check.o');
+  before(() => {
+    writeFileSync(join(checked, 'check.cpp'), check);
+    compile(checked, '-c', 'check.cpp', '-o', object);
+  });
   for (const name of headersOf(folder)) {
     test(`the example over ${name} compiles, runs and ends where it should`, () => {
       const examples = examplesOf(read(folder, name));
       assert.ok(examples.length, `${name} has no @code in its first comment`);
-      tryOut(folder, name, makeProgram(name, examples), check);
+      tryOut(folder, name, makeProgram(name, examples), object);
     });
   }
 }

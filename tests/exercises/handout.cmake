@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT-0
 # What students get holds all that they need and nothing that they should find out.
-# cmake -DSOURCE=repository -DBUILD=build -DGXX=g++ -DNODE=node -DNAMES=exercises -DGRADED=those-graded -DWORK=folder -P handout.cmake
+# cmake -DSOURCE=repository -DBUILD=build -DGXX=g++ -DNODE=node -DNAMES=exercises -DCLEAN=some -DGRADED=some -DWORK=folder -P handout.cmake
 set(zip ${WORK}/one-step-at-a-time.zip)
 file(REMOVE_RECURSE ${WORK})
 execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE=${SOURCE} -DBUILD=${BUILD} -DGXX=${GXX} -DOUT=${zip}
@@ -46,7 +46,7 @@ function(is_clean folder name)
     message(SEND_ERROR "in ${folder} an editor shows errors in the starter of ${name}: ${said}")
   endif()
 endfunction()
-foreach(name IN LISTS GRADED)
+foreach(name IN LISTS CLEAN)
   is_clean(${top} ${name})
 endforeach()
 list(GET NAMES 0 first)

@@ -79,12 +79,12 @@ for (const exercise of exercises) {
   const texts = ones.map(({ text }) => text);
   const answerTo = answersTo(exercise, texts);
   for (const [i, { what }] of ones.entries()) {
-    ++tried;
+    const isFirst = tried++ === 0;
     test(`${exercise} takes no NaN, ${what}`, () => {
       const { verdict, full } = answerTo(i);
       assert.match(verdict, /^(WRONG_ANSWER|PARTIAL)$/);
       assert.ok(!full);
-      if (i > 0) return; // one of each exercise goes the way of a submission
+      if (!isFirst) return; // one goes the way of a submission
       const { status, stdout, stderr } = graded(exercise, texts[i], { grade, limits });
       assert.equal(status, 1, stdout + stderr);
       assert.match(stdout, /WRONG_ANSWER|PARTIAL/);

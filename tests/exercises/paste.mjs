@@ -112,8 +112,11 @@ const compilers = [
 ];
 
 // All in one go, each in a file of its own name, so that each error tells whose it is.
-function notRefused(candidates, place, { source, headers }, { compiler, flags, error }) {
-  const parts = candidates.map(({ body }, i) => `namespace c${i} {\n#line 1 "c${i}"\n${place(body)}\n}`);
+function notRefused(candidates, { source, headers }, { compiler, flags, error }) {
+  const parts = candidates.map(({ text }, i) => {
+    const only = text.replace(/^#.*$/gm, '');
+    return `namespace c${i} {\n#line 1 "c${i}"\n${only}\n}`;
+  });
   const included = headers.map(path => `#include "${path}"`).join('\n');
   const folders = ['exercises/grader/harness', 'code'].map(path => `-I${join(source, path)}`);
   const common = ['-std=c++20', '-fsyntax-only', '-w', '-fdiagnostics-color=never', '-DGRADING', ...folders];
@@ -129,13 +132,14 @@ function notRefused(candidates, place, { source, headers }, { compiler, flags, e
   const bad = new Set([...stderr.matchAll(new RegExp(`^c(\\d+):\\d+:\\d+: ${error}`, 'gm'))].map(([, i]) => Number(i)));
   const left = candidates.filter((_, i) => !bad.has(i));
   const stopped = bad.size > 0 && /confused by earlier errors/.test(stderr); // before it had read all
-  return stopped ? notRefused(left, place, { source, headers }, { compiler, flags, error }) : left;
+  return stopped ? notRefused(left, { source, headers }, { compiler, flags, error }) : left;
 }
 
-// The function that the solution has goes with them: if that is refused, so would be what is right.
-function thatCompile(own, candidates, place, context) {
-  const good = compilers.reduce((left, one) => notRefused(left, place, context, one), [own, ...candidates]);
-  if (good[0] !== own) throw new Error(`nothing can be tried: ${own.name} does not compile`);
+// The solution goes with them: if that is refused, so would be what is right.
+function thatCompile(solution, candidates, context) {
+  const own = { text: solution };
+  const good = compilers.reduce((left, one) => notRefused(left, context, one), [own, ...candidates]);
+  if (good[0] !== own) throw new Error('nothing can be tried: the solution does not compile');
   return good.slice(1);
 }
 
@@ -167,19 +171,26 @@ export function pasted(exercise, { source, grade }) {
   const names = [...read(`exercises/${exercise}/harness.h`).matchAll(/\bwanted\w*\s*=\s*(\w+)/g)].map(
     ([, name]) => name,
   );
-  const isRight = text => graded(exercise, text, { grade, limits }).status === 0;
-  if (!isRight(solution)) throw new Error(`${exercise}: its solution does not have full marks`);
-  return names.map(name => {
+  // What would stand in a submission, beside the other functions, in place of the one of this name.
+  const inPlaceOf = name => {
     const own = bodies(solution).findLast(one => one.name === name);
-    const place = body => solution.slice(0, own.begin) + body + solution.slice(own.end + 1);
     const candidates = [
       ...candidatesFor(own.parameters, sources),
       ...headers.flatMap(path => callsOf(code, path, own.parameters)),
     ];
-    const good = thatCompile(own, candidates, body => place(body).replace(/^#.*$/gm, ''), { source, headers });
-    const texts = good.map(({ body, above = [] }) => above.map(path => whole(code, path)).join('\n') + place(body));
-    const found = verdicts(exercise, texts, { source, grade, limits });
-    const answers = good.filter((_, i) => found[i].full && isRight(texts[i]));
-    return { name, tried: good.length, from: [...new Set(answers.map(({ from }) => from))] };
-  });
+    return candidates.map(({ from, above = [], body }) => {
+      const text = solution.slice(0, own.begin) + body + solution.slice(own.end + 1);
+      return { name, from, above, text };
+    });
+  };
+  const good = thatCompile(solution, names.flatMap(inPlaceOf), { source, headers });
+  const texts = good.map(({ text, above }) => [...above.map(path => whole(code, path)), text].join('\n'));
+  const found = verdicts(exercise, texts, { source, grade, limits });
+  const isRight = text => graded(exercise, text, { grade, limits }).status === 0;
+  const answers = good.filter((_, i) => found[i].full && isRight(texts[i]));
+  return names.map(name => ({
+    name,
+    tried: good.filter(one => one.name === name).length,
+    from: [...new Set(answers.filter(one => one.name === name).map(({ from }) => from))],
+  }));
 }
