@@ -196,14 +196,15 @@ TEST_CASE(
     "Near its final speed Euler settles in drag that grows with the square while k v h is less "
     "than one") {
   const double terminal = parachute.terminal_speed();
-  const auto off = [&](double kvh, long steps) {
+  const auto speed_error = [&](double kvh, long steps) {
     double x = 0, v = -0.99 * terminal;
     const double step = kvh / (parachute.k * terminal);
     for (long n = 0; n < steps; ++n) integrate::euler(x, v, 0.0, step, parachute);
     return std::abs(v / terminal + 1);
   };
-  CHECK(off(0.98, 5000) < 1e-12);
-  for (const long steps : {5000, 5001}) CHECK(off(1.02, steps) > 0.05);  // between two speeds
+  CHECK(speed_error(0.98, 5000) < 1e-12);
+  for (const long steps : {5000, 5001})
+    CHECK(speed_error(1.02, steps) > 0.05);  // between two speeds
 }
 
 TEST_CASE("Under a constant force Euler's velocity is exact") {

@@ -103,13 +103,13 @@ double off_across(bool by_rk4, int rate) {
 TEST_CASE(
     "At ten evaluations a second RK4 ends two turns a centimetre off, midpoint half a metre and "
     "Euler six") {
-  const auto off = [](auto step, double rate) {
+  const auto end_error = [](auto step, double rate) {
     const auto end = measure::after(step, drone, drone.start(), 1 / rate, std::lround(16 * rate));
     return (end.x - drone.exact(16).x).norm();
   };
-  CHECK_THAT(off(rk4, 2.5), WithinAbs(0.0102, 1e-4));
-  CHECK_THAT(off(midpoint, 5), WithinAbs(0.518, 0.001));
-  CHECK_THAT(off(euler, 10), WithinAbs(6.36, 0.01));
+  CHECK_THAT(end_error(rk4, 2.5), WithinAbs(0.0102, 1e-4));
+  CHECK_THAT(end_error(midpoint, 5), WithinAbs(0.518, 0.001));
+  CHECK_THAT(end_error(euler, 10), WithinAbs(6.36, 0.01));
 }
 
 TEST_CASE("A midpoint step that moves with the old velocity has order one") {
@@ -138,11 +138,11 @@ TEST_CASE("Looking halfway with the old velocity more than halves the drift of t
 }
 
 TEST_CASE("A midpoint step of a second ends almost four times nearer to the drone than Euler's") {
-  const auto off = [](auto step) {
+  const auto end_error = [](auto step) {
     const auto end = measure::after(step, drone, drone.start(), 1.0, 1);
     return (end.x - drone.exact(1.0).x).norm();
   };
-  CHECK_THAT(off(euler) / off(midpoint), WithinAbs(3.8, 0.05));
+  CHECK_THAT(end_error(euler) / end_error(midpoint), WithinAbs(3.8, 0.05));
 }
 
 TEST_CASE("The midpoint method keeps the drone within a millimetre of its circle for ten turns") {
@@ -275,19 +275,19 @@ TEST_CASE("On 240 evaluations a second midpoint is 200 times nearer than Euler, 
 TEST_CASE(
     "On sixteen evaluations a second RK4 keeps the circle to a centimetre, and nobody the "
     "ellipse") {
-  const auto off = [](auto step, const auto& scene) {
+  const auto position_error = [](auto step, const auto& scene) {
     const double rate = price / double(measure::evaluations_per_step(step, scene, frame));
     return measure::largest_error(step, scene, 1 / rate, std::lround(time_for_them * rate))
         .position;
   };
-  CHECK(off(rk4, drone) < 0.01);
-  CHECK(off(midpoint, drone) > 0.1);
-  CHECK(off(measure::symplectic_euler, drone) > 0.1);
-  CHECK(off(euler, drone) > 1);
-  CHECK(off(rk4, ellipse) > 1);
-  CHECK(off(midpoint, ellipse) > 1);
-  CHECK(off(measure::symplectic_euler, ellipse) > 1);
-  CHECK(off(euler, ellipse) > 1);
+  CHECK(position_error(rk4, drone) < 0.01);
+  CHECK(position_error(midpoint, drone) > 0.1);
+  CHECK(position_error(measure::symplectic_euler, drone) > 0.1);
+  CHECK(position_error(euler, drone) > 1);
+  CHECK(position_error(rk4, ellipse) > 1);
+  CHECK(position_error(midpoint, ellipse) > 1);
+  CHECK(position_error(measure::symplectic_euler, ellipse) > 1);
+  CHECK(position_error(euler, ellipse) > 1);
 }
 
 TEST_CASE(

@@ -14,24 +14,26 @@
 namespace {
 
 template <class Scene>
-Aftermath on(const Scene& scene, Solved method, double speed, unsigned draw, Solving enough) {
-  if (method == Solved::bdf2) return after_blow(scene, speed, draw, bdf2_solved(enough));
-  return after_blow(scene, speed, draw, backward_euler_solved(enough));
+EnergyAfterBlow on(const Scene& scene, Solved method, double speed, unsigned draw,
+                   StoppingCriterion criterion) {
+  if (method == Solved::bdf2) return after_blow(scene, speed, draw, bdf2_solved(criterion));
+  return after_blow(scene, speed, draw, backward_euler_solved(criterion));
 }
 
 }  // namespace
 
-Aftermath after_blow(const std::string& net, Solved method, double speed, unsigned draw,
-                     Solving enough) {
-  if (net == "rope") return on(steel_rope, method, speed, draw, enough);
-  if (net == "cloth") return on(steel_cloth, method, speed, draw, enough);
+EnergyAfterBlow after_blow(const std::string& net, Solved method, double speed, unsigned draw,
+                           StoppingCriterion criterion) {
+  if (net == "rope") return on(steel_rope, method, speed, draw, criterion);
+  if (net == "cloth") return on(steel_cloth, method, speed, draw, criterion);
   throw std::logic_error("there is no net called " + net);
 }
 
-Aftermath worst_of_three(const std::string& net, Solved method, double speed, Solving enough) {
-  Aftermath found;
+EnergyAfterBlow worst_of_three(const std::string& net, Solved method, double speed,
+                               StoppingCriterion criterion) {
+  EnergyAfterBlow found;
   for (const unsigned draw : three_draws) {
-    const Aftermath one = after_blow(net, method, speed, draw, enough);
+    const EnergyAfterBlow one = after_blow(net, method, speed, draw, criterion);
     found.most = std::max(found.most, one.most);
     found.left = std::max(found.left, one.left);
     found.solves = std::max(found.solves, one.solves);
@@ -92,14 +94,14 @@ void hard_blows(measure::Record& record) {
     for (const auto& [name, method] :
          {std::pair{"backward Euler", Solved::backward_euler}, {"BDF2", Solved::bdf2}}) {
       for (const double speed : {1.0, 2.0, 5.0, 10.0, 20.0}) {
-        const Aftermath enough = worst_of_three(net, method, speed, until_close);
+        const EnergyAfterBlow enough = worst_of_three(net, method, speed, until_close);
         table.add({net, name, speed, worst_of_three(net, method, speed, one_solve).most,
                    worst_of_three(net, method, speed, two_solves).most, enough.most,
                    enough.solves});
       }
     }
   }
-  const Aftermath cloth = worst_of_three("cloth", Solved::backward_euler, hard, one_solve);
+  const EnergyAfterBlow cloth = worst_of_three("cloth", Solved::backward_euler, hard, one_solve);
   record.number("blow-cloth-most", cloth.most, 2);
   record.number("blow-cloth-left", cloth.left, 2);
   const auto of_backward_euler = [&](const std::string& net, double speed, std::size_t column) {
@@ -111,7 +113,8 @@ void hard_blows(measure::Record& record) {
   record.number("blow-rope-5", of_backward_euler("rope", 5, 3), 2);
   record.number("blow-cloth-5", of_backward_euler("cloth", 5, 3), 2);
   record.number("blow-cloth-5-twice", of_backward_euler("cloth", 5, 4), 2);
-  const Aftermath harsh = after_blow("cloth", Solved::backward_euler, 5, harsh_draw, one_solve);
+  const EnergyAfterBlow harsh =
+      after_blow("cloth", Solved::backward_euler, 5, harsh_draw, one_solve);
   record.number("harsh-draw", harsh_draw, measure::whole);
   record.number("blow-cloth-harsh", harsh.most, 2);
   record.number("blow-cloth-harsh-left", harsh.left, 2);

@@ -43,14 +43,14 @@ double left_by_bdf2(const scenes::Spring<>& spring, First first) {
   return spring.energy(x, v) / given;
 }
 
-/// The criterion by which a step is solved well enough.
-struct Solving {
+/// When a step is solved well criterion.
+struct StoppingCriterion {
   int most = 1;          ///< solves in a step
   double tolerance = 0;  ///< a change of the velocities that may be left [m/s]
 };
 
-inline constexpr Solving one_solve{1}, two_solves{2};
-inline constexpr Solving until_close{8, 0.1};  ///< what the chapter advises
+inline constexpr StoppingCriterion one_solve{1}, two_solves{2};
+inline constexpr StoppingCriterion until_close{8, 0.1};  ///< what the chapter advises
 
 // [until]
 /// The size of a change for Newton's method: of the last solve that a step may have, none.
@@ -60,11 +60,11 @@ inline auto change_within(int most) {
   };
 }
 
-/// Backward Euler, each step solved until that is enough.
-inline auto backward_euler_solved(Solving enough) {
-  return [enough](MassSpringState& s, const auto& scene, auto& system) {
+/// Backward Euler, each step solved until the criterion holds.
+inline auto backward_euler_solved(StoppingCriterion criterion) {
+  return [criterion](MassSpringState& s, const auto& scene, auto& system) {
     return integrate::backward_euler_newton(s.x, s.v, 0.0, frame, scene, system,
-                                            change_within(enough.most), enough.tolerance);
+                                            change_within(criterion.most), criterion.tolerance);
   };
 }
 // [until]
@@ -107,17 +107,17 @@ inline auto bdf2_once() {
   });
 }
 
-/// BDF2, each step solved until that is enough; for one blow.
-inline auto bdf2_solved(Solving enough) {
+/// BDF2, each step solved until the criterion holds; for one blow.
+inline auto bdf2_solved(StoppingCriterion criterion) {
   return begun_by_itself(
-      [enough](MassSpringState& s, auto& previous, const auto& scene, auto& system) {
+      [criterion](MassSpringState& s, auto& previous, const auto& scene, auto& system) {
         return integrate::bdf2_newton(s.x, s.v, previous, 0.0, frame, frame, scene, system,
-                                      change_within(enough.most), enough.tolerance);
+                                      change_within(criterion.most), criterion.tolerance);
       });
 }
 
 /// The energy in a second after a blow.
-struct Aftermath {
+struct EnergyAfterBlow {
   double most = 0;    ///< after any step, over that of the blow; infinite if one was not solved
   int frame = 0;      ///< after which it is that much
   double left = 0;    ///< at the end, over that of the blow
@@ -126,9 +126,9 @@ struct Aftermath {
 
 /// @param step  called as `step(state, scene, system)`; gives how often it solved, 0 if in vain
 template <class Scene, class Step>
-Aftermath after_blow(const Scene& scene, double speed, unsigned draw, Step step) {
+EnergyAfterBlow after_blow(const Scene& scene, double speed, unsigned draw, Step step) {
   constexpr int frames = 60;
-  Aftermath found;
+  EnergyAfterBlow found;
   const auto counted = [&](MassSpringState& s, const auto& net, auto& system) {
     const int solves = step(s, net, system);
     found.solves += double(solves) / frames;
@@ -147,15 +147,16 @@ enum class Solved { backward_euler, bdf2 };
 
 /// Returns it for one of the nets and one of the methods.
 /// @param net  "rope" or "cloth"
-Aftermath after_blow(const std::string& net, Solved method, double speed, unsigned draw,
-                     Solving enough);
+EnergyAfterBlow after_blow(const std::string& net, Solved method, double speed, unsigned draw,
+                           StoppingCriterion criterion);
 
 inline constexpr unsigned three_draws[] = {1, 2, 3};  ///< of the blows that the figure shows
 
 inline constexpr unsigned harsh_draw = 31;  ///< the harshest for cloth of the first 300
 
 /// The largest of each after three blows; not which frame it was.
-Aftermath worst_of_three(const std::string& net, Solved method, double speed, Solving enough);
+EnergyAfterBlow worst_of_three(const std::string& net, Solved method, double speed,
+                               StoppingCriterion criterion);
 
 /// Returns how often a second the beads of a rope that hangs swing sideways near its nail,
 /// neighbours against each other, pulled by the weight of the whole rope.
@@ -168,7 +169,7 @@ inline double sideways_swings(const HangingRope<>& rope) {
 /// Records a gentle blow, and what a second leaves of it.
 void a_second(measure::Record& record);
 
-/// Records harder and harder blows, solved once a step, twice and until it is enough.
+/// Records harder and harder blows, solved once a step, twice and until it is criterion.
 void hard_blows(measure::Record& record);
 
 /// Records the change in each of Newton's iterations of one step.

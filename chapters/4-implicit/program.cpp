@@ -115,11 +115,11 @@ void predictors(Record& record) {
                limit(scenes::Spring<>{.omega = 1})});
   }
   record.number("limit-two", table.rows[1][1].value, 4);
-  const auto off = [](auto step) {
+  const auto largest_error = [](auto step) {
     return measure::largest_error(step, drone, frame, turn).position;
   };
-  record.number("slide-off", 1000 * off(slide), 2, "mm");
-  record.number("backward-off", 100 * off(backward_euler), 3, "cm");
+  record.number("slide-off", 1000 * largest_error(slide), 2, "mm");
+  record.number("backward-off", 100 * largest_error(backward_euler), 3, "cm");
 }
 
 void ringing(Record& record) {

@@ -693,24 +693,25 @@ TEST_CASE(
     "After five centuries Dormand-Prince's Jupiter is nearest, and RK4's nearer than Verlet's") {
   const auto truth = true_end();
   const double h = all_days / evaluations;
-  const auto off = [&](const measure::Method& step, double step_size) {
+  const auto jupiter_error = [&](const measure::Method& step, double step_size) {
     return fate(step, step_size, truth, [](double, double) {}).jupiter_off;
   };
-  const double rk4 = off(method::rk4, 4 * h);
-  const double nearest = off(method::dopri5, 6 * h);
-  CHECK(rk4 < 0.5 * off(method::velocity_verlet, h));
+  const double rk4 = jupiter_error(method::rk4, 4 * h);
+  const double nearest = jupiter_error(method::dopri5, 6 * h);
+  CHECK(rk4 < 0.5 * jupiter_error(method::velocity_verlet, h));
   CHECK(nearest < 0.1 * rk4);
-  CHECK(nearest < 0.2 * off(method::trapezoid_newton, h));
-  CHECK(nearest < 0.2 * off(method::yoshida4, 3 * h));
+  CHECK(nearest < 0.2 * jupiter_error(method::trapezoid_newton, h));
+  CHECK(nearest < 0.2 * jupiter_error(method::yoshida4, 3 * h));
 }
 
 TEST_CASE(
     "After five centuries the trapezoid rule's Jupiter is twelve times nearer than Verlet's") {
   const double h = all_days / evaluations;
-  const auto off = [truth = true_end(), h](const measure::Method& step) {
+  const auto jupiter_error = [truth = true_end(), h](const measure::Method& step) {
     return fate(step, h, truth, [](double, double) {}).jupiter_off;
   };
-  CHECK_THAT(off(method::velocity_verlet) / off(method::trapezoid_newton), WithinAbs(12, 0.5));
+  CHECK_THAT(jupiter_error(method::velocity_verlet) / jupiter_error(method::trapezoid_newton),
+             WithinAbs(12, 0.5));
 }
 
 TEST_CASE(
@@ -729,10 +730,11 @@ TEST_CASE("With steps of a hundred days the planets' energy wanders by two and a
 TEST_CASE("Half a kick back at the start brings Jupiter six times closer to its place") {
   const double h = all_days / evaluations;
   const auto truth = true_end();
-  const auto off = [&](const measure::Method& step) {
+  const auto jupiter_error = [&](const measure::Method& step) {
     return fate(step, h, truth, [](double, double) {}).jupiter_off;
   };
-  CHECK_THAT(off(method::symplectic_euler) / off(method::leapfrog), WithinAbs(6.5, 0.5));
+  CHECK_THAT(jupiter_error(method::symplectic_euler) / jupiter_error(method::leapfrog),
+             WithinAbs(6.5, 0.5));
 }
 
 TEST_CASE("A critically damped camera of 12 per second needs 14.5 steps a second, or 2.5 divided") {

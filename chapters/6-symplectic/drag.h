@@ -37,7 +37,7 @@ inline double limit(const measure::Method& method, double zeta) {
   const scenes::Spring<> spring{.zeta = zeta};
   constexpr double by = 0.01;
   for (int n = 1; n <= 10'000; ++n) {
-    if (measure::spectral_radius(method, spring, n * by) > 1 + 1e-12) {
+    if (!measure::is_stable(method, spring, n * by)) {
       return measure::stability_limit(method, spring, (n - 1) * by, n * by);
     }
   }

@@ -8,16 +8,6 @@
 
 namespace measure {
 
-/// Returns whether no start grows for ever.
-///
-/// @param step  a method, called as `step(x, v, t, h, scene)`, or one with a memory
-/// @param scene  linear in x and v, one-dimensional
-/// @param h  step size [s]
-template <class Step, class Scene>
-bool is_stable(Step step, const Scene& scene, double h) {
-  return spectral_radius(step, scene, h) <= 1 + 1e-12;
-}
-
 /// The longest step up to which a linear scene stays bounded; zero if it never does, infinite if it
 /// does up to a step of 1000.
 ///

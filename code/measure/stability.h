@@ -46,10 +46,20 @@ double spectral_radius(Step step, const Scene& scene, double h) {
 }
 // [radius]
 
-/// The largest stable step between `stable` and `unstable`, by bisection down to rounding.
+/// Returns whether no start grows for ever; what is not a number does.
 ///
 /// A method that keeps a spring swinging for ever has a factor of one up to rounding, which counts
 /// as stable.
+///
+/// @param step  a method, called as `step(x, v, t, h, scene)`, or one with a memory
+/// @param scene  linear in x and v, one-dimensional
+/// @param h  step size [s]
+template <class Step, class Scene>
+bool is_stable(Step step, const Scene& scene, double h) {
+  return spectral_radius(step, scene, h) <= 1 + 1e-12;
+}
+
+/// The largest stable step between `stable` and `unstable`, by bisection down to rounding.
 ///
 /// @param step  a method, called as `step(x, v, t, h, scene)`
 /// @param scene  linear in x and v, one-dimensional
@@ -59,7 +69,7 @@ template <class Step, class Scene>
 double stability_limit(Step step, const Scene& scene, double stable, double unstable) {
   for (int halving = 0; halving < 60; ++halving) {
     const double middle = (stable + unstable) / 2;
-    (spectral_radius(step, scene, middle) > 1 + 1e-12 ? unstable : stable) = middle;
+    (is_stable(step, scene, middle) ? stable : unstable) = middle;
   }
   return stable;
 }

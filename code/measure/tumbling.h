@@ -27,7 +27,8 @@ struct Tumbling {
   }
 
   /// By what angle an orientation is turned against the truth [rad].
-  static double off(const shelf::Quaternion<double>& q, const scenes::EulerTop::Matrix& truth) {
+  static double angle_error(const shelf::Quaternion<double>& q,
+                            const scenes::EulerTop::Matrix& truth) {
     return double(scenes::EulerTop::angle_between(exact(q).toRotationMatrix(), truth));
   }
 
@@ -83,7 +84,7 @@ double off_in_a_second(Way way, const scenes::EulerTop& top = {}, int rate = 60)
     way(body, 1.0 / rate);
     if (n % (rate / 60) == 0) {
       const auto truth = top.orientation(n / scenes::EulerTop::Real(rate));
-      largest = std::max(largest, Tumbling::off(body.q, truth));
+      largest = std::max(largest, Tumbling::angle_error(body.q, truth));
     }
   }
   return largest;

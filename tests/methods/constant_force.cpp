@@ -105,12 +105,12 @@ TEST_CASE("With gravity and drag the velocity of linear_damping_exact is exact")
 
 TEST_CASE("With gravity and drag every other way to damp has a velocity of order one") {
   const LinearDrag<> leaf{.c = 2, .v0 = v0};
-  const auto off = [&leaf](const auto& step, int steps) {
+  const auto end_error = [&leaf](const auto& step, int steps) {
     const auto end = measure::after(step, leaf, leaf.start(), 1.0 / steps, steps);
     return std::abs(end.v - leaf.exact(1.0).v);
   };
-  const auto check = [&off](const auto& step) {
-    CHECK_THAT(std::log2(off(step, 400) / off(step, 800)), WithinAbs(1, 0.1));
+  const auto check = [&end_error](const auto& step) {
+    CHECK_THAT(std::log2(end_error(step, 400) / end_error(step, 800)), WithinAbs(1, 0.1));
   };
   check(measure::linear_damping_explicit_last);
   check(measure::linear_damping_explicit_first);

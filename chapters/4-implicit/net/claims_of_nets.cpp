@@ -485,7 +485,7 @@ const Solved solvers[] = {Solved::backward_euler, Solved::bdf2};
 TEST_CASE(
     "Solved once after a blow of 1 m/s cloth has a third more energy in its second frame, and a "
     "sixth of it after a second") {
-  const Aftermath blow = after_blow("cloth", Solved::backward_euler, hard, 1, one_solve);
+  const EnergyAfterBlow blow = after_blow("cloth", Solved::backward_euler, hard, 1, one_solve);
   CHECK_THAT(blow.most, WithinAbs(1.34, 0.02));
   CHECK(blow.frame == 2);
   CHECK_THAT(blow.left, WithinAbs(0.16, 0.01));
@@ -496,10 +496,10 @@ TEST_CASE(
 TEST_CASE(
     "Solved once after blows of 5 m/s the rope keeps most of what it gains, and cloth loses it") {
   for (const unsigned draw : three_draws) {
-    const Aftermath rope = after_blow("rope", Solved::backward_euler, 5, draw, one_solve);
+    const EnergyAfterBlow rope = after_blow("rope", Solved::backward_euler, 5, draw, one_solve);
     CHECK(rope.most > 5);
     CHECK(rope.left > 0.8 * rope.most);
-    const Aftermath cloth = after_blow("cloth", Solved::backward_euler, 5, draw, one_solve);
+    const EnergyAfterBlow cloth = after_blow("cloth", Solved::backward_euler, 5, draw, one_solve);
     CHECK(cloth.most > 5);
     CHECK(cloth.frame <= 2);
     CHECK(cloth.left < 0.6);
@@ -530,7 +530,7 @@ TEST_CASE(
 TEST_CASE("A blow may be harsher for cloth than the worst of three") {
   for (const Solved method : solvers) {
     CHECK(after_blow("cloth", method, 3, harsh_draw, two_solves).most > 1.5);
-    const Aftermath once = after_blow("cloth", method, 5, harsh_draw, one_solve);
+    const EnergyAfterBlow once = after_blow("cloth", method, 5, harsh_draw, one_solve);
     CHECK(once.most > 2 * worst_of_three("cloth", method, 5, one_solve).most);
     CHECK(once.left > 1);
   }
@@ -570,7 +570,7 @@ TEST_CASE(
 
 TEST_CASE("At 100 m/s eight solves a step are too few for cloth") {
   for (const Solved method : solvers) {
-    const Aftermath blow = after_blow("cloth", method, 100, 1, until_close);
+    const EnergyAfterBlow blow = after_blow("cloth", method, 100, 1, until_close);
     CHECK(blow.most > 10);
     CHECK(blow.frame == 1);
   }

@@ -62,7 +62,7 @@ Promise turns_exactly() {
     shelf::Quaternion<double> q;
     for (int n = 0; n < 600; ++n) shelf::turn_exact(q, w, frame);
     const Eigen::AngleAxis<Real> truth(600 * given.norm(), given.normalized());
-    largest = std::max(largest, Tumbling::off(q, truth.toRotationMatrix()));
+    largest = std::max(largest, Tumbling::angle_error(q, truth.toRotationMatrix()));
   }
   return {
       "turn_exact makes no error but rounding, from 1e-9 to 3 rad a step: 1e-12 rad in ten "
@@ -146,7 +146,7 @@ Promise symmetric() {
     const EulerTop top{moments, Vec(1, -2, 3)};
     Tumbling body(top);
     for (int n = 0; n < 20; ++n) by_rotations(body, 0.5);
-    largest = std::max(largest, Tumbling::off(body.q, top.orientation(10)));
+    largest = std::max(largest, Tumbling::angle_error(body.q, top.orientation(10)));
   }
   return {
       "by rotations a body with two equal moments is turned without error in steps of half a "
@@ -160,7 +160,7 @@ Promise reversible() {
     Tumbling body;
     for (const double h : {frame, frame / 2, 3 * frame, -3 * frame, -frame / 2, -frame})
       step(body, h);
-    largest = std::max(largest, Tumbling::off(body.q, Matrix::Identity()));
+    largest = std::max(largest, Tumbling::angle_error(body.q, Matrix::Identity()));
   };
   there_and_back(by_rotations), there_and_back(by_midpoint);
   return {
@@ -179,7 +179,8 @@ Promise damped() {
     const double left = double(std::exp(-1.4L));
     largest = std::max({largest, std::abs(body.L.x / left - 1), std::abs(body.L.y / left + 2),
                         std::abs(body.L.z / left - 6)});
-    largest = std::max(largest, Tumbling::off(body.q, coin.orientation(-std::expm1(-1.4L) / 0.7L)));
+    largest = std::max(largest,
+                       Tumbling::angle_error(body.q, coin.orientation(-std::expm1(-1.4L) / 0.7L)));
   }
   return {
       "spin_damped leaves exp(-c*t) of L at any frame rate, and turns a body with two equal "

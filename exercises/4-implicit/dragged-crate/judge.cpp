@@ -34,7 +34,7 @@ void meets_its_lines(Student& student, const Drag& drag, const std::string& aske
 }
 
 // The distance of an end from a change of the right length along what the spring asks for.
-double off(const Drag& drag, const State& end) {
+double velocity_error(const Drag& drag, const State& end) {
   const Vec change = end.v - drag.start.v, towards = drag.asked_for();
   const double along = dot(change, towards) / length(towards);
   const Vec moved = (end.x - drag.start.x) / drag.h - end.v;
@@ -102,7 +102,7 @@ TEST_CASE("a weak hand changes the velocity by as much as it can, in the same di
     drag.strongest = random.between(0.1, 0.5) * length(drag.asked_for()) / drag.divisor() / drag.h;
     const State end = drag.by(student);
     const Tolerance tolerance = drag.tolerance();
-    grade::Finding finding = off_by(off(drag, end), tolerance, " m/s");
+    grade::Finding finding = off_by(velocity_error(drag, end), tolerance, " m/s");
     finding.asked = "one step with a hand that gives at most half of what the spring asks for";
     finding.input = drag.described();
     finding.expected = "a change of velocity of " + number(drag.h * drag.strongest) +

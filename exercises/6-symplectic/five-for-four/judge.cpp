@@ -143,14 +143,14 @@ TEST_CASE("at the same price the probe lands four times nearer than Yoshida's",
     return sun(x, v, t) + moons(x, t);
   };
   const Vec right = truth(orbit.start, seconds, 1, 1, force).states.back().x;
-  const auto off = [&](const Path& path) { return length(path.states.back().x - right); };
+  const auto end_error = [&](const Path& path) { return length(path.states.back().x - right); };
   const Path yours = student.watch(orbit.start, seconds / five, five, force);
   const std::size_t count = yours.evaluations.size();
-  const double best = off(run(suzuki::asked, orbit.start, seconds / five, five, 1, force));
-  const double theirs = off(run(yoshida4, orbit.start, seconds / three, three, 1, force));
+  const double best = end_error(run(suzuki::asked, orbit.start, seconds / five, five, 1, force));
+  const double theirs = end_error(run(yoshida4, orbit.start, seconds / three, three, 1, force));
 
   grade::Finding finding;
-  finding.held = off(yours) <= theirs / 4 && count <= price + 1;
+  finding.held = end_error(yours) <= theirs / 4 && count <= price + 1;
   finding.asked = "two turns and a half of " + describe(sun) +
                   ", among moons that only the judge knows, for " + std::to_string(price) +
                   " evaluations: " + std::to_string(five) + " steps of yours, " +
@@ -158,8 +158,9 @@ TEST_CASE("at the same price the probe lands four times nearer than Yoshida's",
   finding.input = describe(orbit.start) + ", h = " + number(seconds / five, 17);
   finding.expected = "at most a quarter of what Yoshida's method is off, " + number(theirs, 3) +
                      " m, with " + std::to_string(price + 1) + " evaluations";
-  finding.got = number(off(yours), 3) + " m off, with " + std::to_string(count) + " evaluations";
-  finding.error = "a share of " + number(off(yours) / theirs, 3);
+  finding.got =
+      number(end_error(yours), 3) + " m off, with " + std::to_string(count) + " evaluations";
+  finding.error = "a share of " + number(end_error(yours) / theirs, 3);
   finding.tolerance = "a share of 0.25";
   finding.tolerance_from =
       "Yoshida's method, run beside yours; the right lengths have a share of " +
