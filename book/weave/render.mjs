@@ -4,9 +4,10 @@ import { boxHtml } from './boxes.mjs';
 import { inlineHtml, inlineText } from './inline.mjs';
 import { blockHtml } from './blocks.mjs';
 import { proseHtml } from './prose-html.mjs';
-import { escapeHtml, HOLE, smarten, textOfHtml } from './text.mjs';
+import { placesOf } from './places.mjs';
+import { escapeHtml, smarten } from './text.mjs';
 
-// Returns { html, sections: [{ id, title, text }] }; `held` keeps heavy pieces of HTML out of the text for the search.
+// Returns { html, places }, of which the search knows; `held` keeps heavy pieces of HTML out of their text.
 export function renderPage(book, page) {
   const held = [];
   const hold = html => `\ue002${held.push(html) - 1}\ue003`;
@@ -21,7 +22,7 @@ export function renderPage(book, page) {
   const expand = html => html.replace(/\ue002(\d+)\ue003/g, (_, n) => held[n]);
   return {
     html: expand(countClaims(keepTogether(raw, n => inlineHtml(context, piece(n)), piece))),
-    sections: sectionsOf(page, raw, n => inlineText(piece(n))),
+    places: placesOf(page, raw, n => inlineText(piece(n))),
   };
 }
 
@@ -45,20 +46,4 @@ function headingHtml(heading) {
     .map(part => (/^`.+`$/.test(part) ? `<code>${escapeHtml(part.slice(1, -1))}</code>` : escapeHtml(smarten(part))))
     .join('');
   return `<${level} id="${heading.id}">${number}${text} <a class="anchor-link" href="#${heading.id}" aria-label="Link to this section">#</a></${level}>`;
-}
-
-function sectionsOf(page, raw, expand) {
-  const words = html =>
-    textOfHtml(html.replace(/\ue002\d+\ue003/g, ' '))
-      .replace(HOLE, (_, n) => expand(n))
-      .replace(/\s+/g, ' ')
-      .replace(/ (?=[.,;:!?])/g, '');
-  const [intro, ...rest] = raw.split(/(?=<h2 )/);
-  return [
-    { id: '', title: '', text: words(intro) },
-    ...rest.map(part => {
-      const section = page.sections.find(s => part.startsWith(`<h2 id="${s.id}"`));
-      return { id: section.id, title: section.text.replace(/`/g, ''), text: words(part.slice(part.indexOf('</h2>'))) };
-    }),
-  ];
 }

@@ -59,7 +59,7 @@ function sideNav(book, page, name) {
   ];
   return `<nav class="side" aria-label="Book">
 <div class="bar"><a class="brand" href="index.html">${name}</a><button type="button" class="menu" aria-expanded="false">Contents</button></div>
-<div class="search" role="search"><input type="search" placeholder="Search" aria-label="Search the book" aria-keyshortcuts="/" autocomplete="off"><kbd>/</kbd><ul hidden></ul></div>
+<div class="search" role="search"><input type="search" placeholder="Search" aria-label="Search the book" aria-keyshortcuts="/" autocomplete="off"><kbd>/</kbd><p class="unseen" role="status"></p><ul hidden></ul></div>
 <ol class="toc">
 ${before.map(prose).join('\n')}
 </ol>

@@ -9,11 +9,10 @@ import { checkPromises } from './promises.mjs';
 import { checkBook, checkReferencesToCode } from './check.mjs';
 import { claimsPage } from './claims-page.mjs';
 import { runDoxygen } from './doxygen.mjs';
-import { claimId } from './inline.mjs';
 import { checkLinks } from './links.mjs';
 import { referencePages } from './reference-pages.mjs';
 import { renderPage } from './render.mjs';
-import { apiDocuments, chapterDocuments, claimDocuments, searchScript } from './search.mjs';
+import { claimDocuments, codeDocuments, madeDocuments, proseDocuments, searchScript } from './search.mjs';
 import { snippetsPage } from './snippets-page.mjs';
 import { sourcePages } from './source-pages.mjs';
 import { stopwatch, summary } from './summary.mjs';
@@ -55,9 +54,9 @@ function giveUpOn({ problems, config }) {
 function makePages(book) {
   const documents = [];
   const prose = book.pages.map(page => {
-    const { html, sections } = renderPage(book, page);
-    documents.push(...chapterDocuments(page, page.title, sections));
-    page.words = sections.reduce((sum, { text }) => sum + text.split(/\s+/).filter(Boolean).length, 0);
+    const { html, places } = renderPage(book, page);
+    documents.push(...proseDocuments(page, places));
+    page.words = places.reduce((sum, { text }) => sum + text.split(/\s+/).filter(Boolean).length, 0);
     return {
       href: page.href,
       file: page.file,
@@ -68,11 +67,12 @@ function makePages(book) {
       kicker: page.number ? `Chapter ${page.number}` : '',
       previous: book.pages[page.order - 1],
       next: book.pages[page.order + 1],
-      sections: sections.filter(s => s.id).map(({ id, title }) => ({ id, title })),
+      sections: places.filter(({ level }) => level === 2).map(({ id, title }) => ({ id, title })),
     };
   });
-  documents.push(...apiDocuments(book), ...claimDocuments(book, claimId));
-  const made = [claimsPage(book), snippetsPage(book), ...referencePages(book), ...sourcePages(book)].map(page => ({
+  const snippets = snippetsPage(book);
+  documents.push(...madeDocuments(snippets), ...codeDocuments(book), ...claimDocuments(book));
+  const made = [claimsPage(book), snippets, ...referencePages(book), ...sourcePages(book)].map(page => ({
     ...page,
     file: page.kind === 'source' ? page.title : `page ${page.href}`,
   }));
@@ -89,7 +89,7 @@ function writeBook(book, pages, documents) {
   try {
     mkdirSync(fresh, { recursive: true });
     copyAssets(book, fresh);
-    writeFileSync(join(fresh, 'search-index.js'), searchScript(documents));
+    writeFileSync(join(fresh, 'search-index.js'), searchScript(book, documents));
     for (const { href, html } of pages) writeFileSync(join(fresh, href), html);
     checkLinks(book, pages, new Set(filesIn(fresh)));
     if (book.problems.any) return;

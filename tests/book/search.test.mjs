@@ -1,5 +1,7 @@
-// For each chapter, a word that stands only there: the search finds it and leads there.
+// For each chapter, a word that stands only there: the search finds it and leads there. And what readers type: for nine queries in
+// ten of search-queries.json one of the places named there is among the first three.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { chapters, pages, prose, read } from './book.mjs';
 import { openTab, pageOf, visit } from './browser.mjs';
@@ -70,9 +72,71 @@ test('a word with a slip in it finds what is spelt nearly so', async () => {
   assert.match(await first.innerText(), /symplectic/i);
 });
 
-test('a word that stands nowhere finds nothing', async () => {
+test('a word that stands nowhere finds nothing, and is told where else to look', async () => {
   await visit(tab, 'index.html');
   await tab.locator('.search input').fill('qqxzyy');
   await tab.locator('.search li').first().waitFor();
-  assert.equal(await tab.locator('.search li a').count(), 0);
+  const offered = await tab.locator('.search li a').evaluateAll(links => links.map(a => a.getAttribute('href')));
+  assert.deepEqual(offered, ['pick-a-method.html', 'glossary.html', 'snippets.html']);
+});
+
+async function hitsOf(query) {
+  await tab.waitForFunction(() => window.findInBook);
+  return tab.evaluate(
+    text => window.findInBook(text).map(({ url, kind, place, title }) => ({ url, kind, place, title })),
+    query,
+  );
+}
+
+test('arrows lead through the hits, and Enter in the box to the first', async () => {
+  await visit(tab, 'index.html');
+  await tab.keyboard.press('/');
+  await tab.keyboard.type('leapfrog');
+  await tab.locator('.search li a').nth(2).waitFor();
+  const focused = () =>
+    tab.evaluate(() => [...document.querySelectorAll('.search li a')].indexOf(document.activeElement));
+  const walked = [];
+  for (const key of ['ArrowDown', 'ArrowDown', 'ArrowUp', 'ArrowUp']) {
+    await tab.keyboard.press(key);
+    walked.push(await focused());
+  }
+  assert.deepEqual(walked, [0, 1, 0, -1]);
+  const [first] = await hitsOf('leapfrog');
+  await tab.keyboard.press('Enter');
+  await tab.waitForURL(url => !url.pathname.endsWith('index.html'));
+  assert.ok(tab.url().endsWith(first.url), `${tab.url()} instead of ${first.url}`);
+});
+
+test('what readers type finds its place among the first three', async () => {
+  await visit(tab, 'index.html');
+  await tab.locator('.search input').focus();
+  const queries = Object.entries(JSON.parse(readFileSync(new URL('search-queries.json', import.meta.url), 'utf8')));
+  const missed = [];
+  for (const [query, places] of queries) {
+    const hits = (await hitsOf(query)).slice(0, 3).map(({ url }) => url);
+    if (!hits.some(url => places.includes(url))) missed.push(`${query}: ${hits.join(', ')}`);
+  }
+  const said = `${queries.length - missed.length} of ${queries.length} hold; not these:\n${missed.join('\n')}`;
+  console.log(said);
+  assert.ok(queries.length >= 104 && missed.length <= queries.length / 10, said);
+});
+
+test('each hit says where it is, and the reference comes last', async () => {
+  await visit(tab, 'index.html');
+  await tab.locator('.search input').focus();
+  for (const query of ['spring', 'rk4', 'cloth', 'damping', 'energy', 'leapfrog']) {
+    const hits = await hitsOf(query);
+    const kinds = hits.map(({ kind }) => kind);
+    assert.ok(hits.length > 0 && hits.every(({ place, title }) => place && title), query);
+    assert.ok(kinds.filter(kind => kind === 'name').length <= 3, `${query}: ${kinds}`);
+    assert.ok(kinds.filter(kind => kind === 'claim').length <= 2, `${query}: ${kinds}`);
+    assert.ok(!kinds.some((kind, i) => kind === 'name' && kinds.slice(i).some(later => later !== 'name')), query);
+  }
+});
+
+test('an exercise is found by its number', async () => {
+  await visit(tab, 'index.html');
+  await tab.locator('.search input').focus();
+  const [first] = await hitsOf('exercise 4 of chapter 3');
+  assert.match(first.place, /^Exercise 3\.4\b/);
 });

@@ -168,3 +168,10 @@ test('a test that nobody wrote', () =>
       'no test bears the name of the claim "Euler gains energy on each step". Did you mean "Euler gains energy on every step"?',
     ],
   ));
+
+test('a place that readers call by another name has to be there', () => {
+  refuses(
+    [['book/search.json', '"called": {}', '"called": { "2-eulr.html": "explicit Euler" }']],
+    ['book/search.json', '2-eulr', /^there is no place "2-eulr\.html" in the book\. Did you mean "2-euler\.html"/],
+  );
+});
