@@ -1,6 +1,7 @@
 // Headers that stand alone: a page for each, with how to take it and how to call what is in it, and lists of them.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { linker } from './api.mjs';
 import { cardHtml, steps } from './cards.mjs';
 import { highlightLines } from './highlight.mjs';
 import {
@@ -17,7 +18,6 @@ import {
 import { onShelf } from './namespaces.mjs';
 import { promisesHtml } from './promises.mjs';
 import { isMark } from './snippets.mjs';
-import { sourceHref } from './source-pages.mjs';
 import { escapeHtml } from './text.mjs';
 
 export function headerPages(book) {
@@ -64,7 +64,7 @@ function headerPage(book, header) {
     body: [
       `<p class="lead">${brief(book, header)}</p>`,
       take(book, header),
-      promisesHtml(book, header, usage(book, header)),
+      beforeCard(promisesHtml(book, header, usage(book, header)), wholeHtml(book, header)),
       ...members,
       ...types,
     ].join('\n'),
@@ -80,14 +80,34 @@ function cardFor(book, member) {
   return card ? cardHtml(card, book.times, `<b>Measured</b> for ${escapeHtml(card.suits)}`) : '';
 }
 
-function take(book, header) {
-  const lines = readFileSync(join(book.config.source, header.file), 'utf8')
+const linesOf = (book, { file }) =>
+  readFileSync(join(book.config.source, file), 'utf8')
     .trimEnd()
     .split('\n')
     .filter(line => !isMark(line));
+
+// All that there is to copy.
+function wholeHtml(book, header) {
+  const lines = linesOf(book, header);
+  const code = highlightLines(lines.join('\n'), 'cpp', linker(book.api, header.file)).join('\n');
+  return (
+    `<figure class="listing${lines.length > 80 ? ' long' : ''}" id="${WHOLE}"><figcaption><span class="head"><span class="caption">All of it</span></span>` +
+    `<a class="file" href="headers/${header.name}" download>${escapeHtml(header.name)}</a></figcaption>` +
+    `<pre tabindex="0" aria-label="${escapeHtml(header.name)}"><code>${code}</code></pre></figure>`
+  );
+}
+const WHOLE = 'all-of-it';
+
+// What a header promises stands within its text, and what a function does behind it.
+const beforeCard = (html, piece) =>
+  html.includes(CARD) ? html.replace(CARD, () => piece + CARD) : `${html}\n${piece}`;
+const CARD = '<div class="card promises"';
+
+function take(book, header) {
+  const lines = linesOf(book, header);
   const libraries = [...new Set(lines.map(line => line.match(/^#include <(\w+)\//)?.[1]).filter(Boolean))];
   return (
-    `<p class="take">Take <a href="headers/${header.name}" download>${escapeHtml(header.name)}</a>, <a href="${sourceHref(header.file)}">${lines.length} lines</a> ` +
+    `<p class="take">Take <a href="headers/${header.name}" download>${escapeHtml(header.name)}</a>, <a href="#${WHOLE}">${lines.length} lines</a> ` +
     `under MIT-0, which owe you nothing. It needs C++17${libraries.length ? ` and ${libraries.join(' and ')}` : ' and nothing else'}.${vectors(header, libraries)}</p>`
   );
 }

@@ -11,10 +11,15 @@ const address = (target, page) => (target.page === page ? '' : target.page.href)
 
 export const claimId = name => `claim-${slug(name)}`;
 
+// `euler.h` or `code/integrate/euler.h`
+const headerCalled = ({ api }, code) =>
+  [...api.headers.values()].find(({ name, file }) => code === name || code === file);
+
 const HTML = {
   math: piece => piece.html,
   code: (piece, page, book) => {
-    const href = /^\w+(::\w+)+$/.test(piece.code) ? book.api.names.get(piece.code)?.href : null;
+    const named = /::/.test(piece.code) ? book.api.names.get(piece.code) : headerCalled(book, piece.code);
+    const { href } = named ?? {};
     const code = `<code>${escapeHtml(piece.code)}</code>`;
     return href ? `<a href="${href}">${code}</a>` : code;
   },

@@ -54,6 +54,13 @@ export function timeHtml(pairs, field) {
   );
 }
 
+// What was recorded alone, where there is little room.
+export function recordedHtml(pairs, field) {
+  const [, name] = field.match(MARK);
+  const { recorded } = pairOf(pairs, field) ?? {};
+  return recorded ? numberHtml(recorded.of.get(name).median, 2) : '–';
+}
+
 const share = ({ others }) => `${Number((100 * others).toPrecision(2))}\u202f%`;
 
 // What has to be known of the times in these fields; nothing if there are none.

@@ -1,5 +1,6 @@
 // The index of the snippets: every method with what its card says, side by side, and the file to take.
 import { stepping, steps, value } from './cards.mjs';
+import { aboutTimes, isTime, recordedHtml } from './measured-times.mjs';
 import { RAYLIB_OPERATOR, headerList } from './header-pages.mjs';
 import { onShelf } from './namespaces.mjs';
 import { brief } from './reference-entries.mjs';
@@ -14,6 +15,7 @@ const COLUMNS = [
   ],
   ['with drag', 'order with drag', row => row('drag-order', 1)],
   ['', 'evaluations', row => row('evaluations')],
+  ['', 'ns a step', row => row('time')],
   ['drag, <i>ch</i>', 'drag: <i>ch</i> up to', row => row('drag-limit')],
   ['spring, <i>hω</i>', 'spring: <i>hω</i> up to', row => row('spring-limit')],
   ['<i>ζ</i> = 0.1', 'with <i>ζ</i> = 0.1 up to', row => row('spring-limit-0.1')],
@@ -22,16 +24,18 @@ const COLUMNS = [
 ];
 
 const HEAD = `<thead>
-<tr><th scope="col" rowspan="2">Method</th><th scope="colgroup" colspan="2">Order</th><th scope="col" rowspan="2">Evalu­ations</th><th scope="colgroup" colspan="4">Stable up to</th><th scope="col" rowspan="2">Energy</th></tr>
+<tr><th scope="col" rowspan="2">Method</th><th scope="colgroup" colspan="2">Order</th><th scope="col" rowspan="2">Evalu­ations</th><th scope="col" rowspan="2"><abbr title="nanoseconds a step">ns</abbr></th><th scope="colgroup" colspan="4">Stable up to</th><th scope="col" rowspan="2">Energy</th></tr>
 <tr>${COLUMNS.filter(([head]) => head)
   .map(([head]) => `<th scope="col">${head}</th>`)
   .join('')}</tr>
 </thead>`;
 
-const ABOUT = `<p class="lead">Code to copy: things that a game needs, and every method of the book, one header each. The name leads to its page, with an example and
+const LEAD = `<p class="lead">Code to copy: things that a game needs, and every method of the book, one header each. The name leads to its page, with all its lines, an example and
 all that was measured of it.</p>
-<p>Each header stands alone, is MIT-0, and works with the vectors that you have. Tried, by three compilers in C++17, 20 and 23, were raylib, glm, Eigen,
-Unreal’s <code>FVector</code>, Godot’s <code>Vector3</code>, a register of four floats as DirectXMath has them, <code>std::valarray</code>,
+<p>Each header stands alone, is MIT-0, and works with the vectors that you have. GCC 12 and 14 and Clang 14 and 19 compile it, as C++17, 20 and 23; MSVC was not tried.</p>`;
+
+const EXCEPTIONS = `<details class="more"><summary>Your vectors, floats, and what needs a word</summary><div>
+<p>Tried were raylib, glm, Eigen, Unreal’s <code>FVector</code>, Godot’s <code>Vector3</code>, a register of four floats as DirectXMath has them, <code>std::valarray</code>,
 <code>std::experimental::simd</code>, and plain structs; those of engines by stubs that have their operators. A few need a word:</p>
 <ul>
 <li>raylib lacks one operator: <code>${RAYLIB_OPERATOR}</code> Put it where <code>Vector3</code> is, in no namespace of your own, or the headers don’t find it.</li>
@@ -42,15 +46,17 @@ back to a place takes <code>velocity_verlet.h</code> or <code>symplectic_euler.h
 <i>Pick a method</i> asks what else there is.</li>
 <li>Columns of an Eigen matrix, and <code>Map</code>s, are copied out, moved and copied back: <code>Vector3f x = X.col(i), v = V.col(i);</code>, then the step, then
 <code>X.col(i) = x; V.col(i) = v;</code></li>
-<li>MSVC was not tried. The headers are standard C++ but for one attribute, which only clang is shown.</li>
+<li>The headers are standard C++ but for one attribute, which only clang is shown.</li>
 <li>What comes to rest under drag passes through numbers so small that some processors take many times as long for each step. Put to sleep what rests, or take such
 numbers for zero, once in each thread: <code>_MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON)</code> and <code>_MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON)</code>, from
 <code>xmmintrin.h</code> and <code>pmmintrin.h</code>.</li>
-</ul>`;
+</ul></div></details>`;
 
 const METHODS = `<h2 id="methods">Methods</h2>
-<p>All of this is measured when the book is built. The order is that of the position; where the velocity has another, it stands behind. Evaluations
-of the acceleration are counted per step. A step of <i>h</i> seconds explodes above its limit: on drag, where the speed falls at the rate <i>c</i>, and
+<p>All of this is measured when the book is built, but for the times, which were recorded.</p>
+<details class="more"><summary>How to read the tables</summary><div>
+<p>The order is that of the position; where the velocity has another, it stands behind. Evaluations
+of the acceleration are counted per step, and the nanoseconds are those of one body on an orbit, each step waiting for the one before. A step of <i>h</i> seconds explodes above its limit: on drag, where the speed falls at the rate <i>c</i>, and
 on a spring that swings with <i>ω</i>, without a damper and with the damping ratio <i>ζ</i>. The last column is what becomes of the energy of an undamped
 spring, in steps of <i>hω</i> = 0.1: “kept” stands beside how far it strays at most, “grows” and “falls” beside what one step adds or takes. Limits are rounded down.</p>
 <p>On a page, “on poses, order 2” is for who moves a thing and turns it in one go: <code>x</code> is then a place with a quaternion, and <code>v</code> a velocity with a spin.
@@ -60,7 +66,8 @@ its shortest wave. All of this holds for forces that are linear. A rope that swi
 and one that is struck hard gains some energy under backward Euler with one solve.</p>
 <p>The headers work under the macros of <code>windows.h</code>. Under <code>-ffast-math</code> they take the same steps but for rounding, and <code>dopri5_adaptive</code>
 and the three linear systems still refuse what is not finite. Newton’s methods leave that to the solve: one that you write by hand has to refuse it too. The game’s
-clock, <code>FixedStep</code>, makes no promise there about a frame whose length is not a number.</p>`;
+clock, <code>FixedStep</code>, makes no promise there about a frame whose length is not a number.</p>
+</div></details>`;
 
 function howMuch(row) {
   const [off, step] = [row('energy-off'), row('energy-step')];
@@ -108,11 +115,15 @@ export function snippetsPage(book) {
   const beside = headers.filter(header => !onShelf(header) && !header.functions.some(steps));
   const systems = { id: 'linear-systems', title: 'Linear systems for the implicit methods' };
   if (beside.length) tables.push(`<h2 id="${systems.id}">${systems.title}</h2>\n${headerList(book, beside)}`);
+  const timed = aboutTimes(
+    book.times,
+    cards.flatMap(card => card.rows.filter(({ name }) => name === 'time').map(({ measured }) => measured)),
+  );
   return {
     href: 'snippets.html',
     title: 'Snippets',
     kind: 'snippets',
-    body: [withLinks(ABOUT, headers), ...things, METHODS, ...tables, LEFT_OUT].join('\n'),
+    body: [LEAD, ...things, METHODS, ...tables, timed, withLinks(EXCEPTIONS, headers), LEFT_OUT].join('\n'),
     sections: [],
   };
 }
@@ -120,7 +131,8 @@ export function snippetsPage(book) {
 function methodRow(book, card, member) {
   const row = (name, shown) => {
     const found = card.rows.find(r => r.name === name);
-    return found ? value(found, shown) : NONE;
+    if (!found) return NONE;
+    return isTime(found.measured) ? recordedHtml(book.times, found.measured) : value(found, shown);
   };
   const file = member.file.replace(/.*\//, '');
   const cells = COLUMNS.map(([, words, cell]) => `<td><span class="head">${words}</span> ${cell(row)}</td>`);

@@ -1,5 +1,6 @@
 // The cards of the methods: everywhere the same, where a reader looks for them, and the only place for times.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { readRecords } from '../../book/weave/csv.mjs';
@@ -61,11 +62,17 @@ test('the list of methods leads to each card and agrees with it', () => {
     .map(row => ({
       method: text($(row).find('th code').first()),
       href: $(row).find('th a').attr('href'),
-      limits: $(row)
-        .find('td')
-        .slice(3, 5)
-        .map((_, cell) => text($(cell).clone().find('.head').remove().end()))
-        .get(),
+      limits: ['drag: ch up to', 'spring: hω up to'].map(head =>
+        text(
+          $(row)
+            .find('td')
+            .filter((_, cell) => text($(cell).find('.head')) === head)
+            .clone()
+            .find('.head')
+            .remove()
+            .end(),
+        ),
+      ),
     }));
   assert.deepEqual(rows.map(({ method }) => method).sort(), [...new Set(cards.map(({ method }) => method))].sort());
   for (const {
@@ -103,7 +110,23 @@ test('each header of the shelf stands in the index, and its page says what was m
       rows.every(({ kept }) => kept === 'yes'),
       page,
     );
-    assert.doesNotMatch($('main').text(), /Promises:/, page);
+    const prose = $('main').clone();
+    prose.find('pre').remove();
+    assert.doesNotMatch(prose.text(), /Promises:/, page);
+  }
+});
+
+test('the page of a header has all its lines to copy, above its card', () => {
+  for (const page of [...headers, ...shelf]) {
+    const $ = parse(page);
+    const name = $('h1 > code').text();
+    const whole = $('#all-of-it');
+    assert.equal(
+      whole.find('pre').text().trimEnd(),
+      readFileSync(join(folder, 'headers', name), 'utf8').trimEnd(),
+      page,
+    );
+    assert.equal(whole.prevAll('.card').length, 0, page);
   }
 });
 
@@ -118,7 +141,7 @@ test('the page of a header begins with the file to take and an example that incl
   }
 });
 
-test('nanoseconds stand on cards that name the machine, and nowhere else', () => {
+test('nanoseconds stand on cards that name the machine, in the list that names it too, and nowhere else', () => {
   let count = 0;
   for (const page of pages.filter(name => kind(name) !== 'source')) {
     const $ = parse(page);
@@ -136,4 +159,6 @@ test('nanoseconds stand on cards that name the machine, and nowhere else', () =>
     assert.doesNotMatch(outside.text(), /\d[\s\u202f]ns\b/, page);
   }
   assert.ok(count > 30, `only ${count} cards with a time`);
+  const $ = parse('snippets.html');
+  assert.match($('main > .times').text(), /^Medians of \d+ runs in turn, recorded on /);
 });

@@ -54,13 +54,14 @@ test('the list of methods says what the cards say', () => {
     '1',
     '1',
     '1',
+    '15\u202fns',
     '2.00',
     'never',
     '–',
     '–',
     'falls <small>1.39\u00a0×\u00a010<sup>−6</sup>\u202f% a step</small>',
   ]);
-  assert.deepEqual(cells(second), ['exact', '–', '–', '–', '–', '–', '–', '–']);
+  assert.deepEqual(cells(second), ['exact', '–', '–', '–', '–', '–', '–', '–', '–']);
   assert.match(
     second,
     /<a href="integrate-heun\.html#heun"><code>heun<\/code><\/a> <span>One step\. <a href="headers\/heun\.h" download>heun\.h<\/a><\/span>/,
