@@ -2,6 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { codeLines } from './blocks.mjs';
+import { levelHtml } from './exercises-page.mjs';
 import { highlightLines } from './highlight.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { KINDS } from './tasks.mjs';
@@ -10,9 +11,8 @@ import { escapeHtml, smarten } from './text.mjs';
 const GIVEN = 'exercises/grader/harness/given.h';
 
 export function taskHead({ goal, kind, difficulty, minutes }) {
-  const words = ['', 'easy', 'takes some thought', 'hard'][difficulty];
   return (
-    `<p class="task"><span class="difficulty" role="img" aria-label="Difficulty ${difficulty} of 3: ${words}">${'●'.repeat(difficulty)}${'○'.repeat(3 - difficulty)}</span> ` +
+    `<p class="task">${levelHtml(difficulty)} ` +
     `<span>${KINDS[kind]}</span> <span>${minutes} minutes</span> <span>graded</span></p>\n` +
     `<p class="goal"><b>Goal.</b> ${escapeHtml(smarten(goal))}</p>\n`
   );

@@ -24,7 +24,7 @@ export function pageHtml(book, page) {
 ${page.body.includes('class="katex') ? '<link rel="stylesheet" href="katex/katex.css">\n' : ''}<link rel="stylesheet" href="book.css">
 <script defer src="book.js"></script>
 <script defer src="search.js"></script>
-${page.body.includes('class="your-spring"') ? '<script defer src="pick-a-method.js"></script>\n' : ''}${liveHead(page.body)}</head>
+${page.kind === 'exercises' ? '<script defer src="exercises.js"></script>\n' : ''}${page.body.includes('class="your-spring"') ? '<script defer src="pick-a-method.js"></script>\n' : ''}${liveHead(page.body)}</head>
 <body class="${page.kind}">
 <a class="skip" href="#content">Skip to the text</a>
 <div class="shell">
@@ -53,6 +53,7 @@ function sideNav(book, page, name) {
   const more = [
     ...after.filter(isFirst).map(prose),
     link('snippets.html', 'Snippets'),
+    link('exercises.html', 'Exercises'),
     ...after.filter(p => !isFirst(p)).map(prose),
     link('claims.html', 'Claims'),
     link('reference.html', 'Code reference'),

@@ -9,6 +9,7 @@ import { checkPromises } from './promises.mjs';
 import { checkBook, checkReferencesToCode } from './check.mjs';
 import { claimsPage } from './claims-page.mjs';
 import { runDoxygen } from './doxygen.mjs';
+import { exercisesPage } from './exercises-page.mjs';
 import { checkLinks } from './links.mjs';
 import { referencePages } from './reference-pages.mjs';
 import { renderPage } from './render.mjs';
@@ -70,9 +71,14 @@ function makePages(book) {
       sections: places.filter(({ level }) => level === 2).map(({ id, title }) => ({ id, title })),
     };
   });
-  const snippets = snippetsPage(book);
-  documents.push(...madeDocuments(snippets), ...codeDocuments(book), ...claimDocuments(book));
-  const made = [claimsPage(book), snippets, ...referencePages(book), ...sourcePages(book)].map(page => ({
+  const [snippets, exercises] = [snippetsPage(book), exercisesPage(book)];
+  documents.push(
+    ...madeDocuments(snippets),
+    ...madeDocuments(exercises).slice(0, 1),
+    ...codeDocuments(book),
+    ...claimDocuments(book),
+  );
+  const made = [claimsPage(book), snippets, exercises, ...referencePages(book), ...sourcePages(book)].map(page => ({
     ...page,
     file: page.kind === 'source' ? page.title : `page ${page.href}`,
   }));

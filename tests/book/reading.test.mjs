@@ -192,6 +192,25 @@ test('a chapter prints on white, without menus, with its hints open', async () =
   assert.ok(sheets >= 1 && sheets < 60, `${sheets} sheets`);
 });
 
+test('the page of all exercises has each of them once, and keeps what was ticked off', async () => {
+  const listed = parse('exercises.html')('.tasks th[scope=row] a')
+    .map((_, a) => a.attribs.href)
+    .get();
+  const there = chapters.flatMap(page =>
+    parse(page)('section.exercise')
+      .map((_, e) => `${page}#${e.attribs.id}`)
+      .get(),
+  );
+  assert.deepEqual(listed, there);
+  await visit(tab, 'exercises.html');
+  const box = tab.locator('.tasks input').nth(3);
+  await box.check();
+  await visit(tab, 'exercises.html');
+  assert.ok(await box.isChecked());
+  await box.uncheck();
+  assert.deepEqual(tab.faults, []);
+});
+
 if (others)
   register('previous leads from the last page to the first', async () => {
     await visit(tab, way.at(-1));

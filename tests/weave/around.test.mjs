@@ -46,6 +46,7 @@ test('the pages follow each other, and stand in the menu', () => {
       'preface',
       '2-euler',
       'snippets',
+      'exercises',
       'talks',
       'teaching',
       'glossary',
