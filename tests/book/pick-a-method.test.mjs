@@ -404,3 +404,18 @@ test('the page prints on one sheet, all open, and is then as it was', async () =
     } else assert.equal(await printer.locator('details[open]').count(), 0);
   }
 });
+
+test('whoever picks rope, crate, bounce, camera, wheel or joint is led to the header that has it', () => {
+  const wanted = {
+    'links': 'link',
+    'touches': ['bounce', 'orientation'],
+    'between': 'damper',
+    'spring': 'smooth-damp',
+    'one-stiff': 'soft-constraint',
+    'uneven': 'fixed-step',
+  };
+  for (const [id, headers] of Object.entries(wanted))
+    for (const header of [headers].flat())
+      assert.ok($(`#${id} > div > p a[href="shelf-${header}.html"]`).length, `${id} does not lead to ${header}`);
+  assert.equal($('#net a[href="#links"]').length, 1);
+});
