@@ -50,7 +50,7 @@ int main(int count, char** arguments) {
   try {
     const ways::Driver driver(*exercise, arguments[2]);
     for (std::string header; std::getline(std::cin, header);)
-      print(driver.grade(header, 1, *limits), header);
+      print(driver.grade(header, 1, *limits, "", false), header);
   } catch (const std::exception& problem) {
     return refuse(problem.what());
   }

@@ -39,9 +39,11 @@ Driver::Driver(grade::Exercise exercise, const std::filesystem::path& driver)
 }
 
 grade::Report Driver::grade(const std::filesystem::path& header, std::uint64_t seed,
-                            const cage::Limits& limits, const std::string& only) const {
+                            const cage::Limits& limits, const std::string& only,
+                            bool diagnoses) const {
   grade::Request request = request_for(exercise_, header, seed, only);
   request.run_limits = limits;
+  request.diagnoses = diagnoses;
   request.arguments = {weakly_canonical(header),
                        std::to_string(std::lround(std::ceil(limits.processor))),
                        std::to_string(limits.memory), std::to_string(limits.file)};

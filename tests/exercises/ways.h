@@ -20,8 +20,10 @@ class Driver {
   /// Judges the submission that the driver has under the header's path. It runs in a process of its
   /// own for each test, with the limits of a submission.
   /// @param only  the one test to run, by its name; all, if empty
+  /// @param diagnoses  whether the mistake is looked for, which takes longest of all
   grade::Report grade(const std::filesystem::path& header, std::uint64_t seed,
-                      const cage::Limits& limits = {}, const std::string& only = "") const;
+                      const cage::Limits& limits = {}, const std::string& only = "",
+                      bool diagnoses = true) const;
 
  private:
   grade::Exercise exercise_;
