@@ -4,19 +4,39 @@
   const all = (selector, root = document) => [...root.querySelectorAll(selector)];
   const root = document.documentElement;
 
+  // What a browser forbids to keep lasts for this page.
+  function keep(key, value) {
+    try {
+      if (value === null) localStorage.removeItem(key);
+      else localStorage.setItem(key, value);
+    } catch {
+      /* see above */
+    }
+  }
+  function kept(key) {
+    try {
+      return localStorage.getItem(key);
+    } catch {
+      return null;
+    }
+  }
+
+  function setTheme(theme) {
+    if (theme) root.dataset.theme = theme;
+    else delete root.dataset.theme;
+    keep('theme', theme);
+    for (const button of all('.system')) button.hidden = !theme;
+    document.dispatchEvent(new Event('themechange'));
+  }
   for (const button of all('.theme')) {
     button.addEventListener('click', () => {
-      const dark = root.dataset.theme
-        ? root.dataset.theme === 'dark'
-        : matchMedia('(prefers-color-scheme: dark)').matches;
-      root.dataset.theme = dark ? 'light' : 'dark';
-      try {
-        localStorage.setItem('theme', root.dataset.theme);
-      } catch {
-        /* a browser may forbid it; the choice then lasts for this page */
-      }
-      document.dispatchEvent(new Event('themechange'));
+      const system = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
+      setTheme((root.dataset.theme ?? system) === 'dark' ? 'light' : 'dark');
     });
+  }
+  for (const button of all('.system')) {
+    button.hidden = !root.dataset.theme;
+    button.addEventListener('click', () => setTheme(null));
   }
 
   // A film is a page of its own, and doesn't see what the reader chose here.
@@ -26,11 +46,13 @@
   if (root.dataset.theme) tellFilms();
   document.addEventListener('themechange', tellFilms);
 
-  for (const button of all('.menu')) {
-    button.addEventListener('click', () =>
-      button.setAttribute('aria-expanded', button.closest('.side').classList.toggle('open')),
-    );
-  }
+  // Beside the text the menu is always open, which style sheets do in newer browsers.
+  if (!CSS.supports('selector(::details-content)'))
+    for (const menu of all('.menu')) menu.open = matchMedia('(min-width: 961px)').matches;
+  for (const menu of all('.menu'))
+    menu.addEventListener('click', ({ target }) => {
+      if (target.closest('.within a') && matchMedia('(max-width: 960px)').matches) menu.open = false;
+    });
 
   // Line numbers are drawn by the style sheet, so the text that is copied has none.
   for (const box of all('.listing, .codebox')) {
@@ -122,16 +144,43 @@
     root.classList.add('arrived');
   });
 
-  // The section in view, at the right: the last one whose heading has passed the top, at the page's end the last of all
-  const links = all('.onpage a');
-  const headings = links.map(a => document.getElementById(decodeURIComponent(a.hash.slice(1))));
+  // The section in view, at the right, in the menu and in the bar: the last one whose heading has passed the top, at the page's end
+  // the last of all. It is where a reader who comes back goes on.
+  const links = all('.onpage a, .side .within a');
+  const headings = [...new Set(links.map(a => a.hash.slice(1)))].map(id =>
+    document.getElementById(decodeURIComponent(id)),
+  );
   function markSection() {
     const atEnd = scrollY > 0 && scrollY + innerHeight > root.scrollHeight - 2;
-    const passed = atEnd ? links.length : headings.filter(heading => heading.getBoundingClientRect().top < 120).length;
-    links.forEach((a, i) => a.classList.toggle('here', i === passed - 1));
+    const here =
+      headings[atEnd ? headings.length - 1 : headings.findLastIndex(e => e.getBoundingClientRect().top < 120)];
+    const link = links.find(a => here && decodeURIComponent(a.hash.slice(1)) === here.id);
+    for (const a of links) a.classList.toggle('here', a.hash === link?.hash);
+    for (const bar of all('.side .place')) bar.textContent = link?.textContent ?? '';
+    if (link && document.body.classList.contains('chapter'))
+      keep(
+        'place',
+        JSON.stringify({ href: `${location.pathname.split('/').at(-1)}${link.hash}`, title: link.textContent }),
+      );
   }
-  if (links.length) addEventListener('scroll', markSection, { passive: true });
-  markSection();
+  if (links.length) {
+    addEventListener('scroll', markSection, { passive: true });
+    markSection();
+  }
+
+  // On the front page, the way back to it.
+  function goOn() {
+    const { href, title } = JSON.parse(kept('place')) ?? {};
+    if (!/^[\w-]+\.html#[\w-]+$/.test(href) || !title) return;
+    const line = document.createElement('p');
+    line.className = 'go-on';
+    const a = document.createElement('a');
+    a.href = href;
+    a.textContent = title;
+    line.append('Go on where you were: ', a);
+    document.querySelector('main .lead').after(line);
+  }
+  if (document.body.classList.contains('index')) goOn();
 
   // Values of numbers, claims and points of a figure: under the mouse, or where a finger touches
   const tip = document.createElement('div');
@@ -146,8 +195,9 @@
     tip.textContent = owner.dataset.tip;
     const at = owner.getBoundingClientRect();
     const left = at.left + at.width / 2 - tip.offsetWidth / 2;
+    const fits = at.top - tip.offsetHeight - 8 > 0 && !owner.matches('.claim'); // whose sentence stands above it
     tip.style.left = `${Math.max(8, Math.min(innerWidth - tip.offsetWidth - 8, left))}px`;
-    tip.style.top = at.top - tip.offsetHeight - 8 > 0 ? `${at.top - tip.offsetHeight - 8}px` : `${at.bottom + 8}px`;
+    tip.style.top = fits ? `${at.top - tip.offsetHeight - 8}px` : `${at.bottom + 8}px`;
   }
   // A finger is wider than a point: the nearest one within its width counts.
   function pointNear({ target, clientX, clientY }) {

@@ -105,7 +105,7 @@
     addEventListener('keydown', event => {
       if (event.key === '/' && !/input|textarea/i.test(document.activeElement.tagName)) {
         event.preventDefault();
-        box.closest('.side').classList.add('open');
+        box.closest('details').open = true;
         box.focus();
       }
       if (event.key === 'Escape' && box.closest('.search').contains(document.activeElement)) {

@@ -25,7 +25,16 @@ const FONTS = [
 ];
 
 export function copyAssets(book, out) {
-  for (const file of ['book.css', 'book.js', 'search.js', 'find.js', 'exercises.js', 'pick-a-method.js', 'wall.html'])
+  for (const file of [
+    'book.css',
+    'book.js',
+    'search.js',
+    'find.js',
+    'marks.js',
+    'exercises.js',
+    'pick-a-method.js',
+    'wall.html',
+  ])
     copyFileSync(join(theme, file), join(out, file));
   copyFileSync(join(dirname(require.resolve('minisearch')), '../umd/index.js'), join(out, 'minisearch.js'));
   if (book.config.live) copyLive(book, join(out, 'live'));

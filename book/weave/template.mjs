@@ -20,11 +20,11 @@ export function pageHtml(book, page) {
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>${head}</title>
 <meta name="color-scheme" content="light dark">
-<script>try{var t=localStorage.getItem("theme");if(t)document.documentElement.dataset.theme=t}catch(e){}</script>
+<script>document.documentElement.classList.add("scripted");try{var t=localStorage.getItem("theme");if(t)document.documentElement.dataset.theme=t}catch(e){}</script>
 ${page.body.includes('class="katex') ? '<link rel="stylesheet" href="katex/katex.css">\n' : ''}<link rel="stylesheet" href="book.css">
 <script defer src="book.js"></script>
 <script defer src="search.js"></script>
-${page.kind === 'exercises' ? '<script defer src="exercises.js"></script>\n' : ''}${page.body.includes('class="your-spring"') ? '<script defer src="pick-a-method.js"></script>\n' : ''}${liveHead(page.body)}</head>
+${page.body.includes('class="claim"') ? '<script defer src="marks.js"></script>\n' : ''}${page.kind === 'exercises' ? '<script defer src="exercises.js"></script>\n' : ''}${page.body.includes('class="your-spring"') ? '<script defer src="pick-a-method.js"></script>\n' : ''}${liveHead(page.body)}</head>
 <body class="${page.kind}">
 <a class="skip" href="#content">Skip to the text</a>
 <div class="shell">
@@ -44,7 +44,7 @@ ${onThisPage(page)}</div>
 
 function sideNav(book, page, name) {
   const link = (href, text, number = '') =>
-    `<li><a href="${href}"${current(page, href)}><span class="no">${number}</span><span>${text}</span></a></li>`;
+    `<li><a href="${href}"${current(page, href)}><span class="no">${number}</span><span>${text}</span></a>${page.href === href ? within(page) : ''}</li>`;
   const prose = ({ href, title, number }) => link(href, escapeHtml(smarten(title)), number);
   const numbered = book.pages.findLastIndex(p => p.number) + 1;
   const before = book.pages.slice(1, numbered),
@@ -59,7 +59,8 @@ function sideNav(book, page, name) {
     link('reference.html', 'Code reference'),
   ];
   return `<nav class="side" aria-label="Book">
-<div class="bar"><a class="brand" href="index.html">${name}</a><button type="button" class="menu" aria-expanded="false">Contents</button></div>
+<div class="bar"><a class="brand" href="index.html">${name}</a><span class="place" aria-hidden="true"></span></div>
+<details class="menu"><summary>Contents</summary><div>
 <div class="search" role="search"><input type="search" placeholder="Search" aria-label="Search the book" aria-keyshortcuts="/" autocomplete="off"><kbd>/</kbd><p class="unseen" role="status"></p><ul hidden></ul></div>
 <ol class="toc">
 ${before.map(prose).join('\n')}
@@ -67,9 +68,20 @@ ${before.map(prose).join('\n')}
 <ol class="toc more">
 ${more.join('\n')}
 </ol>
-<div class="tools"><button type="button" class="theme">Light or dark</button></div>
+<div class="tools"><button type="button" class="theme">Light or dark</button> <button type="button" class="system" hidden>As the system</button></div>
+</div></details>
 </nav>`;
 }
+
+// Where there is no room beside the text, the sections of a page stand in the menu.
+const within = page => (hasSections(page) ? `<ol class="within">${sectionLinks(page)}</ol>` : '');
+
+const hasSections = ({ sections = [] }) => sections.length > 1;
+
+const sectionLinks = ({ sections }) =>
+  sections
+    .map(s => `<li${s.within ? ' class="within"' : ''}><a href="#${s.id}">${escapeHtml(smarten(s.title))}</a></li>`)
+    .join('');
 
 function current(page, href) {
   if (page.href === href) return ' aria-current="page"';
@@ -83,7 +95,7 @@ function pager({ previous, next }) {
   return `<nav class="pager" aria-label="Previous and next page">${link('prev', 'Previous', previous)}${link('next', 'Next', next)}</nav>\n`;
 }
 
-function onThisPage({ sections = [] }) {
-  if (sections.length < 2) return '';
-  return `<nav class="onpage" aria-label="On this page"><strong>On this page</strong><ol>${sections.map(s => `<li${s.within ? ' class="within"' : ''}><a href="#${s.id}">${escapeHtml(smarten(s.title))}</a></li>`).join('')}</ol></nav>\n`;
+function onThisPage(page) {
+  if (!hasSections(page)) return '';
+  return `<nav class="onpage" aria-label="On this page"><strong>On this page</strong><ol>${sectionLinks(page)}</ol></nav>\n`;
 }

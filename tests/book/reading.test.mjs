@@ -192,6 +192,72 @@ test('a chapter prints on white, without menus, with its hints open', async () =
   assert.ok(sheets >= 1 && sheets < 60, `${sheets} sheets`);
 });
 
+test('a check mark stands on the line that its sentence ends on, none covers another, and both light up together', async () => {
+  for (const page of [chapter, 'index.html']) {
+    await visit(tab, page);
+    const faults = await tab.evaluate(() => {
+      const marks = [...document.querySelectorAll('main :is(p, li) .claim')].filter(e => e.getClientRects().length);
+      const boxes = marks.map(e => e.getBoundingClientRect());
+      const apart = (a, b) => a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
+      const off = marks.filter((mark, i) => {
+        const range = document.createRange();
+        range.setStart(mark.closest('p, li'), 0);
+        range.setEndBefore(mark);
+        const { top, bottom } = [...range.getClientRects()].filter(r => r.width > 1).at(-1);
+        return Math.abs((top + bottom) / 2 - (boxes[i].top + boxes[i].bottom) / 2) > 14;
+      });
+      const covered = boxes.filter((a, i) => boxes.slice(i + 1).some(b => !apart(a, b)));
+      return { off: off.map(e => e.getAttribute('aria-label')), covered: covered.length, marks: marks.length };
+    });
+    assert.ok(faults.marks > 3);
+    assert.deepEqual([faults.off, faults.covered], [[], 0], page);
+  }
+  await visit(tab, chapter);
+  const mark = tab.locator('main > p .claim').first();
+  await bringIntoView(mark);
+  await mark.hover();
+  const lit = () => tab.evaluate(() => [...CSS.highlights.get('claimed')].map(String).join(''));
+  assert.match(await lit(), /^\S.{20,}/s);
+  await tab.mouse.move(2, 2);
+  assert.equal(await lit(), '');
+});
+
+test('the menu opens without scripts, and has the sections of the page', async () => {
+  const plain = await openTab('dark', { javaScriptEnabled: false });
+  await plain.goto(addressOf(chapter));
+  const section = plain.locator('.menu .within a').first();
+  assert.ok(!(await section.isVisible()));
+  await plain.locator('.menu summary').click();
+  assert.ok(await section.isVisible());
+  assert.ok(!(await plain.locator('.search').isVisible()), 'a search that does nothing');
+  await plain.context().close();
+});
+
+test('on a phone the bar stays and says the section, and the front page leads back to it', async () => {
+  const reader = await openTab('dark');
+  await visit(reader, chapter);
+  await reader.evaluate(() => document.querySelectorAll('h2')[3].scrollIntoView());
+  const bar = reader.locator('.side .place');
+  await reader.waitForFunction(() => document.querySelector('.side .place').textContent);
+  const section = await bar.textContent();
+  assert.ok((await bar.boundingBox()).y < 60);
+  await visit(reader, 'index.html');
+  const back = reader.locator('.go-on a');
+  assert.equal(await back.textContent(), section);
+  assert.match(await back.getAttribute('href'), new RegExp(`^${chapter}#`));
+  await reader.context().close();
+});
+
+test('what the theme button chose is given back to the system', async () => {
+  await visit(tab, chapter);
+  const light = await paper(tab);
+  await tab.locator('.theme').click();
+  assert.notEqual(await paper(tab), light);
+  await tab.locator('.system').click();
+  assert.equal(await paper(tab), light);
+  assert.ok(!(await tab.locator('.system').isVisible()));
+});
+
 test('the page of all exercises has each of them once, and keeps what was ticked off', async () => {
   const listed = parse('exercises.html')('.tasks th[scope=row] a')
     .map((_, a) => a.attribs.href)

@@ -5,7 +5,7 @@ export async function typesetting() {
   const all = (selector, root = document) =>
     [...root.querySelectorAll(selector)].filter(e => e.getClientRects().length);
   const found = [];
-  const wide = innerWidth > 820;
+  const wide = innerWidth > 960;
   const within = (text, mark) =>
     text.left < mark.right - 1 &&
     mark.left < text.right - 1 &&
