@@ -1,6 +1,7 @@
 // What the marks that stand alone become: listings, fences, displayed formulas, rows of a table, cards, the list of chapters.
 import { cardHtml } from './cards.mjs';
 import { highlightLines, languageOf } from './highlight.mjs';
+import { headerCalled } from './inline.mjs';
 import { linker } from './api.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { tableHtml } from './tables.mjs';
@@ -49,7 +50,8 @@ const diffLines = code =>
 
 const display = ({ hold }, piece) => `<div class="math-block">${hold(piece.html)}</div>`;
 
-const rows = ({ book }, piece) => `<div class="tablescroll">${tableHtml(piece.table, book.times)}</div>`;
+const rows = ({ book }, piece) =>
+  `<div class="tablescroll">${tableHtml(piece.table, book.times, field => headerCalled(book, field)?.href)}</div>`;
 
 function card({ book, hold }, { card: measured }) {
   const { name } = measured;

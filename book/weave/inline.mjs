@@ -12,7 +12,7 @@ const address = (target, page) => (target.page === page ? '' : target.page.href)
 export const claimId = name => `claim-${slug(name)}`;
 
 // `euler.h` or `code/integrate/euler.h`
-const headerCalled = ({ api }, code) =>
+export const headerCalled = ({ api }, code) =>
   [...api.headers.values()].find(({ name, file }) => code === name || code === file);
 
 const HTML = {

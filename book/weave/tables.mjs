@@ -35,16 +35,28 @@ export function tableColumns(table) {
   return Object.fromEntries(header.map((name, i) => [name, rows.map(row => cell(row[i]))]));
 }
 
-export function tableHtml(table, times) {
+// On a phone a row of so many columns becomes a block of lines, each with the head of its column.
+const MANY = 5;
+
+// `hrefOf` gives the page of a header that a cell names.
+export function tableHtml(table, times, hrefOf = () => null) {
   const [header, ...rows] = readCsv(table.path);
   const columns = header.map(name => table.columns.find(c => c.column === name));
   const right = (c, i) => c.digits !== 'text' || rows.some(row => isTime(row[i]));
   const align = columns.map((c, i) => (right(c, i) ? ' class="right"' : ''));
   const heads = columns.map((c, i) => `<th scope="col"${align[i]}>${head(c)}</th>`);
+  const isBlocks = columns.length >= MANY && columns.filter(c => c.digits === 'text').length > 1;
+  const said = c => (isBlocks ? ` data-head="${escapeHtml(c.column + (c.unit ? ` [${c.unit}]` : ''))}"` : '');
+  const cell = (field, c) => {
+    const href = hrefOf(field);
+    const html = cellHtml(field, c, times);
+    return href ? `<a href="${href}"><code>${html.replace(/_/g, '_<wbr>')}</code></a>` : html;
+  };
   const body = rows.map(
-    row => `<tr>${row.map((field, i) => `<td${align[i]}>${cellHtml(field, columns[i], times)}</td>`).join('')}</tr>`,
+    row =>
+      `<tr>${row.map((field, i) => `<td${align[i]}${said(columns[i])}>${cell(field, columns[i])}</td>`).join('')}</tr>`,
   );
-  return `<table><thead><tr>${heads.join('')}</tr></thead><tbody>\n${body.join('\n')}\n</tbody></table>${aboutTimes(times, rows.flat())}`;
+  return `<table${isBlocks ? ' class="blocks"' : ''}><thead><tr>${heads.join('')}</tr></thead><tbody>\n${body.join('\n')}\n</tbody></table>${aboutTimes(times, rows.flat())}`;
 }
 
 const head = c => escapeHtml(c.column) + (c.unit ? ` <span class="unit">[${unitHtml(c.unit)}]</span>` : '');
