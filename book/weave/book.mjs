@@ -144,6 +144,8 @@ function readPages(book) {
     }
   }
   AFTER.forEach(addAround);
+  // Not on the way through the book: the page about this copy leads there.
+  add('CHANGELOG.md', { name: 'changelog', href: 'changelog.html' }).isAside = true;
 }
 
 function registerClaims(book, chapter) {

@@ -82,12 +82,14 @@ export const claimDocuments = book =>
     text: '',
   }));
 
+export const readWords = ({ config }) => JSON.parse(readFileSync(join(config.source, WORDS), 'utf8'));
+
 // The script that the search loads: the documents, and the words of its readers.
 export function searchScript(book, documents) {
   const words = readFileSync(join(book.config.source, WORDS), 'utf8');
-  const { called, same, idle } = JSON.parse(words);
+  const { called, same, idle, titles } = JSON.parse(words);
   const urls = documents.map(({ url }) => url);
-  for (const url of Object.keys(called)) {
+  for (const url of [...Object.keys(called), ...Object.keys(titles)]) {
     const line = linesBefore(words, words.indexOf(`"${url}"`)) + 1;
     if (!urls.includes(url))
       book.problems.add(WORDS, line, `there is no place "${url}" in the book.${nameOneOf(url, urls)}`);

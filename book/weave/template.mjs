@@ -1,4 +1,5 @@
 // The one page template.
+import { headHtml } from './head.mjs';
 import { liveHead } from './live.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
@@ -6,19 +7,14 @@ import { escapeHtml, smarten } from './text.mjs';
 export function pageHtml(book, page) {
   const name = escapeHtml(smarten(book.title));
   const title = escapeHtml(smarten(page.title));
-  // The path of a file is long, and says enough.
-  const head =
-    page.href === 'index.html'
-      ? name
-      : page.kind === 'source'
-        ? title
-        : `${page.number ? `${page.number}. ` : ''}${title} · ${name}`;
+  const head = headTitle(book, page, name, title);
   return `<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>${head}</title>
+${headHtml(book, page, head)}
 <meta name="color-scheme" content="light dark">
 <script>document.documentElement.classList.add("scripted");try{var t=localStorage.getItem("theme");if(t)document.documentElement.dataset.theme=t}catch(e){}</script>
 ${page.body.includes('class="katex') ? '<link rel="stylesheet" href="katex/katex.css">\n' : ''}<link rel="stylesheet" href="book.css">
@@ -33,13 +29,22 @@ ${sideNav(book, page, name)}
 <main id="content">
 <h1>${page.kicker ? `<span class="kicker">${escapeHtml(page.kicker)}</span> ` : ''}${page.titleHtml ?? title}</h1>
 ${page.body}
-${pager(page)}<footer>${name} ${escapeHtml(book.config.version)}. Prose and figures: CC BY 4.0. Code: MIT-0.</footer>
+${pager(page)}<footer>${name} ${escapeHtml(book.config.version)}. Prose and figures: CC BY 4.0. Code: MIT-0. <a href="about.html">How to cite, report a mistake</a></footer>
 </main>
 ${onThisPage(page)}</div>
 </div>
 </body>
 </html>
 `;
+}
+
+// What a browser's tab and a list of hits say.
+function headTitle(book, page, name, title) {
+  const searched = book.searchedAs[page.href];
+  if (page.href === 'index.html') return searched ? `${name}: ${searched}` : name;
+  if (page.kind === 'source') return title; // the path of a file is long, and says enough
+  const own = page.kind === 'api' && page.kicker ? `${title}, ${escapeHtml(page.kicker)}` : title;
+  return `${searched ?? (page.number ? `${page.number}. ${own}` : own)} · ${name}`;
 }
 
 function sideNav(book, page, name) {
@@ -54,7 +59,7 @@ function sideNav(book, page, name) {
     ...after.filter(isFirst).map(prose),
     link('snippets.html', 'Snippets'),
     link('exercises.html', 'Exercises'),
-    ...after.filter(p => !isFirst(p)).map(prose),
+    ...after.filter(p => !isFirst(p) && !p.isAside).map(prose),
     link('claims.html', 'Claims'),
     link('reference.html', 'Code reference'),
   ];

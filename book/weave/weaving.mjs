@@ -7,13 +7,15 @@ import { readBook } from './book.mjs';
 import { checkCards } from './cards.mjs';
 import { checkPromises } from './promises.mjs';
 import { checkBook, checkReferencesToCode } from './check.mjs';
+import { aboutPage, lostPage } from './about-page.mjs';
 import { claimsPage } from './claims-page.mjs';
 import { runDoxygen } from './doxygen.mjs';
 import { exercisesPage } from './exercises-page.mjs';
 import { checkLinks } from './links.mjs';
 import { referencePages } from './reference-pages.mjs';
+import { sitemap } from './head.mjs';
 import { renderPage } from './render.mjs';
-import { claimDocuments, codeDocuments, madeDocuments, proseDocuments, searchScript } from './search.mjs';
+import { claimDocuments, codeDocuments, madeDocuments, proseDocuments, readWords, searchScript } from './search.mjs';
 import { snippetsPage } from './snippets-page.mjs';
 import { sourcePages } from './source-pages.mjs';
 import { stopwatch, summary } from './summary.mjs';
@@ -52,8 +54,11 @@ function giveUpOn({ problems, config }) {
   throw new Faults(`${problems.text()}The book is not woven: ${n} ${n === 1 ? 'mistake' : 'mistakes'} to mend. ${old}`);
 }
 
+const onTheWay = ({ isAside }) => !isAside;
+
 function makePages(book) {
   const documents = [];
+  book.searchedAs = readWords(book).titles;
   const prose = book.pages.map(page => {
     const { html, places } = renderPage(book, page);
     documents.push(...proseDocuments(page, places));
@@ -66,19 +71,28 @@ function makePages(book) {
       kind: page.number ? 'chapter' : page.name,
       body: html,
       kicker: page.number ? `Chapter ${page.number}` : '',
-      previous: book.pages[page.order - 1],
-      next: book.pages[page.order + 1],
+      previous: onTheWay(page) && book.pages[page.order - 1],
+      next: onTheWay(page) && book.pages.slice(page.order + 1).find(onTheWay),
       sections: places.filter(({ level }) => level === 2).map(({ id, title }) => ({ id, title })),
     };
   });
-  const [snippets, exercises] = [snippetsPage(book), exercisesPage(book)];
+  const [snippets, exercises, about] = [snippetsPage(book), exercisesPage(book), aboutPage(book)];
   documents.push(
     ...madeDocuments(snippets),
+    ...madeDocuments(about),
     ...madeDocuments(exercises).slice(0, 1),
     ...codeDocuments(book),
     ...claimDocuments(book),
   );
-  const made = [claimsPage(book), snippets, exercises, ...referencePages(book), ...sourcePages(book)].map(page => ({
+  const made = [
+    claimsPage(book),
+    snippets,
+    exercises,
+    about,
+    ...referencePages(book),
+    ...sourcePages(book),
+    lostPage(book),
+  ].map(page => ({
     ...page,
     file: page.kind === 'source' ? page.title : `page ${page.href}`,
   }));
@@ -97,6 +111,7 @@ function writeBook(book, pages, documents) {
     copyAssets(book, fresh);
     writeFileSync(join(fresh, 'search-index.js'), searchScript(book, documents));
     for (const { href, html } of pages) writeFileSync(join(fresh, href), html);
+    if (book.config.url) writeFileSync(join(fresh, 'sitemap.xml'), sitemap(book, pages));
     checkLinks(book, pages, new Set(filesIn(fresh)));
     if (book.problems.any) return;
     rmSync(old, { recursive: true, force: true });

@@ -333,7 +333,8 @@ struct Trial {
   Caged caged = Caged::few;
 };
 
-bool prove_caged(const Ways& compiled, const grade::Exercise& exercise, Caged which,
+// `marked` grades what is compiled, and says of no mistake which it is.
+bool prove_caged(const Grade& marked, const grade::Exercise& exercise, Caged which,
                  const std::vector<std::filesystem::path>& right,
                  const std::vector<std::filesystem::path>& wrong) {
   std::printf("       in the cage\n");
@@ -343,7 +344,7 @@ bool prove_caged(const Ways& compiled, const grade::Exercise& exercise, Caged wh
   bool good = is_nothing(caged.driven, exercise.folder / "starter.h");
   for (const auto& file : right) good = is_right(caged, file, 1) && good;
   for (const auto& file : wrong)
-    if (ends_otherwise(compiled.driven, file)) good = is_caught(caged, file, 1) && good;
+    if (ends_otherwise(marked, file)) good = is_caught(caged, file, 1) && good;
   return good;
 }
 
@@ -368,7 +369,10 @@ bool prove(const grade::Exercise& exercise, const Trial& trial) {
     good = prove(compiled, exercise, trial.seeds, right, wrong) && good;
   }
   if (trial.caged == Caged::none) return good;
-  return prove_caged(compiled, exercise, trial.caged, right, wrong) && good;
+  const auto marked = [&](const auto& file, std::uint64_t seed, const std::string& only) {
+    return driver.grade(file, seed, {}, only, false);
+  };
+  return prove_caged(marked, exercise, trial.caged, right, wrong) && good;
 }
 
 // What the second argument asks for.
