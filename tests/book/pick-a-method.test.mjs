@@ -208,7 +208,7 @@ test('the menu leads there from every page', async () => {
 test('with all open nothing is cut off or out of reach of a screen reader', async () => {
   for (const tab of [desk, phone]) {
     await visit(tab, page);
-    await tab.evaluate(() => document.querySelectorAll('details').forEach(e => (e.open = true)));
+    await tab.evaluate(() => document.querySelectorAll('main details').forEach(e => (e.open = true)));
     assert.deepEqual([...tab.faults, ...(await tab.evaluate(inspect))], []);
     assert.deepEqual(await accessibility(tab), []);
   }
@@ -256,7 +256,7 @@ test('the steps a tick are those that the program works out', async () => {
   await visit(desk, page);
   const rows = readRecords(join(build, 'chapters/pick-a-method/data/shown.csv'));
   assert.ok(rows.length >= 20);
-  await desk.evaluate(() => document.querySelectorAll('details').forEach(e => (e.open = true)));
+  await desk.evaluate(() => document.querySelectorAll('main details').forEach(e => (e.open = true)));
   for (const row of rows) {
     await desk.locator('[name=swings]').fill(row.swings);
     await desk.locator('[name=ticks]').fill(row.ticks);
@@ -363,7 +363,7 @@ test('closed it is two and a half screens of a phone, and what is tapped is 24 p
   await afresh(phone, page);
   const screens = await phone.evaluate(() => document.documentElement.scrollHeight / innerHeight);
   assert.ok(screens <= 2.5, `${screens} screens`);
-  await phone.evaluate(() => document.querySelectorAll('details').forEach(e => (e.open = true)));
+  await phone.evaluate(() => document.querySelectorAll('main details').forEach(e => (e.open = true)));
   const small = await phone.evaluate(() => {
     const hit = (e, x, y) => document.elementFromPoint(x, y)?.closest('a, summary, button') === e;
     return [...document.querySelectorAll('.claim, .method a, .choice summary')]
