@@ -10,41 +10,31 @@
 // the wrong ways that end otherwise than by an answer go the way of a submission. Prints one line
 // for each; the exit code is 1 if any is not so.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
-#include <iterator>
-#include <map>
 #include <optional>
-#include <regex>
-#include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "asked.h"
 #include "grade_submission.h"
-#include "judge/in_a_process.h"
 #include "judge/session.h"
 #include "report/shortened.h"
 #include "report/words.h"
+#include "seeds.h"
 #include "ways.h"
 
 namespace {
 
 using grade::Report;
 using grade::Verdict;
-
-// How a header is graded: with what seed, and by which of the tests; by all, if that is empty.
-using Grade = std::function<Report(const std::filesystem::path& file, std::uint64_t seed,
-                                   const std::string& only)>;
-
-// The ways of an exercise, compiled into one driver and one library.
-struct Ways {
-  Grade driven, called;
-};
+using ways::asks_all;
+using ways::Grade;
+using ways::Seeds;
+using ways::Ways;
 
 // As a submission is: compiled in the cage and run there.
 Grade in_the_cage(const grade::Exercise& exercise) {
@@ -88,54 +78,6 @@ void print_tests(const std::string& exercise) {
   }
 }
 
-std::string read(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-// Whether it keeps something from one call to the next, of which a process knows more under its
-// second seed than a driver does.
-bool remembers(const std::filesystem::path& file) {
-  return std::regex_search(read(file), std::regex("\\bstatic (?!const)"));
-}
-
-// The seeds that a way was tried under, and whether it was as it should be under the last of them.
-struct Seeds {
-  int tried = 1;
-  bool good = true;
-};
-
-// Tries a way under the seeds from the second on, for some seconds, and whatever seems wrong once
-// more in the driver.
-Seeds try_seeds(const Ways& ways, const std::filesystem::path& file, const std::string& only,
-                int seeds, const std::function<bool(const Report&)>& as_it_should) {
-  Seeds tried;
-  if (seeds == 1) return tried;
-  using Clock = std::chrono::steady_clock;
-  constexpr double good = 0, bad = 1, not_tried = 2;
-  constexpr int longest = 3000;  // of one seed [ms]
-  const auto end = Clock::now() + std::chrono::seconds(5);
-  const auto under = [&](const Grade& grade, int seed) {
-    if (Clock::now() > end) return not_tried;
-    return as_it_should(grade(file, static_cast<std::uint64_t>(seed), only)) ? good : bad;
-  };
-  std::vector<double> found(static_cast<std::size_t>(seeds - 1), bad);
-  if (!remembers(file)) {
-    const auto called = [&](std::size_t place) {
-      return under(ways.called, static_cast<int>(place) + 2);
-    };
-    found = judge::in_a_process(found.size(), called, longest);
-  }
-  for (const double seed : found) {
-    const double how = seed == good ? good : under(ways.driven, tried.tried + 1);
-    if (how == not_tried) break;
-    ++tried.tried;
-    tried.good = how == good;
-    if (!tried.good) break;
-  }
-  return tried;
-}
-
 bool has_full_marks(const Report& report) {
   return report.verdict == Verdict::accepted && report.points > 0;
 }
@@ -148,52 +90,6 @@ bool is_right(const Ways& ways, const std::filesystem::path& file, int seeds) {
   if (tried.good) return say(first, file, true, count + " seeds");
   const Report wrong = ways.driven(file, static_cast<std::uint64_t>(tried.tried), "");
   return say(wrong, file, false, "seed " + count + "; " + failed(wrong));
-}
-
-// Whether it has no function of numbers, or says harness::any of each of them.
-bool says_that_there_are_none(const grade::Exercise& exercise) {
-  const std::string text = read(exercise.folder / "harness.h");
-  return text.find("harness::Wanted<") == text.npos || text.find("harness::any") != text.npos;
-}
-
-// What a solution's drivers said of the arguments that they were given, see watch.h.
-struct Asked {
-  std::map<std::string, bool> within;  ///< what is to be asked, and whether it was
-  std::set<std::string> outside;       ///< what was asked beyond the bounds
-
-  void read(const std::string& printed) {
-    std::istringstream lines(printed);
-    for (std::string line; std::getline(lines, line);) {
-      std::smatch said;
-      if (!std::regex_match(line, said, std::regex("(asked|outside) (\\d+) (.*) (yes|no)")))
-        continue;
-      const std::string which = "harness.h:" + said.str(2) + ": " + said.str(3);
-      if (said.str(1) == "asked") within[which] = within[which] || said.str(4) == "yes";
-      if (said.str(1) == "outside") outside.insert(which);
-    }
-  }
-  bool all() const {
-    return std::ranges::all_of(within, [](const auto& one) { return one.second; });
-  }
-};
-
-// Whether each bound and each special value that the exercise's harness.h names was asked, and each
-// power of ten between, and nothing beyond. What is drawn is drawn by one seed and not by another,
-// so a second and a third are tried where something is missing.
-bool asks_all(const Grade& grade, const grade::Exercise& exercise) {
-  Asked asked;
-  for (std::uint64_t seed = 1; seed == 1 || (seed <= 3 && !asked.all()); ++seed) {
-    grade(exercise.folder / "solution.h", seed, "");
-    asked.read(judge::session().printed);
-  }
-  for (const auto& which : asked.outside)
-    std::printf("WRONG  %s lies outside of its bounds, and is asked\n", which.c_str());
-  for (const auto& [which, was] : asked.within)
-    if (!was) std::printf("WRONG  %s is never asked\n", which.c_str());
-  const bool says_something = !asked.within.empty() || says_that_there_are_none(exercise);
-  if (!says_something)
-    std::printf("WRONG  harness.h says of no argument what may be asked, nor harness::any\n");
-  return asked.outside.empty() && asked.all() && says_something;
 }
 
 bool is_nothing(const Grade& grade, const std::filesystem::path& file) {
