@@ -1,7 +1,7 @@
 // The one page template.
 import { headHtml } from './head.mjs';
 import { liveHead } from './live.mjs';
-import { escapeHtml, smarten } from './text.mjs';
+import { escapeHtml, smarten, textOfHtml } from './text.mjs';
 
 // page: { href, title, kind, body, kicker?, titleHtml?, sections?, previous?, next? }
 export function pageHtml(book, page) {
@@ -38,13 +38,17 @@ ${onThisPage(page)}</div>
 `;
 }
 
-// What a browser's tab and a list of hits say.
+const LONGEST_TITLE = 70; // letters that a list of hits shows
+
+// What a browser's tab and a list of hits say: of what is right the longest that is shown whole.
 function headTitle(book, page, name, title) {
   const searched = book.searchedAs[page.href];
   if (page.href === 'index.html') return searched ? `${name}: ${searched}` : name;
   if (page.kind === 'source') return title; // the path of a file is long, and says enough
-  const own = page.kind === 'api' && page.kicker ? `${title}, ${escapeHtml(page.kicker)}` : title;
-  return `${searched ?? (page.number ? `${page.number}. ${own}` : own)} · ${name}`;
+  const own = searched ?? (page.number ? `${page.number}. ${title}` : title);
+  const more = page.kind === 'api' && page.kicker ? `${own}, ${escapeHtml(page.kicker)}` : own;
+  const shown = text => textOfHtml(text).length <= LONGEST_TITLE;
+  return [`${more} · ${name}`, more, own].find(shown) ?? own;
 }
 
 function sideNav(book, page, name) {
