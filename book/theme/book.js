@@ -150,11 +150,14 @@
   const headings = [...new Set(links.map(a => a.hash.slice(1)))].map(id =>
     document.getElementById(decodeURIComponent(id)),
   );
+  let shown = null;
   function markSection() {
     const atEnd = scrollY > 0 && scrollY + innerHeight > root.scrollHeight - 2;
     const here =
       headings[atEnd ? headings.length - 1 : headings.findLastIndex(e => e.getBoundingClientRect().top < 120)];
     const link = links.find(a => here && decodeURIComponent(a.hash.slice(1)) === here.id);
+    if (link === shown) return;
+    shown = link;
     for (const a of links) a.classList.toggle('here', a.hash === link?.hash);
     for (const bar of all('.side .place')) bar.textContent = link?.textContent ?? '';
     if (link && document.body.classList.contains('chapter'))

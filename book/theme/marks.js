@@ -25,7 +25,12 @@
   CSS.highlights.set('claimed', lit);
 
   // From the end of the sentence before, or the mark before, to the mark.
+  const sentences = new Map();
   function sentenceOf(mark) {
+    if (!sentences.has(mark)) sentences.set(mark, sentenceBefore(mark));
+    return sentences.get(mark);
+  }
+  function sentenceBefore(mark) {
     const home = mark.closest('p, li');
     const range = document.createRange();
     range.setStart(home, 0);

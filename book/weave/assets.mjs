@@ -36,7 +36,9 @@ export function copyAssets(book, out) {
     'wall.html',
   ])
     copyFileSync(join(theme, file), join(out, file));
-  copyFileSync(join(dirname(require.resolve('minisearch')), '../umd/index.js'), join(out, 'minisearch.js'));
+  const minisearch = join(dirname(require.resolve('minisearch')), '../..');
+  copyFileSync(join(minisearch, 'dist/umd/index.js'), join(out, 'minisearch.js'));
+  copyFileSync(join(minisearch, 'LICENSE.txt'), join(out, 'minisearch-LICENSE.txt'));
   if (book.config.live) copyLive(book, join(out, 'live'));
   copyFilms(book, out);
   copyFonts(join(out, 'fonts'));
@@ -86,6 +88,7 @@ function copyKatex(folder) {
     '',
   );
   writeFileSync(join(folder, 'katex.css'), css);
+  copyFileSync(join(from, '../LICENSE'), join(folder, 'LICENSE.txt'));
   for (const file of readdirSync(join(from, 'fonts')))
     if (file.endsWith('.woff2')) copyFileSync(join(from, 'fonts', file), join(folder, 'fonts', file));
 }

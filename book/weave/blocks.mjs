@@ -60,9 +60,13 @@ function card({ book, hold }, { card: measured }) {
 }
 
 function contents({ book }) {
-  const items = [...book.chapters.values()].map(
-    chapter =>
-      `<li><a href="${chapter.href}"><span class="no">${chapter.number}</span><span class="title">${escapeHtml(smarten(chapter.title))}</span></a></li>`,
+  return contentsHtml([...book.chapters.values()]);
+}
+
+export function contentsHtml(pages) {
+  const items = pages.map(
+    ({ href, number, title }) =>
+      `<li><a href="${href}"><span class="no">${number || ''}</span><span class="title">${escapeHtml(smarten(title))}</span></a></li>`,
   );
   return `<ol class="contents">\n${items.join('\n')}\n</ol>`;
 }

@@ -12,6 +12,7 @@ import { readPage } from './page.mjs';
 import { createProblems } from './problems.mjs';
 import { createSnippets } from './snippets.mjs';
 import { readTables } from './tables.mjs';
+import { readWords } from './words.mjs';
 import { slug } from './text.mjs';
 
 // The folder of the start page, its program and its figures, among the chapters'. A chapter's has a number in front; any other is a
@@ -21,6 +22,9 @@ const OPENING = 'front';
 // The pages before and after the chapters, book/NAME.md each.
 const BEFORE = ['preface'];
 const AFTER = ['talks', 'teaching', 'glossary', 'references'];
+
+// All but what lies beside the way through the book.
+export const onTheWay = ({ isAside }) => !isAside;
 
 export function readBook(config) {
   const problems = createProblems();
@@ -35,6 +39,7 @@ export function readBook(config) {
     references: new Map(),
     claims: new Map(),
     sources,
+    words: readWords(config),
     cards: readCards(config.cards, problems),
     promises: readPromises(config.shelf, problems),
     times: readAllTimes(config.times, problems),

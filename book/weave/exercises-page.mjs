@@ -1,4 +1,5 @@
 // The page that lists every exercise of the book, by chapters. Who did one may tick it off; the page remembers.
+import { levelHtml } from './task-box.mjs';
 import { KINDS } from './tasks.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
@@ -39,17 +40,11 @@ const section = ({ name, number, title, exercises }) =>
 
 function row({ id, number, title, href, task }) {
   const words = escapeHtml(smarten(title));
-  const cell = (head, html) => `<td><span class="head">${head}</span> ${html}</td>`;
   const cells = task
-    ? [cell('kind', KINDS[task.kind]), cell('level', levelHtml(task.difficulty)), cell('minutes', task.minutes)]
+    ? [KINDS[task.kind], levelHtml(task.difficulty), task.minutes].map(html => `<td>${html}</td>`)
     : ['<td colspan="3">by yourself, with an answer</td>'];
   return (
     `<tr><th scope="row"><a href="${href}"><span class="secno">${number}</span> ${words}</a></th>${cells.join('')}` +
     `<td class="tick" hidden><input type="checkbox" name="${id}" aria-label="Done: ${words}"></td></tr>`
   );
-}
-
-export function levelHtml(difficulty) {
-  const words = ['', 'easy', 'takes some thought', 'hard'][difficulty];
-  return `<span class="difficulty" role="img" aria-label="Difficulty ${difficulty} of 3: ${words}">${'●'.repeat(difficulty)}${'○'.repeat(3 - difficulty)}</span>`;
 }

@@ -1,17 +1,22 @@
 // What search engines and messengers read at the head of a page: what it is about, and, where the book has an address, where it is.
+import { readFileSync } from 'node:fs';
 import { escapeHtml, smarten, textOfHtml } from './text.mjs';
 
 const LONGEST = 160; // letters that a search engine shows
-const ICON =
-  "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'%3E%3Crect width='16' height='16' rx='3' fill='%23a8402a'/%3E%3Cpath d='M3 12h4V8h3V4h3' fill='none' stroke='white' stroke-width='1.6'/%3E%3C/svg%3E";
+// The colours of the style sheet: of its paper by day and by night, and of what stands out.
+const STYLE = readFileSync(new URL('../theme/book.css', import.meta.url), 'utf8');
+const coloursOf = name => [...STYLE.matchAll(new RegExp(`--${name}: (#[0-9a-f]+)`, 'g'))].map(([, colour]) => colour);
+const PAPERS = coloursOf('paper');
+const ICON = `data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'%3E%3Crect width='16' height='16' rx='3' fill='${encodeURIComponent(coloursOf('accent')[0])}'/%3E%3Cpath d='M3 12h4V8h3V4h3' fill='none' stroke='white' stroke-width='1.6'/%3E%3C/svg%3E`;
 
 export function headHtml(book, page, title) {
   const about = escapeHtml(description(page));
   const address = addressOf(book, page);
   const lines = [
     `<link rel="icon" href="${ICON}">`,
-    '<meta name="theme-color" content="#fffefb" media="(prefers-color-scheme: light)">',
-    '<meta name="theme-color" content="#17171a" media="(prefers-color-scheme: dark)">',
+    ...['light', 'dark'].map(
+      (scheme, i) => `<meta name="theme-color" content="${PAPERS[i]}" media="(prefers-color-scheme: ${scheme})">`,
+    ),
     about && `<meta name="description" content="${about}">`,
     `<meta property="og:title" content="${title}">`,
     about && `<meta property="og:description" content="${about}">`,

@@ -50,6 +50,7 @@ const isOperator = name => /^operator\W/.test(name); // stands in an example by 
 const argumentsOf = ({ parameters = [{}] }) => parameters.map(({ type, name }) => `${type} ${name}`).join(', ');
 
 function headerPage(book, header) {
+  const lines = linesOf(book, header);
   const functions = [...header.functions.filter(steps), ...header.functions.filter(member => !steps(member))];
   const members = [...functions, ...header.constants].map(member =>
     memberSection(book, member, { level: 2, card: cardFor(book, member) }),
@@ -63,8 +64,8 @@ function headerPage(book, header) {
     kicker: header.file.replace(/\/[^/]*$/, ''),
     body: [
       `<p class="lead">${brief(book, header)}</p>`,
-      take(book, header),
-      beforeCard(promisesHtml(book, header, usage(book, header)), wholeHtml(book, header)),
+      take(header, lines),
+      beforeCard(promisesHtml(book, header, usage(book, header)), wholeHtml(book, header, lines)),
       ...members,
       ...types,
     ].join('\n'),
@@ -87,8 +88,7 @@ const linesOf = (book, { file }) =>
     .filter(line => !isMark(line));
 
 // All that there is to copy.
-function wholeHtml(book, header) {
-  const lines = linesOf(book, header);
+function wholeHtml(book, header, lines) {
   const code = highlightLines(lines.join('\n'), 'cpp', linker(book.api, header.file)).join('\n');
   return (
     `<figure class="listing${lines.length > 80 ? ' long' : ''}" id="${WHOLE}"><figcaption><span class="head"><span class="caption">All of it</span></span>` +
@@ -103,8 +103,7 @@ const beforeCard = (html, piece) =>
   html.includes(CARD) ? html.replace(CARD, () => piece + CARD) : `${html}\n${piece}`;
 const CARD = '<div class="card promises"';
 
-function take(book, header) {
-  const lines = linesOf(book, header);
+function take(header, lines) {
   const libraries = [...new Set(lines.map(line => line.match(/^#include <(\w+)\//)?.[1]).filter(Boolean))];
   return (
     `<p class="take">Take <a href="headers/${header.name}" download>${escapeHtml(header.name)}</a>, <a href="#${WHOLE}">${lines.length} lines</a> ` +

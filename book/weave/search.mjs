@@ -1,13 +1,10 @@
 // What the search looks through. Each document has its kind: a page, section, exercise, choice, word, header, claim, a name of the
 // reference or literature. What its words are to readers who call the thing by another name stands in book/search.json.
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 import { nameOneOf } from './problems.mjs';
 import { claimId } from './inline.mjs';
 import { brief } from './reference-entries.mjs';
-import { linesBefore, smarten, textOfHtml } from './text.mjs';
-
-export const WORDS = 'book/search.json';
+import { smarten, textOfHtml } from './text.mjs';
+import { WORDS } from './words.mjs';
 
 // Of each page of prose the places that renderPage() found.
 export function proseDocuments(page, places) {
@@ -32,20 +29,20 @@ function whereOf(page, { kind, number }) {
 // What of the code a reader copies: the headers, and the names in them.
 export function codeDocuments(book) {
   const headers = [...book.api.headers.values()];
-  const copied = headers.flatMap(({ functions, types }) => [...functions, ...types]);
+  const copied = ({ functions, types }) => [...functions, ...types];
   const documents = headers.map(header => ({
     kind: 'header',
     title: header.name,
     place: 'Header to copy',
     url: header.href,
     text: textOfHtml(brief(book, header)),
-    called: copied
-      .filter(({ file }) => file === header.file)
-      .map(entry => spaced(entry.name))
+    called: copied(header)
+      .map(({ name }) => spaced(name))
       .join(', '),
   }));
+  const addresses = new Set(headers.flatMap(copied).map(({ href }) => href));
   for (const [name, { href }] of book.api.names)
-    if (copied.some(entry => entry.href === href))
+    if (addresses.has(href))
       documents.push({
         kind: 'name',
         title: name,
@@ -82,17 +79,13 @@ export const claimDocuments = book =>
     text: '',
   }));
 
-export const readWords = ({ config }) => JSON.parse(readFileSync(join(config.source, WORDS), 'utf8'));
-
 // The script that the search loads: the documents, and the words of its readers.
 export function searchScript(book, documents) {
-  const words = readFileSync(join(book.config.source, WORDS), 'utf8');
-  const { called, same, idle, titles } = JSON.parse(words);
+  const { called, same, idle, titles, lineOf } = book.words;
   const urls = documents.map(({ url }) => url);
   for (const url of [...Object.keys(called), ...Object.keys(titles)]) {
-    const line = linesBefore(words, words.indexOf(`"${url}"`)) + 1;
     if (!urls.includes(url))
-      book.problems.add(WORDS, line, `there is no place "${url}" in the book.${nameOneOf(url, urls)}`);
+      book.problems.add(WORDS, lineOf(url), `there is no place "${url}" in the book.${nameOneOf(url, urls)}`);
   }
   const entries = documents.map((document, id) => ({
     id,

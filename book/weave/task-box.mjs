@@ -2,13 +2,17 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { codeLines } from './blocks.mjs';
-import { levelHtml } from './exercises-page.mjs';
 import { highlightLines } from './highlight.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { KINDS } from './tasks.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
 const GIVEN = 'exercises/grader/harness/given.h';
+
+export function levelHtml(difficulty) {
+  const words = ['', 'easy', 'takes some thought', 'hard'][difficulty];
+  return `<span class="difficulty" role="img" aria-label="Difficulty ${difficulty} of 3: ${words}">${'●'.repeat(difficulty)}${'○'.repeat(3 - difficulty)}</span>`;
+}
 
 export function taskHead({ goal, kind, difficulty, minutes }) {
   return (

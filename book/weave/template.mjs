@@ -1,4 +1,5 @@
 // The one page template.
+import { onTheWay } from './book.mjs';
 import { headHtml } from './head.mjs';
 import { liveHead } from './live.mjs';
 import { escapeHtml, smarten, textOfHtml } from './text.mjs';
@@ -42,7 +43,7 @@ const LONGEST_TITLE = 70; // letters that a list of hits shows
 
 // What a browser's tab and a list of hits say: of what is right the longest that is shown whole.
 function headTitle(book, page, name, title) {
-  const searched = book.searchedAs[page.href];
+  const searched = book.words.titles[page.href];
   if (page.href === 'index.html') return searched ? `${name}: ${searched}` : name;
   if (page.kind === 'source') return title; // the path of a file is long, and says enough
   const own = searched ?? (page.number ? `${page.number}. ${title}` : title);
@@ -63,7 +64,7 @@ function sideNav(book, page, name) {
     ...after.filter(isFirst).map(prose),
     link('snippets.html', 'Snippets'),
     link('exercises.html', 'Exercises'),
-    ...after.filter(p => !isFirst(p) && !p.isAside).map(prose),
+    ...after.filter(p => !isFirst(p) && onTheWay(p)).map(prose),
     link('claims.html', 'Claims'),
     link('reference.html', 'Code reference'),
   ];

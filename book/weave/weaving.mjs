@@ -3,7 +3,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, w
 import { join, relative } from 'node:path';
 import { readApi } from './api.mjs';
 import { copyAssets } from './assets.mjs';
-import { readBook } from './book.mjs';
+import { onTheWay, readBook } from './book.mjs';
 import { checkCards } from './cards.mjs';
 import { checkPromises } from './promises.mjs';
 import { checkBook, checkReferencesToCode } from './check.mjs';
@@ -15,7 +15,7 @@ import { checkLinks } from './links.mjs';
 import { referencePages } from './reference-pages.mjs';
 import { sitemap } from './head.mjs';
 import { renderPage } from './render.mjs';
-import { claimDocuments, codeDocuments, madeDocuments, proseDocuments, readWords, searchScript } from './search.mjs';
+import { claimDocuments, codeDocuments, madeDocuments, proseDocuments, searchScript } from './search.mjs';
 import { snippetsPage } from './snippets-page.mjs';
 import { sourcePages } from './source-pages.mjs';
 import { stopwatch, summary } from './summary.mjs';
@@ -54,11 +54,8 @@ function giveUpOn({ problems, config }) {
   throw new Faults(`${problems.text()}The book is not woven: ${n} ${n === 1 ? 'mistake' : 'mistakes'} to mend. ${old}`);
 }
 
-const onTheWay = ({ isAside }) => !isAside;
-
 function makePages(book) {
   const documents = [];
-  book.searchedAs = readWords(book).titles;
   const prose = book.pages.map(page => {
     const { html, places } = renderPage(book, page);
     documents.push(...proseDocuments(page, places));
