@@ -41,7 +41,8 @@ constexpr bool dopri5_accepts() {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(!calls || scales,
+                "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   return calls && scales && !std::is_integral_v<Real>;
 }
