@@ -13,6 +13,8 @@ async function openRope(reader) {
   const live = await (pageOf(reader) === figure.page ? hold : open)(reader, figure);
   await live.press('reset');
   const handle = live.stage.locator('.handle');
+  // Away from the bar at the top of a phone's page, under which a scroll may have left it.
+  await handle.evaluate(element => element.scrollIntoView({ block: 'center' }));
   const middle = async () => {
     const { x, y, width, height } = await handle.boundingBox();
     return [x + width / 2, y + height / 2];
