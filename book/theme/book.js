@@ -89,23 +89,35 @@
   }
 
   // A formula that is too wide is set smaller. What scrolls sideways all the same fades out where it is cut, and can be
-  // reached by keyboard.
+  // reached by keyboard. A page has hundreds of these: some at a time, and all of them read before one is changed, so that nobody waits.
   const scrollers = 'pre, .math-block, .tablescroll';
+  const SOME = 24;
+  const breath = () => new Promise(done => setTimeout(done));
   const markCut = e => e.classList.toggle('cut', e.scrollWidth - e.clientWidth - e.scrollLeft > 1);
-  function markScroller(e) {
-    e.classList.remove('tight');
-    if (e.scrollWidth > e.clientWidth + 1) e.classList.add('tight');
-    if (e.scrollWidth > e.clientWidth + 1) e.tabIndex = 0;
-    else e.removeAttribute('tabindex');
-    markCut(e);
+  const tooWide = e => e.scrollWidth > e.clientWidth + 1;
+  function markSome(some) {
+    for (const e of some) e.classList.remove('tight');
+    for (const e of some.filter(tooWide)) e.classList.add('tight');
+    const wide = new Set(some.filter(tooWide));
+    for (const e of some) {
+      if (wide.has(e)) e.tabIndex = 0;
+      else e.removeAttribute('tabindex');
+      e.classList.toggle('cut', wide.has(e));
+    }
+    wide.forEach(markCut);
   }
-  const markScrollers = () => {
-    for (const e of all(scrollers)) markScroller(e);
-  };
-  markScrollers();
+  let round = 0;
+  async function markScrollers() {
+    const mine = ++round,
+      list = all(scrollers);
+    for (let i = 0; i < list.length && mine === round; i += SOME) {
+      await breath();
+      markSome(list.slice(i, i + SOME));
+    }
+  }
+  const marked = document.fonts.ready.then(markScrollers);
   addEventListener('resize', markScrollers);
-  document.fonts.ready.then(markScrollers);
-  document.addEventListener('toggle', markScrollers, true);
+  document.addEventListener('toggle', ({ target }) => markSome(all(scrollers, target)), true);
   document.addEventListener(
     'scroll',
     event => {
@@ -138,7 +150,7 @@
     );
   }
   addEventListener('load', async () => {
-    await Promise.allSettled(globalThis.Live?.started ?? []);
+    await Promise.allSettled([marked, ...(globalThis.Live?.started ?? [])]);
     const figure = location.hash.match(/^#([\w-]+)\?/)?.[1]; // one with settings, which is no target to the browser
     if (!moved) (document.querySelector(':target') ?? document.getElementById(figure))?.scrollIntoView();
     root.classList.add('arrived');
@@ -184,46 +196,4 @@
     document.querySelector('main .lead').after(line);
   }
   if (document.body.classList.contains('index')) goOn();
-
-  // Values of numbers, claims and points of a figure: under the mouse, or where a finger touches
-  const tip = document.createElement('div');
-  tip.className = 'tip';
-  tip.hidden = true;
-  tip.setAttribute('role', 'status');
-  document.body.append(tip);
-  function showTip(event) {
-    const owner = event.target.closest?.('[data-tip]') ?? (event.pointerType === 'touch' ? pointNear(event) : null);
-    tip.hidden = !owner;
-    if (!owner) return;
-    tip.textContent = owner.dataset.tip;
-    const at = owner.getBoundingClientRect();
-    const left = at.left + at.width / 2 - tip.offsetWidth / 2;
-    const fits = at.top - tip.offsetHeight - 8 > 0 && !owner.matches('.claim'); // whose sentence stands above it
-    tip.style.left = `${Math.max(8, Math.min(innerWidth - tip.offsetWidth - 8, left))}px`;
-    tip.style.top = fits ? `${at.top - tip.offsetHeight - 8}px` : `${at.bottom + 8}px`;
-  }
-  // A finger is wider than a point: the nearest one within its width counts.
-  function pointNear({ target, clientX, clientY }) {
-    const svg = target.closest?.('.plot svg');
-    const near = svg
-      ? all('[data-tip]', svg)
-          .map(point => {
-            const at = point.getBoundingClientRect();
-            return { point, distance: Math.hypot(at.left + at.width / 2 - clientX, at.top + at.height / 2 - clientY) };
-          })
-          .sort((a, b) => a.distance - b.distance)[0]
-      : null;
-    return near && near.distance < 24 ? near.point : null;
-  }
-  const hideTip = () => {
-    tip.hidden = true;
-  };
-  document.addEventListener('pointerover', showTip);
-  document.addEventListener('pointerdown', showTip);
-  document.addEventListener('focusin', showTip);
-  document.addEventListener('focusout', hideTip);
-  addEventListener('scroll', hideTip, { passive: true });
-  addEventListener('keydown', event => {
-    if (event.key === 'Escape') hideTip();
-  });
 })();

@@ -7,14 +7,14 @@
 
   function place() {
     const counts = new Map();
-    for (const mark of marks) {
-      const { top, height } = mark.getBoundingClientRect();
+    const boxes = marks.map(mark => mark.getBoundingClientRect()); // all, before one is moved
+    marks.forEach((mark, i) => {
+      const { top, height } = boxes[i];
       const line = height ? Math.round((top + scrollY) / 6) : null;
       mark.style.setProperty('--of-line', counts.get(line) ?? 0);
       counts.set(line, (counts.get(line) ?? 0) + 1);
-    }
+    });
   }
-  document.getElementById('content').classList.add('marked');
   place();
   addEventListener('resize', place);
   document.fonts.ready.then(place);

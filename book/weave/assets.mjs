@@ -24,18 +24,18 @@ const FONTS = [
   ['@fontsource-variable/jetbrains-mono', 'jetbrains-mono', ['latin-wght-normal', 'greek-wght-normal']],
 ];
 
+// What every page can do, in one file.
+const SCRIPTS = ['book', 'values', 'marks', 'search'];
+
+const joinFiles = (files, to) => writeFileSync(to, files.map(file => readFileSync(file, 'utf8')).join('\n'));
+
 export function copyAssets(book, out) {
-  for (const file of [
-    'book.css',
-    'book.js',
-    'search.js',
-    'find.js',
-    'marks.js',
-    'exercises.js',
-    'pick-a-method.js',
-    'wall.html',
-  ])
+  for (const file of ['book.css', 'find.js', 'exercises.js', 'pick-a-method.js', 'wall.html'])
     copyFileSync(join(theme, file), join(out, file));
+  joinFiles(
+    SCRIPTS.map(name => join(theme, `${name}.js`)),
+    join(out, 'book.js'),
+  );
   const minisearch = join(dirname(require.resolve('minisearch')), '../..');
   copyFileSync(join(minisearch, 'dist/umd/index.js'), join(out, 'minisearch.js'));
   copyFileSync(join(minisearch, 'LICENSE.txt'), join(out, 'minisearch-LICENSE.txt'));
@@ -53,18 +53,20 @@ export function copyAssets(book, out) {
 function copyLive({ config, live }, folder) {
   mkdirSync(folder, { recursive: true });
   const uplot = dirname(require.resolve('uplot'));
-  copyFileSync(join(uplot, 'uPlot.iife.min.js'), join(folder, 'uplot.js'));
-  copyFileSync(join(uplot, 'uPlot.min.css'), join(folder, 'uplot.css'));
+  joinFiles(
+    [join(uplot, 'uPlot.iife.min.js'), ...LIVE_SCRIPTS.map(script => join(livePage, `${script}.js`))],
+    join(folder, 'live.js'),
+  );
   copyFileSync(join(uplot, '../LICENSE'), join(folder, 'uplot-LICENSE.txt'));
   const script = readFileSync(join(theme, 'figure.gp'), 'utf8');
   const colours = colourRules(readLooks(join(config.methods, 'methods.csv')), script);
-  writeFileSync(join(folder, 'live.css'), colours + readFileSync(join(livePage, 'live.css'), 'utf8'));
+  const rules = [join(uplot, 'uPlot.min.css'), join(livePage, 'live.css')].map(file => readFileSync(file, 'utf8'));
+  writeFileSync(join(folder, 'live.css'), [colours, ...rules].join('\n'));
   writeFileSync(
     join(folder, 'compiled.js'),
     `(globalThis.Live ??= {}).compiled = "${gzipSync(readFileSync(config.live)).toString('base64')}";\n` +
       `globalThis.Live.descriptions = ${JSON.stringify(Object.fromEntries(live))};\n`,
   );
-  for (const script of LIVE_SCRIPTS) copyFileSync(join(livePage, `${script}.js`), join(folder, `${script}.js`));
   for (const { name, folder: from } of live.values())
     copyFileSync(join(config.source, from, `${name}.js`), join(folder, `${name}.js`));
 }

@@ -6,6 +6,7 @@ import { filmHtml, filmSources } from './films.mjs';
 import { liveHtml } from './live.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { adoptSvg } from './svg.mjs';
+import { valuesHtml } from './svg-points.mjs';
 import { taskFoot, taskHead } from './task-box.mjs';
 import { choiceHtml } from './pick-a-method.mjs';
 import { escapeHtml, HOLE, smarten, textOfHtml } from './text.mjs';
@@ -57,7 +58,9 @@ const BOXES = {
       .trim();
     const draw = (file, size) =>
       adoptSvg(readFileSync(file, 'utf8'), { id: `${id}-${size}`, title: words, description: description || words });
-    const svgs = `<div class="wide">${draw(figure.wide, 'wide')}</div>\n<div class="narrow">${draw(figure.narrow, 'narrow')}</div>`;
+    const [wide, narrow] = [draw(figure.wide, 'wide'), draw(figure.narrow, 'narrow')];
+    const values = valuesHtml({ wide: wide.points, narrow: narrow.points });
+    const svgs = `<div class="wide" style="aspect-ratio:${wide.shape}">${wide.html}</div>\n<div class="narrow" style="aspect-ratio:${narrow.shape}"><template>${narrow.html}</template></div>\n${values}`;
     const live = book.config.live && piece.live;
     const stage = live ? ` data-live="${live.name}"` : '';
     const caption = live ? html : onPaper;

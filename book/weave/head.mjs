@@ -29,22 +29,32 @@ export function headHtml(book, page, title) {
   return lines.filter(Boolean).join('\n');
 }
 
-// The page's first sentences, as many as are shown whole.
+// The page's first sentences, as many as are shown whole; of a chapter what one can do after it.
 function description({ body }) {
+  const goals = body.match(/<div class="goals"[^]*?<\/div>/)?.[0];
+  if (goals)
+    return asMany([...goals.matchAll(/<li>([^]*?)<\/li>/g)].map(([, goal]) => plain(goal).replace(/[.;]$/, '')));
   const patterns = [
     /<(?:div|p) class="lead">([^]*?)<\/(?:div|p)>/,
     /<p class="brief">([^]*?)<\/p>/,
     /<p[^>]*>([^]*?)<\/p>/,
   ];
   const [, first] = patterns.map(pattern => body.match(pattern)).find(Boolean) ?? ['', body.slice(0, 2000)];
-  const text = textOfHtml(first.replace(/<(annotation|svg|style|script)\b[^]*?<\/\1>/g, ' ')).replace(
-    / (?=[.,;:!?])/g,
-    '',
-  );
+  const text = plain(first);
   if (text.length <= LONGEST) return text;
   const cut = text.slice(0, LONGEST);
   const sentence = cut.match(/^.*[.!?](?= )/)?.[0];
   return sentence ?? `${cut.slice(0, cut.lastIndexOf(' '))} …`;
+}
+
+const plain = html =>
+  textOfHtml(html.replace(/<(annotation|svg|style|script)\b[^]*?<\/\1>/g, ' ')).replace(/ (?=[.,;:!?])/g, '');
+
+// "Write this; predict that."
+function asMany([first, ...goals]) {
+  let text = first.charAt(0).toUpperCase() + first.slice(1);
+  for (const goal of goals) if (`${text}; ${goal}.`.length <= LONGEST) text += `; ${goal}`;
+  return `${text}.`;
 }
 
 const addressOf = ({ config }, { href }) =>

@@ -29,10 +29,8 @@ export const LIVE_SCRIPTS = [
 export function liveHead(body) {
   const names = [...body.matchAll(/<figure class="plot" id="[^"]*" data-live="([^"]*)"/g)].map(found => found[1]);
   if (!names.length) return '';
-  const scripts = ['uplot', 'compiled', ...LIVE_SCRIPTS, ...names].map(
-    name => `<script defer src="live/${name}.js"></script>\n`,
-  );
-  return `<link rel="stylesheet" href="live/uplot.css">\n<link rel="stylesheet" href="live/live.css">\n${scripts.join('')}`;
+  const scripts = ['compiled', 'live', ...names].map(name => `<script defer src="live/${name}.js"></script>\n`);
+  return `<link rel="stylesheet" href="live/live.css">\n${scripts.join('')}`;
 }
 
 // name -> { name, folder, file, controls, ... } of each NAME.json; a fault where one cannot be read.

@@ -14,7 +14,7 @@ const colours = theme => {
   return `svg { color: ${value('ink')}; font-family: Inter, system-ui, sans-serif; ${plots.join(' ')} }`;
 };
 const style = `<style>${colours(css.slice(0, dark))} @media (prefers-color-scheme: dark) { ${colours(css.slice(dark))} }</style>`;
-const svg = adoptSvg(readFileSync(figure, 'utf8'), { id: 'figure', title, description: title });
+const { html: svg } = adoptSvg(readFileSync(figure, 'utf8'), { id: 'figure', title, description: title });
 writeFileSync(
   out,
   svg.replace('<svg ', '<svg xmlns="http://www.w3.org/2000/svg" ').replace('<title', `${style}<title`) + '\n',

@@ -1,9 +1,12 @@
 // gnuplot's SVG made fit to live inside a page: ids of its own, the book's colours, a name and a description.
 import * as cheerio from 'cheerio';
-import { escapeHtml, smarten } from './text.mjs';
+import { takePoints } from './svg-points.mjs';
+import { thin } from './svg-thin.mjs';
+import { escapeHtml } from './text.mjs';
 
 const COLOURS = { stroke: true, fill: true, color: true };
 
+// { html, shape, points }: the drawing, its width over its height, and the values that it shows at its points.
 export function adoptSvg(svg, { id, title, description }) {
   const $ = cheerio.load(svg.replace(/^[\s\S]*?<svg/, '<svg').replace(/<!--[\s\S]*?-->/g, ''), {
     xml: { decodeEntities: true },
@@ -11,7 +14,7 @@ export function adoptSvg(svg, { id, title, description }) {
   const root = $('svg').first();
   root.children('title, desc').remove();
   $('filter, script, style').remove();
-  adoptTips($);
+  const points = takePoints($);
   removeNames($);
   removeEmpty($);
   renameIds($, id);
@@ -21,35 +24,19 @@ export function adoptSvg(svg, { id, title, description }) {
   });
   const { viewBox, width, height } = root.attr();
   const box = viewBox ?? `0 0 ${width} ${height}`;
+  const [, , w, h] = box.split(/[\s,]+/);
   root.get(0).attribs = {
     'viewBox': box,
-    'style': `max-width:${box.split(/[\s,]+/)[2]}px`,
+    'style': `max-width:${w}px`,
     'role': 'img',
     'aria-labelledby': `${id}-title ${id}-desc`,
   };
+  thin($, root.get(0));
   root.prepend(
     `<title id="${id}-title">${escapeHtml(title)}</title><desc id="${id}-desc">${escapeHtml(description)}</desc>`,
   );
-  return compact($.xml(root));
+  return { html: compact($.xml(root)), shape: `${w}/${h}`, points };
 }
-
-// 'with labels hypertext' carries each point's value for gnuplot's own script, which the book does not need.
-function adoptTips($) {
-  $('[onmousemove]').each((_, e) => {
-    const tip = e.attribs.onmousemove.match(/showHypertext\(evt,\s*'([\s\S]*)'\)/)?.[1];
-    e.attribs = tip ? { 'class': 'point', 'data-tip': tidyTip(tip.replace(/\\'/g, "'")) } : {};
-    $(e).children('title').remove();
-  });
-  $('*').each((_, e) => {
-    for (const name of Object.keys(e.attribs)) if (name.startsWith('on')) delete e.attribs[name];
-  });
-}
-
-// C's printf knows a minus zero, and no minus but the hyphen.
-const tidyTip = tip =>
-  smarten(tip)
-    .replace(/(?<![\w.])-(0(?:\.0+)?)(?![\d.])/g, '$1')
-    .replace(/(?<![\w.])-(?=\d)/g, '\u2212');
 
 // A plot's <title> would pop up over every line: the book has hover values instead.
 function removeNames($) {
@@ -76,9 +63,16 @@ function removeEmpty($) {
   }
 }
 
+// What nobody refers to needs no name.
 function renameIds($, id) {
+  const meant = new Set(
+    $('use, [clip-path]')
+      .map((_, { attribs }) => [attribs['xlink:href'] ?? attribs.href, attribs['clip-path']].join(' ').match(/[\w-]+/g))
+      .get(),
+  );
   $('[id]').each((_, e) => {
-    e.attribs.id = `${id}-${e.attribs.id}`;
+    if (meant.has(e.attribs.id)) e.attribs.id = `${id}-${e.attribs.id}`;
+    else delete e.attribs.id;
   });
   $('use').each((_, e) => {
     const target = e.attribs['xlink:href'] ?? e.attribs.href;
@@ -94,7 +88,7 @@ function renameIds($, id) {
 function tidyAttributes(e) {
   const styles = e.attribs.style ? [e.attribs.style.replace(/;$/, '')] : [];
   for (const [name, value] of Object.entries(e.attribs)) {
-    if (/^(font-family|xml:space|xmlns|xmlns:xlink|style)$/.test(name) || (name === 'class' && value !== 'point')) {
+    if (/^(font-family|xml:space|xmlns|xmlns:xlink|class|style)$/.test(name)) {
       delete e.attribs[name];
       continue;
     }

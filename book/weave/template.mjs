@@ -20,8 +20,7 @@ ${headHtml(book, page, head)}
 <script>document.documentElement.classList.add("scripted");try{var t=localStorage.getItem("theme");if(t)document.documentElement.dataset.theme=t}catch(e){}</script>
 ${page.body.includes('class="katex') ? '<link rel="stylesheet" href="katex/katex.css">\n' : ''}<link rel="stylesheet" href="book.css">
 <script defer src="book.js"></script>
-<script defer src="search.js"></script>
-${page.body.includes('class="claim"') ? '<script defer src="marks.js"></script>\n' : ''}${page.kind === 'exercises' ? '<script defer src="exercises.js"></script>\n' : ''}${page.body.includes('class="your-spring"') ? '<script defer src="pick-a-method.js"></script>\n' : ''}${liveHead(page.body)}</head>
+${page.kind === 'exercises' ? '<script defer src="exercises.js"></script>\n' : ''}${page.body.includes('class="your-spring"') ? '<script defer src="pick-a-method.js"></script>\n' : ''}${liveHead(page.body)}</head>
 <body class="${page.kind}">
 <a class="skip" href="#content">Skip to the text</a>
 <div class="shell">

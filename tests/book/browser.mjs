@@ -47,10 +47,12 @@ export async function visit(tab, page) {
   await alive(tab);
 }
 
-// Every live figure of the page runs.
+// The page has arrived: all of it is in its place, and every live figure runs.
 export const alive = tab =>
-  tab.waitForFunction(() =>
-    [...document.querySelectorAll('[data-live]')].every(figure => figure.classList.contains('live')),
+  tab.waitForFunction(
+    () =>
+      document.documentElement.classList.contains('arrived') &&
+      [...document.querySelectorAll('[data-live]')].every(figure => figure.classList.contains('live')),
   );
 
 // What the browser draws next, `count` times over: whatever still moves has moved by then.

@@ -48,7 +48,9 @@ const figures = $('figure.plot')
       .map((_, a) => $(a).attr('href'))
       .get()
       .filter(href => pages.has(href)),
-    drawn: ['.wide', '.narrow'].every(size => $(figure).find(`${size} svg :is(path, use)`).length > 2),
+    drawn: [$(figure).find('.wide'), $(figure).find('.narrow template').contents()].every(
+      drawing => drawing.find('svg :is(path, use)').length > 2,
+    ),
   }));
 
 test('things are found', () => {

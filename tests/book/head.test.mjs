@@ -16,6 +16,15 @@ test('each page but a source says what it is about, in words that a list of hits
   }
 });
 
+test('no two pages with prose say the same of themselves', () => {
+  const told = shown.filter(page => !['api', '404'].includes(kind(page)));
+  const abouts = told.map(page => content(parse(page), 'meta[name=description]'));
+  assert.deepEqual(
+    abouts.filter((about, i) => abouts.indexOf(about) !== i),
+    [],
+  );
+});
+
 test('no two pages have one title, and that of a chapter has the words that are searched', () => {
   const titleOf = page => parse(page)('head > title').text();
   const titles = shown.map(titleOf);

@@ -31,7 +31,7 @@
   class Figure {
     constructor(element, description, drawing) {
       Object.assign(this, { element, drawing, description, playing: false, frameAsked: 0 });
-      element.querySelector('.still').before(element.querySelector('template').content.cloneNode(true));
+      element.querySelector('.still').before(element.querySelector(':scope > template').content.cloneNode(true));
       const find = selector => element.querySelector(selector);
       this.stage = find('.stage');
       this.readout = find('.readout');
