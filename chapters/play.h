@@ -39,6 +39,7 @@ inline double length(Vec a) {
 /// colour of what should happen, and "scenery" that of everything else.
 class Film {
   Vec low, high;
+  double speed;
   std::ostringstream pictures;
 
   std::ostream& shape(const char* kind, Vec at, const std::string& colour) {
@@ -47,9 +48,12 @@ class Film {
 
  public:
   /// @param from, to  opposite corners of what the pictures show, the lower left one first [m]
-  Film(Vec from, Vec to) : low(from), high(to) { pictures.precision(4); }
+  /// @param pace  how many seconds of the game are played in one
+  Film(Vec from, Vec to, double pace = 1) : low(from), high(to), speed(pace) {
+    pictures.precision(4);
+  }
 
-  /// Begins a picture, which is shown for so many seconds.
+  /// Begins a picture, which stands for so many seconds of the game.
   void picture(double seconds) { pictures << "],\n[" << seconds; }
 
   void circle(Vec centre, double radius, const std::string& colour) {
@@ -60,8 +64,9 @@ class Film {
   }
   /// Draws on, from where the same trail was in the picture before.
   void trail(Vec to, const std::string& colour) { shape("trail", to, colour) << ']'; }
-  void label(Vec at, const std::string& words) {
-    shape("label", at, "scenery") << ",'" << words << "']";
+  /// Writes words below each other if there are others beside them and too little room.
+  void label(Vec centre, const std::string& words) {
+    shape("label", centre, "scenery") << ",'" << words << "']";
   }
 
   /// Writes the page, and says where it is.
@@ -69,7 +74,8 @@ class Film {
   int write(const std::string& file) const {
     std::ofstream page(file);
     page << player_head << "const view = [" << low.x << ", " << low.y << ", " << high.x << ", "
-         << high.y << "], pictures = [[0" << pictures.str() << "]];" << player_tail;
+         << high.y << "], speed = " << speed << ", pictures = [[0" << pictures.str() << "]];"
+         << player_tail;
     if (page.close(); !page)
       return std::cerr << "can't write " << file << "; is its folder there?\n", 1;
     return std::cout << "Open " << file << " in a browser.\n", 0;

@@ -34,17 +34,17 @@ void draw(const Machine& machine, play::Film& film) {
   const double x = machine.now.x.x;
   film.circle(machine.drawn(), 0.12, "Euler");
   film.line({x - 0.2, machine.highest}, {x + 0.2, machine.highest}, "Euler");
-  film.label({x - 0.15, -0.48}, std::to_string(machine.rate) + " Hz");
+  film.label({x, -0.45}, std::to_string(machine.rate) + " Hz");
 }
 
 int main() {
   Machine machines[] = {at(0, 20), at(1, 30), at(2, 60), at(3, 144)};
-  play::Film film({-0.6, -0.55}, {3.8, 1.7});
+  play::Film film({-0.6, -0.6}, {3.8, 1.7}, 0.25);
   for (int tick = 0; tick < 792; ++tick) {
     for (Machine& machine : machines)
       if (tick % (720 / machine.rate) == 0) machine.frame();
     if (tick % 3 != 0) continue;
-    film.picture(1 / 60.0);
+    film.picture(3 / 720.0);
     film.line({-0.6, 1.33}, {3.8, 1.33}, "scenery");
     for (const Machine& machine : machines) draw(machine, film);
   }

@@ -20,18 +20,18 @@ struct Jumper {
   void draw(play::Film& film) const {
     film.circle(x, 0.12, "Euler");
     film.line({x.x - 0.2, highest}, {x.x + 0.2, highest}, "Euler");
-    film.label({x.x - 0.15, -0.48}, std::to_string(rate) + " Hz");
+    film.label({x.x, -0.45}, std::to_string(rate) + " Hz");
   }
 };
 
 int main() {
   Jumper jumpers[] = {{20, {0, 0}}, {30, {1, 0}}, {60, {2, 0}}, {144, {3, 0}}};
-  play::Film film({-0.6, -0.55}, {3.8, 1.7});
-  for (int tick = 0; tick < 792; ++tick) {  // 720 of them make a second
+  play::Film film({-0.6, -0.6}, {3.8, 1.7}, 0.25);  // at a quarter of the speed
+  for (int tick = 0; tick < 792; ++tick) {          // 720 of them make a second
     for (Jumper& jumper : jumpers)
       if (tick % (720 / jumper.rate) == 0 && jumper.x.y >= 0) jumper.frame();
     if (tick % 3 != 0) continue;
-    film.picture(1 / 60.0);  // four times slower than the jump
+    film.picture(3 / 720.0);
     film.line({-0.6, 1.33}, {3.8, 1.33}, "scenery");
     for (const Jumper& jumper : jumpers) jumper.draw(film);
   }

@@ -10,9 +10,9 @@ int main() {
   Drone drone;
   play::Hand hand;
   bool outside = false;
-  play::Film film({-25, -5}, {15, 27});
+  play::Film film({-25, -5}, {15, 27}, 8);
   for (int picture = -60; picture <= 600; ++picture) {
-    film.picture(picture < 0 ? 0 : 1 / 60.0);  // no time at first: draws the circles
+    film.picture(picture < 0 ? 0 : 8 / 60.0);  // no time at first: draws the circles
     film.trail(drone.at + 12 * hand.tip, "scenery");
     film.trail(drone.at + 10 * hand.tip, "true");
     film.circle(drone.at + 10 * hand.tip, 0.5, "true");

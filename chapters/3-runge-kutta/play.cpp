@@ -32,16 +32,16 @@ int main() {
                     {{.at = {30, 0}, .method = "RK4"}, 4}};
   const int rate = 10;  // evaluations a second
   play::Hand hand;
-  play::Film film({-47, -17}, {43, 17});
+  play::Film film({-47, -23}, {46, 17}, 2);
   for (int tick = 1; tick <= 16 * rate; ++tick) {  // sixteen seconds: two turns
     hand.turn(60 / rate);
-    film.picture(0.5 / rate);
+    film.picture(1.0 / rate);
     for (Racer& racer : racers) {
       if (tick % racer.price == 0) racer.step(double(racer.price) / rate);
       film.trail(racer.drone.at + 10 * hand.tip, "true");
       film.circle(racer.drone.at + 10 * hand.tip, 0.5, "true");
       racer.drone.draw(film);
-      film.label(racer.drone.at + Vec{-4, -4}, racer.drone.method);
+      film.label(racer.drone.at + Vec{0, -20}, racer.drone.method);
     }
   }
   for (const Racer& racer : racers)

@@ -12,15 +12,16 @@ int main() {
   Hatch hatches[5];
   for (int i = 0; i < 5; ++i) hatches[i].at = {7 + 1.7 * i, 0};
   const double h = 1 / 60.0;
-  play::Film film({6, -1.2}, {14.8, 3.1});
+  play::Film film({6.1, -1.4}, {14.7, 3.1}, 1 / 7.0);
   // [hatches]
 
   // [frames]
   for (int frame = 0; frame <= 30; ++frame) {
-    film.picture(0.12);
+    film.picture(h);
     for (int i = 0; i < 5; ++i) {
       hatches[i].draw(film, names[i]);
-      film.label(hatches[i].at + play::Vec{-0.6, i % 2 ? -0.95 : -0.6}, names[i]);
+      film.label(hatches[i].at + play::Vec{0, -0.7}, names[i]);
+      if (length(hatches[i].x) > 3) film.label(hatches[i].at + play::Vec{0, 0.5}, "gone");
     }
     if (frame % 10 == 0) {
       std::cout << "After " << frame << " frames:";

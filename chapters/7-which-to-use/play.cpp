@@ -14,12 +14,12 @@
 using play::Vec;
 
 struct Level {
-  play::Jumper jumper{.x = {-17, 0}};
+  play::Jumper jumper{.x = {-13, 0}};
   play::Drone drone{.method = "RK4"};
-  play::Hatch hatch{.at = {7, 0.4}};
+  play::Hatch hatch{.at = {6.5, 0.4}};
   play::Rope rope{{11, 6}, {1, 0}, {8, 6}};
-  play::Moon moon{.at = {14, 15}};
-  play::Crate crate{.at = {17, 3}};
+  play::Moon moon{.at = {10.4, 16.5}};
+  play::Crate crate{.at = {12.5, 1.25}};
   Vec pull = moon(moon.x, moon.v, 0);
   // [things]
 
@@ -38,8 +38,8 @@ struct Level {
   // [draw]
   void draw(play::Film& film) const {
     film.picture(1 / 30.0);
-    film.line({-20, 0}, {20, 0}, "scenery");
-    film.line({-16, 1.33}, {-14, 1.33}, "scenery");
+    film.line({-16, 0}, {15, 0}, "scenery");
+    film.line({-12, 1.33}, {-10, 1.33}, "scenery");
     film.circle(jumper.x + Vec{0, 0.4}, 0.4, "true");
     drone.draw(film);
     hatch.draw(film, "true");
@@ -47,6 +47,10 @@ struct Level {
     film.circle(rope.x[20], 0.3, "Störmer–Verlet");
     moon.draw(film, "velocity Verlet");
     crate.draw(film);
+    for (const double x : {jumper.x.x, hatch.at.x}) film.label({x, -0.75}, "exact");
+    film.label({drone.at.x, -0.75}, drone.method);
+    film.label({11, 7.3}, "Störmer–Verlet");
+    film.label({10.4, 11.8}, "velocity Verlet");
   }
 };
 // [draw]
@@ -55,7 +59,7 @@ struct Level {
 int main() {
   Level level;
   const double thrown = level.crate.energy();
-  play::Film film({-20, -1}, {20, 22});
+  play::Film film({-16, -1.8}, {15, 21.8});
   for (int n = 0; n < 8 * 60; ++n) {
     if (n % 2 == 0) level.draw(film);
     level.step(1 / 60.0);

@@ -22,8 +22,9 @@ struct Crate {
   double energy() const { return 0.5 * dot(shelf::angular_velocity(q, L, inertia), L); }
   // [crate]
 
-  /// Its eight corners, and a line between two that differ in one sign.
-  void draw(Film& film, const char* method = "velocity Verlet") const {
+  /// Its eight corners, and a line between two that differ in one sign; and below it what turns it.
+  void draw(Film& film, const char* colour = "velocity Verlet",
+            const char* turned_by = "rotations") const {
     const auto corner = [&](int i) {
       const auto way = [i](int bit) { return i & bit ? 0.5 : -0.5; };
       const auto to = shelf::rotate(q, {way(1) * size.x, way(2) * size.y, way(4) * size.z});
@@ -31,7 +32,8 @@ struct Crate {
     };
     for (int i = 0; i < 8; ++i)
       for (const int bit : {1, 2, 4})
-        if (!(i & bit)) film.line(corner(i), corner(i | bit), method);
+        if (!(i & bit)) film.line(corner(i), corner(i | bit), colour);
+    film.label(at + Vec{0, -2}, turned_by);
   }
 };
 
