@@ -44,7 +44,7 @@ const BOXES = {
   change: (html, { args: [title] }) =>
     `<div class="change"><p class="label">${escapeHtml(smarten(title))}</p>${html}</div>`,
   figure: (html, piece, { book, page, hold }) => {
-    if (piece.film) return filmBox(html, piece, page);
+    if (piece.film) return filmBox(html, piece, { book, page, hold });
     const {
       id,
       figure,
@@ -72,8 +72,8 @@ const BOXES = {
   },
 };
 
-const filmBox = (html, piece, page) =>
-  `<figure class="plot" id="${piece.id}">${filmHtml(page, piece)}\n<figcaption>${figureLabel(piece, html)}${filmSources(page, piece)}</figcaption></figure>`;
+const filmBox = (html, piece, { book, page, hold }) =>
+  `<figure class="plot" id="${piece.id}">${hold(filmHtml(page, piece, book))}\n<figcaption>${figureLabel(piece, html)}${filmSources(page, piece)}</figcaption></figure>`;
 
 const figureLabel = ({ number, args: [, title] }, caption) =>
   startWith(`<b>Figure ${number}. ${escapeHtml(smarten(title).replace(/\.$/, ''))}.</b> `, caption);

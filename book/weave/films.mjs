@@ -1,10 +1,15 @@
 // The films: pages of their own, each written by a program play*.cpp of a chapter, and shown in the chapter.
-import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { readPictures, stillHtml } from './film-still.mjs';
+import { otherColours, readLooks } from './method-looks.mjs';
 import { nameOneOf } from './problems.mjs';
 import { isMark } from './snippets.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { escapeHtml, smarten } from './text.mjs';
+
+const figureScript = fileURLToPath(new URL('../theme/figure.gp', import.meta.url));
 
 // { play: { name, source, page, prints, shape } } of a chapter: its programs that make a film, where the film is, and what they print.
 export function readFilms(source, folder, build) {
@@ -36,6 +41,7 @@ export function checkFilm({ book, page, piece, report }) {
     return;
   }
   piece.film.shown = true;
+  piece.film.title = piece.args[1];
   if (!existsSync(piece.film.page)) report(`${piece.film.source} has not made its film; is the chapter built?`);
 }
 
@@ -84,18 +90,23 @@ export function checkPrints(book) {
 
 const fileName = (page, film) => `films/${page.name}-${film.name}.html`;
 
-// As high as its pictures want, and the slider below them.
-function shapeOf(film) {
-  const [left, bottom, right, top] = readFileSync(film.page, 'utf8')
-    .match(/const view = \[([^\]]*)\]/)[1]
-    .split(',')
-    .map(Number);
-  return (right - left) / (top - bottom);
+// As high as its pictures want, and the slider below them; and the still, which stands for it on paper and without scripts.
+export function filmHtml(page, { film, args: [, title] }, { config }) {
+  const words = escapeHtml(smarten(title));
+  const pictures = readPictures(readFileSync(film.page, 'utf8'));
+  const [left, bottom, right, top] = pictures.view;
+  return (
+    `<div class="film" style="--shape:${((right - left) / (top - bottom)).toFixed(3)}">` +
+    `<iframe src="${fileName(page, film)}" title="${words}" loading="lazy"></iframe>` +
+    `${stillHtml(pictures, coloursOf(config), words)}</div>`
+  );
 }
 
-export function filmHtml(page, { film, args: [, title] }) {
-  const words = escapeHtml(smarten(title));
-  return `<div class="film" style="--shape:${shapeOf(film).toFixed(3)}"><iframe src="${fileName(page, film)}" title="${words}" loading="lazy"></iframe></div>`;
+// The N of --plot-N for each name that a program calls a colour by.
+function coloursOf({ methods }) {
+  const others = new Map(otherColours(readFileSync(figureScript, 'utf8')));
+  const looks = readLooks(join(methods, 'methods.csv')).map(({ name, colour }) => [name, colour]);
+  return new Map([...looks, ['true', others.get('EXACT')], ['scenery', others.get('CONTEXT')]]);
 }
 
 export const filmSources = (page, { film }) =>
@@ -104,5 +115,13 @@ export const filmSources = (page, { film }) =>
 export function copyFilms(book, out) {
   mkdirSync(join(out, 'films'), { recursive: true });
   for (const { films, page } of book.programs.values())
-    for (const film of films.values()) copyFileSync(film.page, join(out, fileName(page, film)));
+    for (const film of films.values()) writeFileSync(join(out, fileName(page, film)), inTheBook(film));
 }
+
+// The page of a film with the title of its figure, and in the book's letters.
+const inTheBook = ({ page, title }) =>
+  readFileSync(page, 'utf8').replace(
+    /<title>.*<\/title>/,
+    () =>
+      `<title>${escapeHtml(smarten(title))}</title>\n<style>@font-face { font-family: "Book Sans"; font-weight: 100 900; src: url(../fonts/inter-latin-wght-normal.woff2) }</style>`,
+  );

@@ -3,6 +3,7 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { linker } from './api.mjs';
 import { highlightLines } from './highlight.mjs';
+import { otherColours } from './method-looks.mjs';
 import { sourceHref } from './source-pages.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
@@ -132,10 +133,8 @@ function codeHtml(book, { name, label, path, tag }) {
 
 // The colours of the methods, and those of figure.gp, under the names that the figures use: EULER's becomes --euler.
 export function colourRules(looks, script) {
-  const others = [...script.matchAll(/^eval line_style\("(\w+)", "lc rgb '#0000([0-9a-f]{2})'/gm)];
-  const rules = [
-    ...looks.map(({ id, colour }) => [id, colour]),
-    ...others.map(([, name, colour]) => [name, parseInt(colour, 16)]),
-  ].map(([name, colour]) => `--${name.toLowerCase().replace(/_/g, '-')}:var(--plot-${colour})`);
+  const rules = [...looks.map(({ id, colour }) => [id, colour]), ...otherColours(script)].map(
+    ([name, colour]) => `--${name.toLowerCase().replace(/_/g, '-')}:var(--plot-${colour})`,
+  );
   return `:root{${rules.join(';')}}\n`;
 }

@@ -11,6 +11,13 @@ export const readLooks = path =>
     .filter(row => row.colour !== 'none')
     .map(row => ({ ...row, id: row.function.toUpperCase(), colour: Number(row.colour) }));
 
+/** The N of --plot-N of each other style that figure.gp names: [[name, N], ...]. */
+export const otherColours = script =>
+  [...script.matchAll(/^eval line_style\("(\w+)", "lc rgb '#0000([0-9a-f]{2})'/gm)].map(([, name, colour]) => [
+    name,
+    parseInt(colour, 16),
+  ]);
+
 /** The stand-in of a colour in a script, which the weaver turns into the style sheet's. */
 const standIn = colour => `#0000${colour.toString(16).padStart(2, '0')}`;
 

@@ -1,11 +1,12 @@
 // The films: node films.test.mjs BUILD SOURCE. Each plays, stops, and can be moved by hand; says the game's time; and has names
-// beside its things. And their colours are the book's.
+// beside its things and a still for paper. And their colours are the book's.
 import assert from 'node:assert/strict';
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { load } from 'cheerio';
 import { accessibility } from './accessibility.mjs';
-import { folder } from './book.mjs';
+import { chapters, folder, read } from './book.mjs';
 import { addressOf, frames, openTab, visit } from './browser.mjs';
 import { readPalette } from './palette.mjs';
 
@@ -87,6 +88,7 @@ for (const film of films) {
   });
 
   test(`${film} has names beside its things, which lie on nothing, on a phone too`, async () => {
+    assert.deepEqual(await tab.evaluate(lettersThere), ['Book Sans']);
     for (const width of [352, 720]) {
       await tab.setViewportSize({ width, height: 900 });
       await frames(tab, 2);
@@ -99,6 +101,12 @@ for (const film of films) {
     await tab.setViewportSize({ width: 1280, height: 900 });
   });
 }
+
+// Within the page: the fonts that it has loaded.
+const lettersThere = () =>
+  document.fonts.ready.then(fonts =>
+    [...fonts].filter(({ status }) => status === 'loaded').map(({ family }) => family.replaceAll('"', '')),
+  );
 
 // Within the page: how many seconds of the film go by in one.
 async function rateOfPlay() {
@@ -137,10 +145,23 @@ function write(part) {
   return { words: words.join(' '), faults };
 }
 
-test('axe finds nothing in a film by itself', async () => {
+// What a chapter has of a film.
+const embedded = chapters.flatMap(page =>
+  read(page)
+    .match(/<div class="film"[^]*?<\/svg><\/div>/g)
+    .map(html => {
+      const $ = load(html);
+      const { src, title } = $('iframe').attr();
+      return { film: src.slice('films/'.length), title, still: $('svg.still') };
+    }),
+);
+
+test('a film by itself has the title of its figure, and nothing that axe finds', async () => {
   await come(`films/${films.at(-1)}`);
   await put(tab, 0);
-  assert.equal(await tab.locator('h1').textContent(), await tab.title());
+  const { title } = embedded.find(({ film }) => film === films.at(-1));
+  assert.equal(await tab.title(), title);
+  assert.equal(await tab.locator('h1').textContent(), title);
   assert.ok(await tab.locator('h1').isVisible());
   assert.deepEqual(await accessibility(tab), []);
 });
@@ -180,6 +201,32 @@ test('a film waits while it is out of sight, goes on in sight, and not if it was
   await film.scrollIntoViewIfNeeded();
   assert.equal(await stands(), stopped);
   assert.deepEqual(tab.faults, []);
+});
+
+const withoutSpaces = words => words.replace(/ /g, '');
+
+test('each film has a still, of its last picture', () => {
+  assert.deepEqual(embedded.map(({ film }) => film).sort(), films);
+  for (const { film, title, still } of embedded) {
+    const words = withoutSpaces(still.text());
+    for (const name of namesIn(film)) assert.ok(words.includes(withoutSpaces(name)), `${film}: no "${name}"`);
+    assert.ok(still.find('path').length > 1, film);
+    assert.equal(still.attr('aria-label'), title);
+    assert.ok(String(still).length < 8000, `${film}: ${String(still).length} bytes`);
+  }
+});
+
+test('on paper, and where no scripts run, the still stands for the film', async () => {
+  const plain = await openTab('dark', { javaScriptEnabled: false });
+  const seen = reader => reader.locator('.film > :visible').evaluateAll(parts => parts.map(({ tagName }) => tagName));
+  await come('5-verlet.html');
+  assert.deepEqual(await seen(tab), ['IFRAME']);
+  await tab.emulateMedia({ media: 'print' });
+  assert.deepEqual(await seen(tab), ['svg']);
+  await tab.emulateMedia({ media: null });
+  await plain.goto(addressOf('5-verlet.html'));
+  assert.deepEqual(await seen(plain), ['svg']);
+  await plain.context().close();
 });
 
 test('who wants no motion sees the last picture, and may play it', async () => {

@@ -8,7 +8,15 @@ const code = [
   PROGRAM,
   '// SPDX-License-Identifier: MIT-0\n// Chapter 2: a drone.\n// [main]\nint main() {\n  return 0;\n}\n// [main]\n',
 ];
-const page = ['built/2-euler/films/play.html', '<script>const view = [0, 0, 4, 2], pictures = [];</script>\n'];
+const pictures = [
+  [0.1, ['trail', 'Euler', 0, 1]],
+  [0.1, ['trail', 'Euler', 1, 1]],
+  [0.1, ['trail', 'Euler', 2, 1], ['circle', 'true', 2, 1, 0.5], ['label', 'scenery', 1, 0.5, 'a < b']],
+];
+const page = [
+  'built/2-euler/films/play.html',
+  `<title>A film</title>\n<script>const view = [0, 0, 4, 2], speed = 1, pictures = ${JSON.stringify(pictures)};</script>\n`,
+];
 const listing = `\\listing{${PROGRAM}, main, A drone}\n\n`;
 const film = '\\film{play, A drone flies}\nLook at the dots. \\look\n\\endfilm';
 
@@ -18,7 +26,16 @@ test('a film: its page within the figure, as high as its pictures want, and its 
   assert.match(html, /<figure class="plot" id="figure-play-2-euler">/);
   assert.match(html, /style="--shape:2\.000"><iframe src="films\/2-euler-play\.html" title="A drone flies"/);
   assert.match(html, /Made by <a href="source-chapters-2-euler-play-cpp\.html">play\.cpp<\/a>/);
-  assert.match(read('films/2-euler-play.html'), /const view/);
+  assert.match(read('films/2-euler-play.html'), /<title>A drone flies<\/title>[^]*url\(\.\.\/fonts\/[^]*const view/);
+});
+
+test('the still of a film: its last picture, with what trails have left, in the colours of the book', () => {
+  const html = weaves(code, page, paragraph(listing + film))('2-euler.html');
+  const [still] = html.match(/<svg class="still"[^]*?<\/svg>/);
+  assert.match(still, /^<svg class="still" viewBox="0 0 480 240" role="img" aria-label="A drone flies">/);
+  assert.match(still, /<g style="color:var\(--plot-1\)"><path d="M0,120l240,0"\/><\/g>/);
+  assert.match(still, /<g style="color:var\(--plot-7\)"><circle cx="240" cy="120" r="60"\/><\/g>/);
+  assert.match(still, /<text x="120" y="180">a &lt; b<\/text><\/svg>$/);
 });
 
 test('a film that no program makes', () =>
