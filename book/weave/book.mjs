@@ -23,6 +23,13 @@ const OPENING = 'front';
 const BEFORE = ['preface'];
 const AFTER = ['talks', 'teaching', 'glossary', 'references'];
 
+// What a chapter has measured, told in short on a page of its own at the book's beginning: a Markdown file beside chapter.md.
+const inShort = (source, folder) =>
+  (existsSync(join(source, folder)) ? readdirSync(join(source, folder)) : [])
+    .filter(file => file.endsWith('.md') && file !== 'chapter.md')
+    .map(file => file.slice(0, -3))
+    .sort();
+
 // All but what lies beside the way through the book.
 export const onTheWay = ({ isAside }) => !isAside;
 
@@ -131,6 +138,8 @@ function readPages(book) {
   };
   const addAround = name => add(`book/${name}.md`, { name, href: `${name}.html` });
   const start = add(`chapters/${OPENING}/chapter.md`, { name: 'index', href: 'index.html', owner: OPENING });
+  for (const { folder, name: owner } of book.programs.values())
+    for (const name of inShort(source, folder)) add(`${folder}/${name}.md`, { name, href: `${name}.html`, owner });
   BEFORE.forEach(addAround);
   for (const chapter of book.chapters.values()) {
     chapter.page = add(`${chapter.folder}/chapter.md`, { ...chapter, owner: chapter.name });

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "../cast.h"
 #include "choose/entrants.h"
 #include "measure/longest_stable_step.h"
 #include "measure/record.h"
@@ -118,6 +119,9 @@ inline void stability_map(measure::Record& record) {
     }
     table.add(row);
   }
+  auto& dots = record.table("springs-at-sixty", {{"thing"}, {"hω"}, {"ζ"}});
+  dots.add({"suspension", frame * suspension.omega, suspension.zeta});
+  dots.add({"hatch", frame * hatch.omega, hatch.zeta});
   const auto critical = [&](const char* name, const measure::Method& method) {
     record.number(name, measure::longest_stable_step(method, spring_of(1)), 2);
   };

@@ -62,3 +62,9 @@ export const frames = (tab, count = 4) =>
   }, count);
 
 export const pageOf = tab => new URL(tab.url()).pathname.split('/').at(-1);
+
+// A page that scrolls hides the value shown, and it tells so one frame later.
+export async function bringIntoView(tab, thing) {
+  await thing.scrollIntoViewIfNeeded();
+  await frames(tab, 2);
+}

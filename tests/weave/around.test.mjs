@@ -57,6 +57,14 @@ test('the pages follow each other, and stand in the menu', () => {
   });
 });
 
+test('a Markdown file beside a chapter is a page at the beginning, with the numbers of that chapter', () => {
+  const read = weaves(['chapters/2-euler/short.md', '# In short\n\nA step of \\number{step}.\n']);
+  const page = read('short.html');
+  assert.match(page, /<a rel="prev" href="index\.html"/);
+  assert.match(page, /<a rel="next" href="preface\.html"/);
+  assert.match(page, /<data class="number"/);
+});
+
 test('a start page with a program of its own is no chapter', () => {
   const read = weaves(...front());
   const page = read('index.html');
