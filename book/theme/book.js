@@ -180,7 +180,7 @@
   }
   if (links.length) {
     addEventListener('scroll', markSection, { passive: true });
-    markSection();
+    document.fonts.ready.then(markSection);
   }
 
   // On the front page, the way back to it.

@@ -15,7 +15,6 @@
       counts.set(line, (counts.get(line) ?? 0) + 1);
     });
   }
-  place();
   addEventListener('resize', place);
   document.fonts.ready.then(place);
   document.addEventListener('toggle', place, true);

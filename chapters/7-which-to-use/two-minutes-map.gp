@@ -12,10 +12,10 @@ look(m) = m eq "drag divided" ? style("symplectic Euler, drag divided") : style(
 limit(m) = val(m) < 4 ? val(m) : NaN  # the edge is no limit
 tip(m) = sprintf("%s, ζ = %.2f: stable to hω = %.2f", m, val("ζ"), val(m))
 at(m, zeta) = abs(val("ζ") - zeta) < 1e-9 ? val(m) : NaN
-dot_tip(i) = sprintf("%s at 60 steps a second: hω = %.2f, ζ = %.1f", txt("thing"), val("hω"), val("ζ"))
+dot_tip(i) = sprintf("%s at %s: hω = %.2f, ζ = %.1f", txt("thing"), number("rate"), val("hω"), val("ζ"))
 plot for [i=1:5] file("map") using (limit(methods[i])):(val("ζ")) with lines ls look(methods[i]), \
      for [i=1:5] file("map") every 5 using (limit(methods[i])):(val("ζ")):(tip(methods[i])) with labels hypertext point ls look(methods[i]) ps 0.4, \
-     file("map") using (at("Euler", 0.96)):(val("ζ")):("Euler") with labels left offset 0.8,0 tc ls style("Euler"), \
+     file("map") using (at("Euler", 1)):(val("ζ")):("Euler") with labels left offset 0.8,-0.3 tc ls style("Euler"), \
      file("map") using (at("symplectic Euler", 0.28)):(val("ζ")):(NARROW ? "symplectic" : "symplectic Euler") with labels left offset 0.8,0.2 tc ls style("symplectic Euler"), \
      file("map") using (at("drag divided", 0.6)):(val("ζ")):(NARROW ? "divided" : "drag divided") with labels right offset (NARROW ? 3 : -1.5),0.9 tc ls style("symplectic Euler, drag divided"), \
      file("map") using (at("RK4", 1.2)):(val("ζ")):("RK4") with labels left offset 0.8,0.5 tc ls style("RK4"), \

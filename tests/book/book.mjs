@@ -36,7 +36,7 @@ export const chapters = pages.filter(page => kind(page) === 'chapter');
 // The words that a reader reads: no code, no formulas, no pictures.
 export function prose(page) {
   const main = parse(page)('main').clone();
-  main.find('code, pre, .katex, svg, nav').remove();
+  main.find('code, pre, .katex, svg, nav, script, template').remove();
   main.find('*').append(' ');
   return main.text();
 }

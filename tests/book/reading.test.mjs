@@ -80,6 +80,7 @@ test('a hint is closed, and opens', async () => {
 
 const way = [
   'index.html',
+  'two-minutes.html',
   'preface.html',
   ...chapters,
   'pick-a-method.html',

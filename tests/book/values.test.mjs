@@ -106,7 +106,7 @@ test('a number shows its full value', async () => {
 });
 
 test('with colours of the reader’s own, marks are seen and the keys of a chart differ', async () => {
-  await visit(tab, figures.find(({ chart }) => chart.curves?.length > 1).page);
+  await visit(tab, figures.find(({ chart }) => chart.curves?.filter(({ label }) => label).length > 1).page);
   await tab.emulateMedia({ forcedColors: 'active' });
   const seen = await tab.evaluate(() => {
     const style = (element, part) => getComputedStyle(element, part);
