@@ -126,7 +126,7 @@
     { capture: true, passive: true },
   );
 
-  // On paper everything is open; on the screen it is again as it was.
+  // On paper all is open that is printed; on the screen it is again as it was.
   let opened = [];
   addEventListener('beforeprint', () => {
     opened = all('details:not([open])');

@@ -19,6 +19,7 @@ ${headHtml(book, page, head)}
 <meta name="color-scheme" content="light dark">
 <script>document.documentElement.classList.add("scripted");try{var t=localStorage.getItem("theme");if(t)document.documentElement.dataset.theme=t}catch(e){}</script>
 ${page.body.includes('class="katex') ? '<link rel="stylesheet" href="katex/katex.css">\n' : ''}<link rel="stylesheet" href="book.css">
+${printHead(book, page)}
 <script defer src="book.js"></script>
 ${page.kind === 'exercises' ? '<script defer src="exercises.js"></script>\n' : ''}${page.body.includes('class="your-spring"') ? '<script defer src="pick-a-method.js"></script>\n' : ''}${liveHead(page.body)}</head>
 <body class="${page.kind}">
@@ -39,6 +40,14 @@ ${onThisPage(page)}</div>
 }
 
 const LONGEST_TITLE = 70; // letters that a list of hits shows
+
+// On paper the book's name and the page's stand at the head of each sheet.
+function printHead(book, { number, title }) {
+  const quoted = text => `"${smarten(text).replace(/[\\"<]/g, c => `\\${c.codePointAt(0).toString(16)} `)}"`;
+  const heads = { left: book.title, right: number ? `${number}  ${title}` : title };
+  const boxes = Object.entries(heads).map(([side, text]) => `@top-${side} { content: ${quoted(text)}; }`);
+  return `<style>@page { ${boxes.join(' ')} }</style>\n<link rel="stylesheet" href="print.css" media="print">`;
+}
 
 // What a browser's tab and a list of hits say: of what is right the longest that is shown whole.
 function headTitle(book, page, name, title) {
