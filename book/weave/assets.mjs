@@ -30,7 +30,7 @@ const SCRIPTS = ['book', 'values', 'marks', 'search'];
 const joinFiles = (files, to) => writeFileSync(to, files.map(file => readFileSync(file, 'utf8')).join('\n'));
 
 export function copyAssets(book, out) {
-  for (const file of ['book.css', 'print.css', 'find.js', 'exercises.js', 'pick-a-method.js', 'wall.html'])
+  for (const file of ['book.css', 'print.css', 'whole.css', 'find.js', 'exercises.js', 'pick-a-method.js', 'wall.html'])
     copyFileSync(join(theme, file), join(out, file));
   joinFiles(
     SCRIPTS.map(name => join(theme, `${name}.js`)),

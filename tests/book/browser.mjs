@@ -2,7 +2,7 @@
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { after } from 'node:test';
-import { openChromium } from '../chromium.mjs';
+import { openChromium } from '../../book/paper/chromium.mjs';
 import { folder } from './book.mjs';
 
 export const browser = await openChromium().catch(fault => {
