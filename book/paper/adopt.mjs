@@ -1,7 +1,7 @@
 // A woven page becomes a part of the whole book: without what only a screen shows, with names that no other part has, and with
 // links that lead within the book.
 const ON_SCREEN_ONLY =
-  'script, template, .plot .narrow, .pager, .anchor-link, .sources, .starter, .your-spring, .on-screen, main > footer';
+  'script, template, .plot .narrow, .pager, .anchor-link, .sources, .starter, .your-spring, .on-screen, .pdf, main > footer';
 const NAMING = ['aria-labelledby', 'aria-describedby', 'for'];
 
 const idIn = (part, id) => `${part.name}--${id}`;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT-0
 # Puts what students get into a folder and zips it: the book, the headers, the exercises without their answers, and the grader, compiled.
-# cmake -DSOURCE=repository -DBUILD=build -DGXX=g++ -DOUT=build/one-step-at-a-time.zip -P handout.cmake
+# cmake -DSOURCE=repository -DBUILD=build -DGXX=g++ -DNODE=node -DOUT=build/one-step-at-a-time.zip -P handout.cmake
 cmake_path(GET OUT PARENT_PATH into)
 cmake_path(GET OUT STEM name)
 set(top ${into}/handout/${name})
@@ -8,7 +8,11 @@ file(REMOVE_RECURSE ${into}/handout)
 file(COPY ${SOURCE}/LICENSE ${SOURCE}/setup.sh ${SOURCE}/code DESTINATION ${top})
 file(COPY ${SOURCE}/exercises/handout/CMakeLists.txt ${SOURCE}/exercises/handout/CMakePresets.json
           ${SOURCE}/exercises/handout/README.md DESTINATION ${top})
-file(COPY ${BUILD}/book DESTINATION ${top})
+file(COPY ${BUILD}/book DESTINATION ${top} PATTERN *.pdf EXCLUDE)
+# Where the book has been printed, its front page leads to the PDF.
+file(READ ${top}/book/index.html front)
+string(REGEX REPLACE "<p class=\"pdf\">[^\n]*\n" "" front "${front}")
+file(WRITE ${top}/book/index.html "${front}")
 # For editors: where given.h is, and that a header is C++.
 file(COPY ${SOURCE}/exercises/handout/compile_flags.txt DESTINATION ${top})
 file(COPY ${SOURCE}/exercises/handout/vscode/ DESTINATION ${top}/.vscode)
@@ -31,7 +35,6 @@ file(COPY ${BUILD}/exercises/grade ${kit}/canary ${kit}/limited ${kit}/run.bpf $
 include(${SOURCE}/exercises/handout/licences.cmake)
 put_licences(${top}/exercises/grader/compiled/licences)
 
-execute_process(COMMAND ${CMAKE_COMMAND} -E tar cf ${OUT}.new --format=zip ${name}
-  WORKING_DIRECTORY ${into}/handout COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${NODE} ${SOURCE}/publish/zip.mjs ${top} ${OUT}.new COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME ${OUT}.new ${OUT})
 file(REMOVE_RECURSE ${into}/handout)

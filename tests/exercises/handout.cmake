@@ -3,7 +3,7 @@
 # cmake -DSOURCE=repository -DBUILD=build -DGXX=g++ -DNODE=node -DNAMES=exercises -DCLEAN=some -DGRADED=some -DWORK=folder -P handout.cmake
 set(zip ${WORK}/one-step-at-a-time.zip)
 file(REMOVE_RECURSE ${WORK})
-execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE=${SOURCE} -DBUILD=${BUILD} -DGXX=${GXX} -DOUT=${zip}
+execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE=${SOURCE} -DBUILD=${BUILD} -DGXX=${GXX} -DNODE=${NODE} -DOUT=${zip}
   -P ${SOURCE}/exercises/handout/handout.cmake COMMAND_ERROR_IS_FATAL ANY)
 file(ARCHIVE_EXTRACT INPUT ${zip} DESTINATION ${WORK})
 set(top ${WORK}/one-step-at-a-time)
