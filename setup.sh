@@ -43,12 +43,13 @@ clang-format-19: to lay the sources out
 libglm-dev: to try the snippets on another library's vectors
 doxygen: reference of the code
 npm ca-certificates: to weave the book
-$chromium: to test the book in a browser
+$chromium: to test the book in a browser, and to print it
 lld-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32: live figures, C++ for the browser
 git: to test a clean checkout"
 [ "$*" != thorough ] || needs+="
 $firefox: to test the live figures in another browser
 clang-tidy-19: to look the sources over
+poppler-utils: to read the book's PDF
 g++-aarch64-linux-gnu qemu-user: to see the same bits on 64-bit Arm"
 [ "$system" != "debian 12" ] || [ "$*" != thorough ] || needs+="
 clang-14: the distribution's own clang, which readers of the headers have"
