@@ -4,6 +4,7 @@ import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { openChromium } from './chromium.mjs';
 import { sheetsOfPlaces } from './destinations.mjs';
+import { settleNames } from './settle.mjs';
 import { wholeBook } from './whole.mjs';
 
 const MINUTES = 5;
@@ -18,7 +19,7 @@ export async function printWhole(book) {
     await tab.evaluate(numberLinks, Object.fromEntries(sheets));
     const pdf = await tab.pdf({ ...A4, outline: true, tagged: true });
     checkNumbers(sheets, sheetsOfPlaces(pdf));
-    return pdf;
+    return settleNames(pdf);
   } finally {
     await browser.close();
   }
