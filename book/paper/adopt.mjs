@@ -1,7 +1,7 @@
 // A woven page becomes a part of the whole book: without what only a screen shows, with names that no other part has, and with
 // links that lead within the book.
 const ON_SCREEN_ONLY =
-  'script, template, .plot .narrow, .pager, .anchor-link, .sources, .starter, .your-spring, .on-screen, .pdf, main > footer';
+  'script, template, .plot .narrow, .pager, .anchor-link, .sources, .starter, .your-spring, .on-screen, .pdf, .points, .film iframe, main > footer';
 const NAMING = ['aria-labelledby', 'aria-describedby', 'for'];
 
 const idIn = (part, id) => `${part.name}--${id}`;
@@ -12,7 +12,6 @@ export function adopt(parts, address) {
   for (const part of parts) {
     const { $ } = part;
     $('details').attr('open', '');
-    $('iframe').removeAttr('loading');
     $('[data-tip]').removeAttr('data-tip');
     $('main a[href]').each((_, a) => {
       const to = newTarget($(a).attr('href'), part, ids, address);
