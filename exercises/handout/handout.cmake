@@ -35,6 +35,6 @@ file(COPY ${BUILD}/exercises/grade ${kit}/canary ${kit}/limited ${kit}/run.bpf $
 include(${SOURCE}/exercises/handout/licences.cmake)
 put_licences(${top}/exercises/grader/compiled/licences)
 
-execute_process(COMMAND ${NODE} ${SOURCE}/publish/zip.mjs ${top} ${OUT}.new COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${NODE} ${SOURCE}/book/publish/zip.mjs ${top} ${OUT}.new COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME ${OUT}.new ${OUT})
 file(REMOVE_RECURSE ${into}/handout)

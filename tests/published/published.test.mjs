@@ -7,7 +7,7 @@ import { cpSync, existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, uti
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
-import { filesOf, zip } from '../../publish/zip.mjs';
+import { filesOf, zip } from '../../book/publish/zip.mjs';
 
 const [source, build, version, compiler, cmake] = process.argv.slice(2);
 const published = join(build, 'published');
