@@ -21,7 +21,7 @@ export function thin($, root) {
   }
   placeTexts($);
   mergeRuns($, 'use', dotOf, writeDots);
-  mergeRuns($, 'polygon', e => e.attribs.points, writePolygons);
+  mergeRuns($, 'polygon', e => (e.attribs['fill-opacity'] ? null : e.attribs.points), writePolygons);
   $('path').each((_, e) => {
     if (!inDefs(e)) e.attribs.d = shortPath(e.attribs.d);
   });
