@@ -17,6 +17,7 @@
   };
   const MOST = { claim: 2, name: 3, word: 3, exercise: 4 };
   const LONGEST = 12;
+  const NAMED = 3; // what is called just what was typed
 
   const plain = word =>
     word
@@ -29,9 +30,10 @@
   const wordsOf = text =>
     plain(text)
       .replace(/['’]s?\b/g, '')
-      .split(/[^\p{L}\p{N}+]+/u)
-      .filter(Boolean)
-      .map(singular);
+      .match(/\d+(?:\.\d+)+|[\p{L}\p{N}+]+/gu)
+      ?.map(singular) ?? [];
+  // Exercise 3.4 is found by 3.4, and by "exercise 4 of chapter 3"; but 3.4 doesn't find 4.3.
+  const numbersApart = text => (text.match(/\d+(?:\.\d+)+/g) ?? []).join(' ').replace(/\./g, ' ');
   // A name of several words is found by all of it and by each.
   const apart = text =>
     text
@@ -42,7 +44,7 @@
   const search = new window.MiniSearch({
     fields: ['title', 'called', 'text'],
     storeFields: ['kind', 'title', 'place', 'url', 'text'],
-    tokenize: text => wordsOf(`${text} ${apart(text)}`),
+    tokenize: text => wordsOf(`${text} ${apart(text)} ${numbersApart(text)}`),
     processTerm: word => word,
     searchOptions: {
       boost: { title: 3, called: 3 },
@@ -79,15 +81,16 @@
   const any = group => (group.length > 1 ? { combineWith: 'OR', queries: group.map(all) } : all(group[0]));
 
   // What holds more of it comes before what holds less, unless it hardly speaks of it.
-  function ranked(parts) {
+  function ranked(parts, asked) {
     const holds = (terms, group) => group.some(words => words.every(word => terms.has(word)));
     const shareOf = ({ queryTerms }) => {
       const terms = new Set(queryTerms);
       return parts.filter(group => holds(terms, group)).length / parts.length;
     };
+    const isNamed = ({ title }) => wordsOf(title).join(' ') === asked;
     return search
       .search({ combineWith: 'OR', queries: parts.map(any) })
-      .map(hit => ({ ...hit, score: hit.score * shareOf(hit) ** 2 }))
+      .map(hit => ({ ...hit, score: hit.score * shareOf(hit) ** 2 * (isNamed(hit) ? NAMED : 1) }))
       .sort((one, other) => other.score - one.score);
   }
 
@@ -103,7 +106,7 @@
   window.findInBook = query => {
     const parts = partsOf(query);
     if (!parts.length) return [];
-    const found = ranked(parts);
+    const found = ranked(parts, wordsOf(query).join(' '));
     const hits = fewOfAKind(found.length ? found : nearly(parts)).slice(0, LONGEST);
     const isLast = ({ kind }) => kind === 'name';
     return [...hits.filter(hit => !isLast(hit)), ...hits.filter(isLast)];

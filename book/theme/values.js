@@ -88,21 +88,35 @@
     if (target.matches('[data-tip]')) showOwner(target);
   });
   document.addEventListener('focusout', hide);
-  addEventListener('scroll', hide, { passive: true });
+  // What the keyboard shows goes along when the page scrolls; what the mouse showed is no longer under it.
+  addEventListener(
+    'scroll',
+    () => {
+      hide();
+      const { activeElement: held } = document;
+      if (held.matches('.points:focus-visible')) held.dispatchEvent(new Event('focus'));
+      else if (held.matches('[data-tip]:focus-visible')) showOwner(held);
+    },
+    { passive: true },
+  );
   addEventListener('keydown', ({ key }) => {
     if (key === 'Escape') hide();
   });
 
-  const STEPS = {
-    ArrowRight: 1,
-    ArrowUp: 1,
-    ArrowLeft: -1,
-    ArrowDown: -1,
-    PageUp: 10,
-    PageDown: -10,
-    Home: -Infinity,
-    End: Infinity,
-  };
+  const STEPS = { ArrowRight: 1, ArrowLeft: -1, PageUp: 10, PageDown: -10, Home: -Infinity, End: Infinity };
+  const UPWARDS = { ArrowUp: -1, ArrowDown: 1 };
+
+  // The point that lies next above or below one, and not far beside it; where there is none, the same again.
+  function beyond(points, now, way) {
+    const from = points[now];
+    let best = now,
+      least = Infinity;
+    points.forEach(({ x, y }, i) => {
+      const off = way * (y - from.y) + 4 * Math.abs(x - from.x);
+      if (way * (y - from.y) > 0.5 && off < least) [best, least] = [i, off];
+    });
+    return best;
+  }
 
   // By keyboard a figure is one stop, whose arrows go from point to point.
   function giveStop(svg) {
@@ -127,9 +141,10 @@
       if (stop.matches(':focus-visible')) showPoint(svg, points[now], true);
     });
     stop.addEventListener('keydown', event => {
-      if (!(event.key in STEPS)) return;
+      if (!(event.key in STEPS || event.key in UPWARDS)) return;
       event.preventDefault();
-      now = Math.max(0, Math.min(points.length - 1, now + STEPS[event.key]));
+      if (event.key in UPWARDS) now = beyond(points, now, UPWARDS[event.key]);
+      else now = Math.max(0, Math.min(points.length - 1, now + STEPS[event.key]));
       say();
       showPoint(svg, points[now], true);
     });

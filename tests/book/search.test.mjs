@@ -137,6 +137,17 @@ test('each hit says where it is, and the reference comes last', async () => {
 test('an exercise is found by its number', async () => {
   await visit(tab, 'index.html');
   await tab.locator('.search input').focus();
-  const [first] = await hitsOf('exercise 4 of chapter 3');
-  assert.match(first.place, /^Exercise 3\.4\b/);
+  for (const query of ['exercise 4 of chapter 3', 'exercise 3.4', '3.4']) {
+    const [first] = await hitsOf(query);
+    assert.match(first.place, /^Exercise 3\.4\b|^Section 3\.4\b/, query);
+  }
+});
+
+test('what is called just what was typed is first or second, and each hit shows where it is', async () => {
+  await visit(tab, 'index.html');
+  await tab.locator('.search input').fill('stiff');
+  await tab.locator('.search li a').first().waitFor();
+  const hits = await hitsOf('stiff');
+  assert.ok(hits.slice(0, 2).some(({ kind }) => kind === 'word'));
+  assert.ok(await tab.locator('.search li .place').first().isVisible());
 });

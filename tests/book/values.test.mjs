@@ -69,6 +69,18 @@ test('by keyboard the arrows go from value to value, and each is told', async ()
   assert.equal(second[0], '2');
   assert.notDeepEqual(first, second);
   assert.equal(await tipOf(tab).textContent(), second[1]);
+  await tab.evaluate(() => scrollBy(0, 40));
+  await tab.waitForFunction(words => document.querySelector('.tip:not([hidden])')?.textContent === words, second[1]);
+  const height = () =>
+    tab
+      .locator('.ring')
+      .boundingBox()
+      .then(({ y }) => y);
+  const before = await height();
+  await tab.keyboard.press('ArrowUp');
+  const above = await height();
+  await tab.keyboard.press('ArrowDown');
+  assert.ok(above < before || (await height()) > above, 'up and down go nowhere');
   await tab.keyboard.press('End');
   assert.equal((await told())[0], String(count));
   await tab.keyboard.press('ArrowRight');
