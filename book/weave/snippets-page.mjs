@@ -138,6 +138,6 @@ function methodRow(book, card, member) {
   const cells = COLUMNS.map(([, words, cell]) => `<td><span class="head">${words}</span> ${cell(row)}</td>`);
   return (
     `<tr><th scope="row"><a href="${member.href}"><code>${escapeHtml(member.name)}</code></a> ` +
-    `<span>${brief(book, member)} <a href="headers/${file}" download>${file}</a></span></th>${cells.join('')}</tr>`
+    `<span>${brief(book, member)} <a href="headers/${file}" download>file</a></span></th>${cells.join('')}</tr>`
   );
 }

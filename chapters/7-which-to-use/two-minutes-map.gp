@@ -1,5 +1,5 @@
 eval NARROW ? canvas(400, 430) : canvas(720, 430)
-eval axis_names("the step, as {/:Italic hω}", NARROW ? "damping, as {/:Italic ζ}" : "the damping, as {/:Italic ζ}: critical at one")
+eval axis_names(NARROW ? "the step, as {/:Italic hω}" : "the step, as {/:Italic hω}: left of its line a method is stable, right of it explodes", NARROW ? "damping, as {/:Italic ζ}" : "the damping, as {/:Italic ζ}: critical at one")
 set xrange [0:4]
 set yrange [0:2.15]
 set xtics 1

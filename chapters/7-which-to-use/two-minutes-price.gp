@@ -1,5 +1,5 @@
 eval NARROW ? canvas(400, 430) : canvas(720, 430)
-eval axis_names(NARROW ? "of a frame, for a thousand" : "of a frame at 60 a second, for a thousand of them", NARROW ? "largest error" : "largest error of a suspension")
+eval axis_names(NARROW ? "share of a frame, for a thousand" : "share of a frame at 60 a second, for a thousand of them", NARROW ? "largest error" : "largest error of a suspension")
 set logscale xy
 set xrange [NARROW ? 0.0004 : 0.0007 : 2]
 set xtics ("0.001 %%" 0.001, "0.003 %%" 0.003, "0.01 %%" 0.01, "0.03 %%" 0.03, "0.1 %%" 0.1, "0.3 %%" 0.3, "1 %%" 1)

@@ -64,7 +64,7 @@ test('the list of methods says what the cards say', () => {
   assert.deepEqual(cells(second), ['exact', '–', '–', '–', '–', '–', '–', '–', '–']);
   assert.match(
     second,
-    /<a href="integrate-heun\.html#heun"><code>heun<\/code><\/a> <span>One step\. <a href="headers\/heun\.h" download>heun\.h<\/a><\/span>/,
+    /<a href="integrate-heun\.html#heun"><code>heun<\/code><\/a> <span>One step\. <a href="headers\/heun\.h" download>file<\/a><\/span>/,
   );
 });
 

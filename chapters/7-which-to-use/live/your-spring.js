@@ -40,7 +40,7 @@ globalThis.Live.figure('your-spring', {
     const count =
       this.lost.length === 0
         ? 'No method has lost it'
-        : `${this.lost.length} of ${Object.keys(this.names).length} methods have lost it`;
+        : `${this.lost.length} of ${Object.keys(this.names).length} methods ${this.lost.length === 1 ? 'has' : 'have'} lost it`;
     return `${this.names[method]} ${lost ? 'has lost it' : `has it at ${number(x)}`}, and it should be at ${number(truth)}. ${count}.`;
   },
 });
