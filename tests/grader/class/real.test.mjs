@@ -99,7 +99,7 @@ test("a main of one's own is run, its prints are shown, and so is what it must n
   const grows = ran('int main() { std::vector<int> all; for (std::fputs("mine\\n", stderr);;) all.push_back(1); }');
   const stopped = {
     memory: /^mine\ngrade: it was stopped when it held two gigabytes of memory. Does something grow without end\?\n$/,
-    time: /^mine\ngrade: it was stopped after 1\d s. Is there a loop that never ends\?\n$/,
+    time: /^mine\ngrade: it was stopped after \d+ s. Is there a loop that never ends\?\n$/,
   };
   const by = Object.keys(stopped).find(limit => stopped[limit].test(grows.stderr));
   const slow = memoryIsSlow();
