@@ -1,7 +1,10 @@
 // On which sheet of a PDF that Chromium wrote each of its named places is. Its objects, unlike what they draw, are plain text.
 export function sheetsOfPlaces(pdf) {
   const text = pdf.toString('latin1');
-  const object = number => text.match(new RegExp(`\\n${number} 0 obj\\n([^]*?)\\nendobj`))[1];
+  const begins = new Map(
+    [...text.matchAll(/\n(\d+) 0 obj\n/g)].map(({ 0: head, 1: number, index }) => [number, index + head.length]),
+  );
+  const object = number => text.slice(begins.get(number), text.indexOf('\nendobj', begins.get(number)));
   const references = list => [...list.matchAll(/(\d+) 0 R/g)].map(([, number]) => number);
   const leaves = number => {
     const [, kids] = object(number).match(/\/Kids \[([^\]]*)\]/) ?? [];

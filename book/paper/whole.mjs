@@ -1,5 +1,5 @@
 // The whole book as one page, to be printed.
-import { escapeHtml } from '../weave/text.mjs';
+import { cssString, escapeHtml } from '../weave/text.mjs';
 import { adopt } from './adopt.mjs';
 import { ANSWERS, takeAnswers } from './answers.mjs';
 import { readParts } from './parts.mjs';
@@ -25,7 +25,7 @@ export function wholeBook(book) {
 <title>${escapeHtml(title)}</title>
 <link rel="stylesheet" href="katex/katex.css">
 <link rel="stylesheet" href="book.css">
-<style>@page { @top-left { content: ${quoted(title)}; } }</style>
+<style>@page { @top-left { content: ${cssString(title)}; } }</style>
 <link rel="stylesheet" href="print.css">
 <link rel="stylesheet" href="whole.css">
 <style>${all.map(headRule).join('\n')}</style>
@@ -39,15 +39,13 @@ ${all.map(partHtml).join('\n')}
 `;
 }
 
-const quoted = text => `"${text.replace(/[\\"<]/g, c => `\\${c.codePointAt(0).toString(16)} `)}"`;
-
 const numbered = ({ number, title }) => (number ? `${number}  ${title}` : title);
 
 // The page to pick a method has a sheet of its own kind.
 const headRule = part =>
   part.kind === 'pick-a-method'
     ? ''
-    : `@page ${pageName(part)} { @top-right { content: ${quoted(numbered(part))}; } } .${pageName(part)} { page: ${pageName(part)}; }`;
+    : `@page ${pageName(part)} { @top-right { content: ${cssString(numbered(part))}; } } .${pageName(part)} { page: ${pageName(part)}; }`;
 
 const pageName = ({ name }) => `part-${name}`;
 

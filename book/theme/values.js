@@ -45,25 +45,26 @@
     return read.get(svg);
   }
 
-  function onScreen(svg, { x, y }) {
-    const box = svg.getBoundingClientRect(),
-      scale = box.width / svg.viewBox.baseVal.width;
-    return { x: box.left + x * scale, y: box.top + y * scale };
+  // Where a drawing is on the screen, and how many pixels its unit has.
+  function placeOf(svg) {
+    const { left, top, width } = svg.getBoundingClientRect();
+    return { left, top, scale: width / svg.viewBox.baseVal.width };
   }
 
   function nearest(svg, clientX, clientY) {
+    const { left, top, scale } = placeOf(svg);
     let best = null,
       least = NEAR;
     for (const point of pointsOf(svg)) {
-      const at = onScreen(svg, point),
-        distance = Math.hypot(at.x - clientX, at.y - clientY);
+      const distance = Math.hypot(left + point.x * scale - clientX, top + point.y * scale - clientY);
       if (distance < least) [best, least] = [point, distance];
     }
     return best;
   }
 
   function showPoint(svg, point, spoken) {
-    const { x, y } = onScreen(svg, point);
+    const { left, top, scale } = placeOf(svg);
+    const [x, y] = [left + point.x * scale, top + point.y * scale];
     ring.hidden = false;
     ring.style.left = `${x}px`;
     ring.style.top = `${y}px`;
@@ -84,9 +85,12 @@
 
   document.addEventListener('pointermove', point, { passive: true });
   document.addEventListener('pointerdown', point, { passive: true });
-  document.addEventListener('focusin', ({ target }) => {
-    if (target.matches('[data-tip]')) showOwner(target);
-  });
+  const stops = new WeakMap(); // of a figure's stop what shows its value
+  function showHeld(element) {
+    if (element.matches('[data-tip]')) showOwner(element);
+    else if (element.matches(':focus-visible')) stops.get(element)?.();
+  }
+  document.addEventListener('focusin', ({ target }) => showHeld(target));
   document.addEventListener('focusout', hide);
   // What the keyboard shows goes along when the page scrolls; what the mouse showed is no longer under it.
   addEventListener(
@@ -94,8 +98,7 @@
     () => {
       hide();
       const { activeElement: held } = document;
-      if (held.matches('.points:focus-visible')) held.dispatchEvent(new Event('focus'));
-      else if (held.matches('[data-tip]:focus-visible')) showOwner(held);
+      if (held.matches(':focus-visible')) showHeld(held);
     },
     { passive: true },
   );
@@ -137,9 +140,7 @@
       stop.setAttribute('aria-valuetext', points[now].words);
     };
     say();
-    stop.addEventListener('focus', () => {
-      if (stop.matches(':focus-visible')) showPoint(svg, points[now], true);
-    });
+    stops.set(stop, () => showPoint(svg, points[now], true));
     stop.addEventListener('keydown', event => {
       if (!(event.key in STEPS || event.key in UPWARDS)) return;
       event.preventDefault();

@@ -1,5 +1,6 @@
 // A film's last picture as an SVG: for paper, and for readers without scripts.
 import { runInNewContext } from 'node:vm';
+import { withoutUnseen } from './svg-path.mjs';
 import { escapeHtml } from './text.mjs';
 
 const WIDTH = 480;
@@ -62,7 +63,11 @@ function trailsOf(pictures, place) {
     shapes
       .filter(([kind]) => kind === 'trail')
       .forEach(([, , x, y], k) => (trails[k] ??= []).push(place(x, y).map(short)));
-  return trails.map(points => withoutRepeats(points).map(plainer).map(path).join(''));
+  return trails.map(points =>
+    withoutRepeats(points)
+      .map(part => path(withoutUnseen(part, PLAIN)))
+      .join(''),
+  );
 }
 
 const path = points =>
@@ -82,19 +87,4 @@ function withoutRepeats(points) {
     made.add(step);
   });
   return parts.filter(part => part.length > 1);
-}
-
-// Without the points that lie on the line between others (Douglas and Peucker, 1973).
-function plainer(points) {
-  const [from, to] = [points[0], points.at(-1)];
-  const off = points.map(point => distance(point, from, to));
-  const farthest = off.indexOf(Math.max(...off));
-  if (off[farthest] < PLAIN) return [from, to];
-  return [...plainer(points.slice(0, farthest + 1)).slice(0, -1), ...plainer(points.slice(farthest))];
-}
-
-// Of a point from the line through two, or from both where they are one.
-function distance([x, y], [x1, y1], [x2, y2]) {
-  const length = Math.hypot(x2 - x1, y2 - y1);
-  return length ? Math.abs((x2 - x1) * (y - y1) - (y2 - y1) * (x - x1)) / length : Math.hypot(x - x1, y - y1);
 }

@@ -28,16 +28,17 @@ function readPath(d) {
   return d
     .split('M')
     .slice(1)
-    .map(part => ({ points: withoutUnseen(onGrid(part)), closed: /z\s*$/i.test(part) }));
+    .map(part => ({ points: withoutUnseen(onGrid(part), UNSEEN), closed: /z\s*$/i.test(part) }));
 }
 
-// Douglas and Peucker's way, with a list in place of calls within calls: some lines have thousands of points.
-function withoutUnseen(points) {
+// Without the points that lie less than `unseen` beside the line that leaves them out. Douglas and Peucker's way (1973), with a list in
+// place of calls within calls: some lines have thousands of points.
+export function withoutUnseen(points, unseen) {
   const kept = new Set([0, points.length - 1]);
   const open = [[0, points.length - 1]];
   while (open.length) {
     const [from, to] = open.pop();
-    let far = UNSEEN,
+    let far = unseen,
       at = 0;
     for (let i = from + 1; i < to; ++i) {
       const off = distance(points[i], points[from], points[to]);

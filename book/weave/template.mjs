@@ -2,7 +2,7 @@
 import { onTheWay } from './book.mjs';
 import { headHtml } from './head.mjs';
 import { liveHead } from './live.mjs';
-import { escapeHtml, smarten, textOfHtml } from './text.mjs';
+import { cssString, escapeHtml, smarten, textOfHtml } from './text.mjs';
 
 // page: { href, title, kind, body, kicker?, titleHtml?, sections?, previous?, next? }
 export function pageHtml(book, page) {
@@ -43,9 +43,8 @@ const LONGEST_TITLE = 70; // letters that a list of hits shows
 
 // On paper the book's name and the page's stand at the head of each sheet.
 function printHead(book, { number, title }) {
-  const quoted = text => `"${smarten(text).replace(/[\\"<]/g, c => `\\${c.codePointAt(0).toString(16)} `)}"`;
   const heads = { left: book.title, right: number ? `${number}  ${title}` : title };
-  const boxes = Object.entries(heads).map(([side, text]) => `@top-${side} { content: ${quoted(text)}; }`);
+  const boxes = Object.entries(heads).map(([side, text]) => `@top-${side} { content: ${cssString(smarten(text))}; }`);
   return `<style>@page { ${boxes.join(' ')} }</style>\n<link rel="stylesheet" href="print.css" media="print">`;
 }
 

@@ -45,3 +45,6 @@ export function smarten(text, before = ' ') {
       return opens(all, at) && !/^\d\ds?\b/.test(all.slice(at + 1)) ? '‘' : '’';
     });
 }
+
+// As a style sheet quotes it.
+export const cssString = text => `"${text.replace(/[\\"<]/g, c => `\\${c.codePointAt(0).toString(16)} `)}"`;

@@ -68,3 +68,6 @@ export async function bringIntoView(tab, thing) {
   await thing.scrollIntoViewIfNeeded();
   await frames(tab, 2);
 }
+
+// Where the page is open, it stays: for tests that leave nothing behind that another one would stumble over.
+export const come = (tab, page) => (pageOf(tab) === page ? null : visit(tab, page));

@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test as register } from 'node:test';
 import { chapters, parse } from './book.mjs';
-import { addressOf, bringIntoView, openTab, pageOf, visit } from './browser.mjs';
+import { addressOf, bringIntoView, come, openTab, pageOf, visit } from './browser.mjs';
 
 // What the tier `thorough` does besides is the last of the tests alone.
 const others = process.argv.includes('others');
@@ -21,9 +21,6 @@ const colours = () => {
   );
 };
 const paper = page => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
-
-// Where the page is open, it stays: these tests leave nothing behind that another one would stumble over.
-const come = (reader, page) => (pageOf(reader) === page ? null : visit(reader, page));
 
 test('the theme button turns the page dark, figures too, and the next page remembers', async () => {
   await visit(tab, chapter);

@@ -2,19 +2,18 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { chapters } from './book.mjs';
-import { bringIntoView, openTab, pageOf, visit } from './browser.mjs';
+import { bringIntoView, come, openTab, visit } from './browser.mjs';
 import { figures } from './live.mjs';
 
 const tab = await openTab();
 const phone = await openTab('dark');
 const chapter = chapters.at(-1);
 
-const come = (reader, page) => (pageOf(reader) === page ? null : visit(reader, page));
-
 // Of a figure with values: how many there are, and where the one in the middle is on the screen, with what it says.
 const middlePoint = drawing =>
-  drawing.evaluate(svg => {
+  drawing.evaluate(async svg => {
     svg.scrollIntoView({ block: 'center', behavior: 'instant' });
+    for (let n = 0; n < 2; ++n) await new Promise(requestAnimationFrame); // a scroll is told of a frame later, and hides what is shown
     const { says, wide, narrow, narrowSays } = JSON.parse(svg.closest('figure').querySelector('.values').textContent);
     const onPhone = svg.closest('.narrow') !== null;
     const [at, words] = onPhone ? [narrow, narrowSays ?? says] : [wide, says];
