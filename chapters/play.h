@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -40,10 +41,13 @@ inline double length(Vec a) {
 class Film {
   Vec low, high;
   double speed;
-  std::ostringstream pictures;
+  std::ostringstream pictures, names;
+  std::map<std::string, std::size_t> numbers;  // of the colours, which are written once
 
   std::ostream& shape(const char* kind, Vec at, const std::string& colour) {
-    return pictures << ",['" << kind << "','" << colour << "'," << at.x << ',' << at.y;
+    const auto [known, is_new] = numbers.try_emplace(colour, numbers.size());
+    if (is_new) names << '\'' << colour << "',";
+    return pictures << ",['" << kind << "'," << known->second << ',' << at.x << ',' << at.y;
   }
 
  public:
@@ -74,8 +78,8 @@ class Film {
   int write(const std::string& file) const {
     std::ofstream page(file);
     page << player_head << "const view = [" << low.x << ", " << low.y << ", " << high.x << ", "
-         << high.y << "], speed = " << speed << ", pictures = [[0" << pictures.str() << "]];"
-         << player_tail;
+         << high.y << "], speed = " << speed << ", names = [" << names.str() << "], pictures = [[0"
+         << pictures.str() << "]];" << player_tail;
     if (page.close(); !page)
       return std::cerr << "can't write " << file << "; is its folder there?\n", 1;
     return std::cout << "Open " << file << " in a browser.\n", 0;

@@ -7,12 +7,12 @@ const WIDTH = 480;
 const LETTER = 10; // how wide one is at most, on a phone
 const PLAIN = 0.4; // how far a trail may be from where it should be
 
-/** What a film's page shows: { view: [left, bottom, right, top], pictures: [[seconds, [kind, colour, x, y, ...], ...], ...] }. */
+/** What a film's page shows: { view: [left, bottom, right, top], names: [colour, ...], pictures: [[seconds, [kind, number of its colour, x, y, ...], ...], ...] }. */
 export const readPictures = page =>
-  runInNewContext(`(() => { ${page.match(/const view = [^]*?\]\];/)[0]} return { view, pictures }; })()`);
+  runInNewContext(`(() => { ${page.match(/const view = [^]*?\]\];/)[0]} return { view, names, pictures }; })()`);
 
 /** `colours` has the N of --plot-N for the names that programs call colours by. */
-export function stillHtml({ view: [left, bottom, right, top], pictures }, colours, words) {
+export function stillHtml({ view: [left, bottom, right, top], names, pictures }, colours, words) {
   const scale = WIDTH / (right - left);
   const place = (x, y) => [(x - left) * scale, (top - y) * scale];
   const shapes = pictures.at(-1).slice(1);
@@ -24,7 +24,7 @@ export function stillHtml({ view: [left, bottom, right, top], pictures }, colour
   };
   const strokes = shapes
     .filter(([kind]) => kind !== 'label')
-    .map(([kind, colour, x, y, ...more]) => [colours.get(colour), drawn[kind](place(x, y), ...more)]);
+    .map(([kind, number, x, y, ...more]) => [colours.get(names[number]), drawn[kind](place(x, y), ...more)]);
   const labels = shapes.filter(([kind]) => kind === 'label').map(([, , x, y, text]) => ({ at: place(x, y), text }));
   return (
     `<svg class="still" viewBox="0 0 ${WIDTH} ${short((top - bottom) * scale)}" role="img" aria-label="${words}">` +

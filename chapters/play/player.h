@@ -91,7 +91,8 @@ function draw() {
   pen.lineCap = pen.lineJoin = 'round';
   const place = (x, y) => [(x - left) * scale, (top_ - y) * scale], [, ...shapes] = pictures[shown];
   let trail = 0;
-  for (const [kind, colour, x, y, ...more] of shapes) {
+  for (const [kind, number, x, y, ...more] of shapes) {
+    const colour = names[number];
     if (!colours.light[colour]) throw Error(`no method has the colour "${colour}"`);
     pen.fillStyle = pen.strokeStyle = colours[scheme()][colour];
     pen.beginPath();

@@ -9,13 +9,13 @@ const code = [
   '// SPDX-License-Identifier: MIT-0\n// Chapter 2: a drone.\n// [main]\nint main() {\n  return 0;\n}\n// [main]\n',
 ];
 const pictures = [
-  [0.1, ['trail', 'Euler', 0, 1]],
-  [0.1, ['trail', 'Euler', 1, 1]],
-  [0.1, ['trail', 'Euler', 2, 1], ['circle', 'true', 2, 1, 0.5], ['label', 'scenery', 1, 0.5, 'a < b']],
+  [0.1, ['trail', 0, 0, 1]],
+  [0.1, ['trail', 0, 1, 1]],
+  [0.1, ['trail', 0, 2, 1], ['circle', 1, 2, 1, 0.5], ['label', 2, 1, 0.5, 'a < b']],
 ];
 const page = [
   'built/2-euler/films/play.html',
-  `<title>A film</title>\n<script>const view = [0, 0, 4, 2], speed = 1, pictures = ${JSON.stringify(pictures)};</script>\n`,
+  `<title>A film</title>\n<script>const view = [0, 0, 4, 2], speed = 1, names = ['Euler', 'true', 'scenery'], pictures = ${JSON.stringify(pictures)};</script>\n`,
 ];
 const listing = `\\listing{${PROGRAM}, main, A drone}\n\n`;
 const film = '\\film{play, A drone flies}\nLook at the dots. \\look\n\\endfilm';
