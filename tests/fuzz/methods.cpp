@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT-0
 // The explicit methods: they come back from anything.
+#include "measure/methods.h"
+
 #include "fuzz.h"
-#include "integrate/constant_acceleration.h"
-#include "integrate/euler.h"
-#include "integrate/heun.h"
 #include "integrate/leapfrog.h"
 #include "integrate/leapfrog_drift.h"
 #include "integrate/linear_damping.h"
-#include "integrate/midpoint.h"
 #include "integrate/predicted_euler.h"
-#include "integrate/rk4.h"
 #include "integrate/stormer_verlet.h"
-#include "integrate/symplectic_euler.h"
 #include "integrate/velocity_verlet.h"
 #include "integrate/yoshida4.h"
 #include "shelf/first_order.h"
@@ -22,12 +18,26 @@ namespace {
 // A few steps of any size under any force, with a clock of doubles: `step(x, v, t, h, force,
 // source)`.
 template <class Step>
-void add_steps(Cases& cases, const char* header, const char* name, Step step) {
+void add_steps(Cases& cases, const std::string& header, const std::string& name, Step step) {
   add(cases, header, name, [step]<class Vec, class Real>(Source& source) {
     Force<Vec, Real> force(source);
     Vec x = source.vector<Vec>(), v = source.vector<Vec>();
     const double t = source.number<double>();
     for (int n = 0; n < 3; ++n) step(x, v, t, source.number<Real>(), force, source);
+  });
+}
+
+// All of the book's that keep nothing from step to step.
+void add_plain(Cases& cases) {
+  list::for_each(list::EveryExplicit(), [&]<class Method>(Method) {
+    if constexpr (std::is_invocable_v<Method, double&, double&, double, double,
+                                      Force<double, double>&>) {
+      const auto header = Method::header.substr(0, Method::header.find('.'));
+      add_steps(cases, std::string(header), std::string(Method::function),
+                [](auto& x, auto& v, auto t, auto h, auto& force, Source&) {
+                  Method()(x, v, t, h, force);
+                });
+    }
   });
 }
 
@@ -111,28 +121,7 @@ Cases methods() {
   add_verlets(cases);
   add_leapfrogs(cases);
   add_dampings(cases);
-  add_steps(cases, "euler", "euler", [](auto& x, auto& v, auto t, auto h, auto& force, Source&) {
-    integrate::euler(x, v, t, h, force);
-  });
-  add_steps(cases, "heun", "heun", [](auto& x, auto& v, auto t, auto h, auto& force, Source&) {
-    integrate::heun(x, v, t, h, force);
-  });
-  add_steps(cases, "midpoint", "midpoint",
-            [](auto& x, auto& v, auto t, auto h, auto& force, Source&) {
-              integrate::midpoint(x, v, t, h, force);
-            });
-  add_steps(cases, "rk4", "rk4", [](auto& x, auto& v, auto t, auto h, auto& force, Source&) {
-    integrate::rk4(x, v, t, h, force);
-  });
-  add_steps(cases, "constant_acceleration", "constant_acceleration",
-            [](auto& x, auto& v, auto t, auto h, auto& force, Source&) {
-              integrate::constant_acceleration(x, v, t, h, force);
-            });
-  add_steps(cases, "symplectic_euler", "both orders",
-            [](auto& x, auto& v, auto t, auto h, auto& force, Source&) {
-              integrate::symplectic_euler(x, v, t, h, force);
-              integrate::symplectic_euler_position_first(x, v, t, h, force);
-            });
+  add_plain(cases);
   add_steps(cases, "predicted_euler", "any number of corrections",
             [](auto& x, auto& v, auto t, auto h, auto& force, Source& source) {
               integrate::predicted_euler(x, v, t, h, force, source.whole(-2, 9));
