@@ -72,7 +72,10 @@ number_in(text, row) = strlen(text) ? real(text) : refuse(sprintf("%s.csv has no
 # What stands in a column of text, each once; and in the rows that have a word in another: for a loop such as
 # `plot for [m in names("work", "method", "thing", "leaf")] ...`
 each(table, name) = (file(table), system(sprintf("awk -F, 'NR > 1 && !seen[$%d]++ { printf \"\\047%%s\\047 \", $%d }' '%s%s.csv'", col(name), col(name), DATA, table)))
-names(table, name, key, word) = (file(table), system(sprintf("awk -F, -v key='%s' 'NR > 1 && $%d == key && !seen[$%d]++ { printf \"\\047%%s\\047 \", $%d }' '%s%s.csv'", word, col(key), col(name), col(name), DATA, table)))
+names(table, name, key, word) = (file(table), names_if(table, name, sprintf("$%d == \"%s\"", col(key), word)))
+# The same, if the row has a number in a third column: of a new method no times are recorded.
+names_with(table, name, key, word, number) = (file(table), names_if(table, name, sprintf("$%d == \"%s\" && $%d != \"nan\"", col(key), word, col(number))))
+names_if(table, name, condition) = system(sprintf("awk -F, 'NR > 1 && %s && !seen[$%d]++ { printf \"\\047%%s\\047 \", $%d }' '%s%s.csv'", condition, col(name), col(name), DATA, table))
 
 # What the chapter's program recorded: number("apex") is the text that \number{apex} is on the page, "1.27 m", and
 # exact("apex") is the value. The build writes NUMBERS: name, value, text.

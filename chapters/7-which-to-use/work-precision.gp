@@ -49,7 +49,7 @@ do for [j=1:6] {
   }
 }
 look(m) = m eq "drag divided" || m eq "drag exact" ? style("symplectic Euler, drag divided") : m eq "soft constraint" ? style("backward Euler on a spring") : style(m)
-all(j) = names("work", "method", "thing", things[j])
+all(j, k) = names_with("work", "method", "thing", things[j], prices[k])
 at(j, k, m) = txt("thing") eq things[j] && txt("method") eq m ? px(k, val(prices[k])) : NaN
 tip(j) = txt("thing") eq things[j] ? sprintf("%s, %d steps a second: %.2g m", txt("method"), val("steps per second"), val("error")) : ""
 short(i) = txt("method") eq "velocity Verlet" ? "Verlet" : txt("method") eq "Yoshida 4" ? "Yoshida" : txt("method")
@@ -70,7 +70,7 @@ steps_of(t) = names("work-exact", "function", "thing", t)
 by(t, k, f) = txt("function") eq f ? exact_at(t, k) : NaN
 plot for [k=1:2] for [t in exact_things] for [f in steps_of(t)] file("work-exact") using (by(t, k, f)):(py(place(t), finest)) with linespoints ls EXACT lw 3 dt solid pt 7 ps 0.5, \
      for [k=1:2] for [t in exact_things] file("work-exact") using (exact_at(t, k)):(py(place(t), finest)):(exact_tip(t)) with labels hypertext point ls EXACT ps 0.3, \
-     for [k=1:2] for [j=1:6] for [m in all(j)] file("work") using (at(j, k, m)):(py(j, val("error"))) with lines ls CONTEXT, \
+     for [k=1:2] for [j=1:6] for [m in all(j, k)] file("work") using (at(j, k, m)):(py(j, val("error"))) with lines ls CONTEXT, \
      for [k=1:2] for [j=1:6] file("work") using (txt("thing") eq things[j] ? px(k, val(prices[k])) : NaN):(py(j, val("error"))):(tip(j)) with labels hypertext point ls CONTEXT ps 0.3, \
      for [p in panels] for [m in best(p)] file("work-answers") using (answer(p, txt("method") eq m)):(height(p)) with linespoints ls look(m) lw 4 dt solid pt 7 ps 0.35, \
      for [p in panels] for [m in best(p)] file("work-answers") using (named(p, m)):(low(row(p)) + 0.13*val("changes left") - 0.04):(short(0)) with labels left font SMALL tc ls look(m)
