@@ -12,19 +12,11 @@
 #include <regex>
 #include <string>
 
-#include "integrate/constant_acceleration.h"
 #include "integrate/dopri5.h"
-#include "integrate/euler.h"
-#include "integrate/heun.h"
 #include "integrate/leapfrog.h"
-#include "integrate/leapfrog_drift.h"
-#include "integrate/linear_damping.h"
-#include "integrate/midpoint.h"
-#include "integrate/predicted_euler.h"
-#include "integrate/rk4.h"
-#include "integrate/symplectic_euler.h"
 #include "integrate/velocity_verlet.h"
 #include "integrate/yoshida4.h"
+#include "measure/methods.h"
 
 namespace {
 
@@ -71,12 +63,17 @@ Pose operator+(const Pose& pose, const Twist& way) {
 }
 
 // A ball with two needles in it, each drawn to a direction of its own, on a spring.
-Twist pull(const Pose& pose, const Twist&, double) {
-  const Vector3d first = pose.turned * Vector3d::UnitX(), second = pose.turned * Vector3d::UnitY();
-  const Vector3d about =
-      4 * first.cross(Vector3d(0.2, 0.9, 0.3)) + 3 * second.cross(Vector3d(0.8, -0.1, 0.5));
-  return {-4 * pose.at + first, about};
-}
+struct Pull {
+  static constexpr double damping() { return 0; }
+  Twist operator()(const Pose& pose, const Twist&, double) const {
+    const Vector3d first = pose.turned * Vector3d::UnitX();
+    const Vector3d second = pose.turned * Vector3d::UnitY();
+    const Vector3d about =
+        4 * first.cross(Vector3d(0.2, 0.9, 0.3)) + 3 * second.cross(Vector3d(0.8, -0.1, 0.5));
+    return {-4 * pose.at + first, about};
+  }
+};
+constexpr Pull pull;
 
 struct Start {
   Pose x{{1, 0, 0}, Quaterniond::Identity()};
@@ -118,38 +115,23 @@ Pose leapfrog(int steps) {
   return x;
 }
 
-// A method that wants no more than what all want, and one whose damping is off.
-#define PLAIN(name) \
-  {#name, without_memory([](auto& x, auto& v, double t, double h) { name(x, v, t, h, pull); })}
-#define UNDAMPED(name) \
-  {#name, without_memory([](auto& x, auto& v, double t, double h) { name(x, v, t, h, 0.0, pull); })}
+// One that keeps the acceleration.
 #define KEEPING(name)        \
   {#name, with_acceleration( \
               [](auto& x, auto& v, auto& a, double t, double h) { name(x, v, a, t, h, pull); })}
 
-// By the name of the function.
-const std::map<std::string, Run>& runs() {
+// By the name of the function; those that keep nothing from step to step as the lists have them.
+std::map<std::string, Run> runs() {
   using namespace integrate;
-  static const std::map<std::string, Run> all{PLAIN(euler),
-                                              PLAIN(symplectic_euler),
-                                              PLAIN(symplectic_euler_position_first),
-                                              PLAIN(constant_acceleration),
-                                              PLAIN(predicted_euler),
-                                              PLAIN(heun),
-                                              PLAIN(leapfrog_drift),
-                                              PLAIN(midpoint),
-                                              PLAIN(rk4),
-                                              KEEPING(velocity_verlet),
-                                              KEEPING(yoshida4),
-                                              KEEPING(dopri5),
-                                              {"leapfrog", leapfrog},
-                                              UNDAMPED(linear_damping_explicit_last),
-                                              UNDAMPED(linear_damping_explicit_first),
-                                              UNDAMPED(linear_damping_implicit_last),
-                                              UNDAMPED(linear_damping_implicit_first),
-                                              UNDAMPED(linear_damping_exponential_last),
-                                              UNDAMPED(linear_damping_exponential_first),
-                                              UNDAMPED(linear_damping_exact)};
+  std::map<std::string, Run> all{
+      {"leapfrog", leapfrog}, KEEPING(velocity_verlet), KEEPING(yoshida4), KEEPING(dopri5)};
+  list::for_each(
+      list::Joined<list::EveryExplicit, list::EveryDamping>(), [&]<class Method>(Method) {
+        if constexpr (std::is_invocable_v<Method, Pose&, Twist&, double, double, const Pull&>) {
+          all[std::string(Method::function)] = without_memory(
+              [](auto& x, auto& v, double t, double h) { Method()(x, v, t, h, pull); });
+        }
+      });
   return all;
 }
 
@@ -185,12 +167,13 @@ std::map<std::string, std::string> promised() {
 }  // namespace
 
 TEST_CASE("On poses each method has the order that its header promises") {
-  const auto orders = promised();
-  CHECK(orders.size() == runs().size());
-  for (const auto& [name, run] : runs()) {
-    CAPTURE(name);
-    REQUIRE(orders.contains(name));
-    CHECK(std::abs(order(run) - std::stod(orders.at(name))) < 0.1);
+  const auto all = runs();
+  const auto promises = promised();
+  CHECK(promises.size() == all.size());
+  for (const auto& [name, promise] : promises) {
+    CAPTURE(name, promise);
+    REQUIRE(all.contains(name));
+    CHECK(std::abs(order(all.at(name)) - std::stod(promise)) < 0.1);
   }
 }
 
