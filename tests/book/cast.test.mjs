@@ -12,7 +12,9 @@ const $ = parse('cast.html');
 // { name, moves } of what a header defines at the start of a line; a number does not move.
 function definitions(text) {
   const found = [
-    ...text.matchAll(/^(?:inline )?(?:constexpr |const )?(auto|double|long|scenes::\w+<\w*>)\s+(\w+)\s*[{(=;]/gm),
+    ...text.matchAll(
+      /^(?!struct|class|namespace|using|template)(?:inline |constexpr |const )*([\w:]+(?:<.*>)?)\s+(\w+)\s*[{(=;]/gm,
+    ),
   ];
   return found.map(([, type, name]) => ({ name, moves: !['double', 'long'].includes(type) }));
 }
