@@ -3,6 +3,7 @@
 /// Pictures, one after the other, and a page that plays them.
 #pragma once
 #include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <iostream>
 #include <map>
