@@ -8,6 +8,7 @@ import { liveFolder, methodsOf } from './live.mjs';
 import { MARKS, NUMBERED, REFERS } from './marks.mjs';
 import { renderTex, substituteNumbers } from './math.mjs';
 import { didYouMean, nameOneOf } from './problems.mjs';
+import { checkSet } from './set-links.mjs';
 import { tableColumns, tableFault } from './tables.mjs';
 import { introduction, italics } from './terms.mjs';
 import { checkTake } from './pick-a-method.mjs';
@@ -94,6 +95,7 @@ const CHECKS = {
   },
   claim,
   tested: claim,
+  set: checkSet,
   figref: reference,
   eqref: reference,
   tabref: reference,

@@ -1,6 +1,7 @@
 // What the marks within a sentence become, for the page and for the search.
 import { NUMBERED } from './marks.mjs';
 import { fullText, quantityHtml, quantityText } from './numbers.mjs';
+import { setHtml } from './set-links.mjs';
 import { escapeHtml, slug, smarten } from './text.mjs';
 
 export function inlineHtml({ book, page }, piece) {
@@ -34,6 +35,7 @@ const HTML = {
   },
   tested: ({ claim, id }) =>
     `<a class="tested" id="${id}" href="claims.html#${claimId(claim.test.name)}">${escapeHtml(smarten(claim.test.name))}</a>`,
+  set: setHtml,
   figref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
   tabref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
   exerciseref: ({ target }, page) => `<a href="${address(target, page)}">${label(target)}</a>`,
@@ -58,6 +60,7 @@ const label = ({ piece }) => `${NUMBERED[piece.name]} ${piece.number}`;
 export function inlineText(piece) {
   if (piece.name === 'number') return quantityText(piece.value);
   if (piece.name === 'minutes') return `${piece.target.page.minutes}\u202fmin`;
+  if (piece.name === 'set') return piece.args[1];
   if (piece.name === 'code') return piece.code;
   if (piece.name === 'math') return mathText(piece.html);
   if (['citep', 'bibitem', 'term', 'tested', 'ref'].includes(piece.name)) return piece.args.join(' ');

@@ -5,6 +5,7 @@ export const MARKS = {
   claim: { takes: [1, 1], kind: 'inline', usage: '\\claim{name of a test}', whole: true },
   tested: { takes: [1, 1], kind: 'inline', usage: '\\tested{name of a test}', whole: true },
   look: { takes: [0, 0], kind: 'inline', usage: '\\look' },
+  set: { takes: [2, 2], kind: 'inline', usage: '\\set{live-figure?control=value, words}' },
   figref: { takes: [1, 1], kind: 'inline', usage: '\\figref{name}' },
   eqref: { takes: [1, 1], kind: 'inline', usage: '\\eqref{name}' },
   tabref: { takes: [1, 1], kind: 'inline', usage: '\\tabref{name}' },

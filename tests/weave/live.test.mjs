@@ -190,3 +190,21 @@ test('a live figure that wants a table nobody writes', () =>
 
 test('a description that is no JSON', () =>
   refuses([...live, [`${FOLDER}/spiral.json`, '{ "controls": ']], [`${FOLDER}/spiral.json`, '', /^this is no JSON: /]));
+
+const SENTENCE = 'Each dot is one step, with';
+const says = mark => [...live, method, methodEnd, module, [CHAPTER, SENTENCE, `Try ${mark}. ${SENTENCE}`]];
+
+test('words that set a live figure', () =>
+  assert.match(
+    weaves(...says('\\set{spiral?method=euler&h=0.25, a quarter, say}')).read('built/book/2-euler.html'),
+    /<a class="set" href="#figure-spiral" data-set="method=euler&amp;h=0\.25">a quarter, say<\/a>/,
+  ));
+
+for (const [what, mark, told] of [
+  ['nothing', 'spiral, words', /^\\set\{\.\.\.\} names a live figure and what is set in it/],
+  ['a figure that is not there', 'spirl?h=1, words', /^there is no live figure "spirl" on this page.*spiral/],
+  ['a control that is not there', 'spiral?step=1, words', /^the live figure "spiral" has no control "step"\. There is "method", "h"\./],
+  ['a choice that is not there', 'spiral?method=eular, words', /^"eular" is no choice of "method".*"euler"/],
+  ['a value beyond its slider', 'spiral?h=2, words', '"h" cannot be 2: it goes from 0 to 1'],
+])
+  test(`words that set ${what}`, () => refuses(says(`\\set{${mark}}`), [CHAPTER, 'Try', told]));
