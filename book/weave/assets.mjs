@@ -27,7 +27,9 @@ const FONTS = [
 // What every page can do, in one file.
 const SCRIPTS = ['book', 'values', 'marks', 'search'];
 
-const joinFiles = (files, to) => writeFileSync(to, files.map(file => readFileSync(file, 'utf8')).join('\n'));
+// Without the lines that only explain.
+const joinFiles = (files, to) =>
+  writeFileSync(to, files.map(file => readFileSync(file, 'utf8').replace(/^ *\/\/.*\n/gm, '')).join('\n'));
 
 export function copyAssets(book, out) {
   for (const file of ['book.css', 'print.css', 'whole.css', 'find.js', 'exercises.js', 'pick-a-method.js', 'wall.html'])

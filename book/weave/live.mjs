@@ -16,13 +16,17 @@ export const LIVE_SCRIPTS = [
   'words',
   'settings',
   'run',
+  'ahead',
   'pen',
   'map',
+  'names',
   'chart',
+  'scrubber',
   'plot',
   'clock',
   'handle',
   'stopwatch',
+  'links',
   'figure',
 ];
 
@@ -84,24 +88,18 @@ export const methodsOf = live =>
 // What stands ready for the scripts; a page whose scripts do not run never shows it.
 export function liveHtml({ book }, live) {
   const { scene, shape, chart, pace, timed } = live;
-  return `<template><div class="stage">
-<div class="views"><div><p class="axis">${escapeHtml(smarten(scene))}</p><canvas class="scene" role="img" style="aspect-ratio:${shape.join('/')}"></canvas></div>
-<div><p class="axis">${escapeHtml(smarten(chart.name))}${(chart.curves ?? []).map(keyHtml).join('')}</p><div class="chart" role="img"></div></div></div>
+  return `<template><div class="stage${timed ? ' timed' : ''}" role="group" style="--scene:${shape[0] / shape[1]}">
+<div class="picture"><p class="axis">${escapeHtml(smarten(scene))}</p><canvas class="scene" role="img" style="aspect-ratio:${shape.join('/')}"></canvas></div>
 <div class="keys"><button type="button" data-do="play">Play</button><button type="button" data-do="step">Step</button><button type="button" data-do="reset">Reset</button>${timed ? '<button type="button" data-do="time">Time it here</button>' : ''}
 <p class="readout"></p><small>${paceText(pace)}</small></div>
-<div class="below"><div class="controls">${live.controls.map(control => controlHtml(live, control)).join('')}
+<div class="controls">${live.controls.map(control => controlHtml(live, control)).join('')}
 <button type="button" data-do="link">Link to these settings</button>${timed ? '<div class="advice"></div>' : ''}</div>
-<div>${timed ? '<div class="ranked"></div>' : ''}${methodsOf(live)
+<div class="graph"><p class="axis">${escapeHtml(smarten(chart.name))}</p><div class="chart" role="img"></div></div>
+<div class="beside">${timed ? '<div class="ranked"></div>' : ''}${methodsOf(live)
     .map(method => codeHtml(book, method))
-    .join('\n')}</div></div>
+    .join('\n')}</div>
 <p class="unseen" role="status"></p></div></template>`;
 }
-
-// A curve says what it is where it bears a label.
-const keyHtml = ({ colour, label }) =>
-  label
-    ? ` <span class="key${colour === 'exact' ? ' dashed' : ''}" style="--key:var(--${colour.replace(/_/g, '-')})">${escapeHtml(smarten(label))}</span>`
-    : '';
 
 function paceText(pace) {
   if (pace === 1) return 'real time';

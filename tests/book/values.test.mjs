@@ -116,25 +116,15 @@ test('a number shows its full value', async () => {
   assert.ok(tip.includes(` = ${mantissa}`), tip);
 });
 
-test('with colours of the reader’s own, marks are seen and the keys of a chart differ', async () => {
-  await visit(tab, figures.find(({ chart }) => chart.curves?.filter(({ label }) => label).length > 1).page);
+test('with colours of the reader’s own, marks are seen', async () => {
+  await visit(tab, figures[0].page);
   await tab.emulateMedia({ forcedColors: 'active' });
-  const seen = await tab.evaluate(() => {
-    const style = (element, part) => getComputedStyle(element, part);
-    const ground = style(document.body).backgroundColor;
-    const charts = [...document.querySelectorAll('.axis:has(.key + .key)')];
-    return {
-      marks: [...document.querySelectorAll('.claim')].filter(mark => style(mark).backgroundColor === ground).length,
-      charts: charts.map(chart =>
-        [...chart.querySelectorAll('.key')].map(key => {
-          const { borderTopColor, borderTopStyle } = style(key, '::before');
-          return `${borderTopColor} ${borderTopStyle}`;
-        }),
-      ),
-    };
+  const unseen = await tab.evaluate(() => {
+    const ground = getComputedStyle(document.body).backgroundColor;
+    const marks = [...document.querySelectorAll('.claim')];
+    return [marks.length, marks.filter(mark => getComputedStyle(mark).backgroundColor === ground).length];
   });
   await tab.emulateMedia({ forcedColors: null });
-  assert.equal(seen.marks, 0);
-  assert.ok(seen.charts.length > 0);
-  for (const keys of seen.charts) assert.equal(new Set(keys).size, keys.length, keys.join(', '));
+  assert.ok(unseen[0] > 0);
+  assert.equal(unseen[1], 0);
 });

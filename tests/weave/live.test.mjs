@@ -203,7 +203,11 @@ test('words that set a live figure', () =>
 for (const [what, mark, told] of [
   ['nothing', 'spiral, words', /^\\set\{\.\.\.\} names a live figure and what is set in it/],
   ['a figure that is not there', 'spirl?h=1, words', /^there is no live figure "spirl" on this page.*spiral/],
-  ['a control that is not there', 'spiral?step=1, words', /^the live figure "spiral" has no control "step"\. There is "method", "h"\./],
+  [
+    'a control that is not there',
+    'spiral?step=1, words',
+    /^the live figure "spiral" has no control "step"\. There is "method", "h"\./,
+  ],
   ['a choice that is not there', 'spiral?method=eular, words', /^"eular" is no choice of "method".*"euler"/],
   ['a value beyond its slider', 'spiral?h=2, words', '"h" cannot be 2: it goes from 0 to 1'],
 ])

@@ -5,11 +5,11 @@
   const FONT = '12px "Book Sans", sans-serif';
 
   Live.Chart = class {
-    // `beside` is the picture of the scene, whose height the chart takes within bounds.
-    constructor(box, beside, { curves, from, to, log, marks }, seconds) {
+    // `methods` has what the methods are called.
+    constructor(box, { curves, from, to, log, marks }, methods, seconds) {
       const paths = curves.filter(curve => curve.path);
       curves = curves.filter(curve => !curve.path);
-      Object.assign(this, { box, beside, curves, paths, from, to, log, exits: [], seconds, until: seconds });
+      Object.assign(this, { box, methods, curves, paths, from, to, log, exits: [], seconds, until: seconds });
       const paint = name => () => Live.colour(box, name);
       const numbers = (_, marks) => marks.map(mark => (mark === null ? '' : Live.digits(mark, 6)));
       const axis = {
@@ -46,9 +46,11 @@
           ],
           series: [{}, ...curves.map(curve => this.seriesOf(curve))],
           hooks: {
+            drawClear: [plot => this.drawFaint(plot)],
             draw: [
               plot => this.drawPaths(plot),
               plot => this.exits.forEach((exit, i) => this.markExit(plot, exit, i === 0)),
+              plot => Live.nameLines(plot, this.ends(plot), this.box),
             ],
           },
         },
@@ -70,30 +72,36 @@
       return Live.colour(this.box, colour === 'method' ? this.method : colour);
     }
 
+    nameOf({ label, colour }) {
+      return label ?? (colour === 'method' ? this.methods[this.method] : undefined);
+    }
+
     get size() {
-      const { clientHeight } = this.beside;
-      const height = Math.max(200, Math.min(Math.max(280, 0.7 * clientHeight), clientHeight));
-      return { width: Math.max(120, this.box.clientWidth), height };
+      return { width: Math.max(120, this.box.clientWidth), height: Math.max(200, this.box.clientHeight) };
     }
     resize() {
       const { width, height } = this.size;
       if (width !== this.plot.width || height !== this.plot.height) this.plot.setSize({ width, height });
     }
 
-    draw({ trace, now, endless }, { method = 'first' }) {
-      this.method = method;
+    // `ahead` is the trace of the whole run, and `before` that of a run with other settings, { trace, words }; both are faint.
+    draw({ trace, now, endless }, { method = 'first' }, ahead = trace, before) {
+      const isOther = ({ value }) => !Object.is(before.trace[value].at(-1), ahead[value].at(-1));
+      Object.assign(this, { method, trace, ahead, before: before && this.curves.some(isOther) ? before : undefined });
       this.lists = this.paths.map(({ path }) => now[path]);
       const whole = name => (trace.t.at(-1) === now.t ? trace[name] : [...trace[name], now[name]]);
       const times = whole('t');
-      const far = 100 * this.to; // beyond, a canvas draws nonsense
-      const drawn = value => (Number.isNaN(value) ? null : Math.max(-far, Math.min(far, value)));
+      const seen = ahead === trace ? whole : name => ahead[name];
       this.exits = this.curves
         .filter(({ colour }) => colour !== 'exact')
-        .map(curve => this.exitOf(curve, times, whole(curve.value)))
+        .map(curve => this.exitOf(curve, seen('t'), seen(curve.value)))
         .filter(Boolean);
       if (endless) this.until = Math.max(this.seconds, now.t);
-      this.plot.setData([times, ...this.curves.map(({ value }) => whole(value).map(drawn))]);
+      this.plot.setData([times, ...this.curves.map(({ value }) => whole(value).map(this.drawn))]);
     }
+    // Beyond a hundred times the chart, a canvas draws nonsense.
+    drawn = value => (Number.isNaN(value) ? null : Math.max(-100 * this.to, Math.min(100 * this.to, value)));
+
     // A curve that begins outside, as an error of nothing does on a logarithmic axis, has first to come in.
     exitOf(curve, times, values) {
       const within = value => value >= this.from && value <= this.to;
@@ -113,6 +121,51 @@
       const [a, b, e] = [...values, edge].map(value => (this.log ? Math.log(value) : value));
       const part = (e - a) / (b - a);
       return times.length === 2 && part >= 0 && part <= 1 ? times[0] + part * (times[1] - times[0]) : times.at(-1);
+    }
+
+    drawFaint(plot) {
+      const { ahead, before } = this;
+      if (before) this.drawTrace(plot, before.trace, { faint: 0.4, dash: [2, 3] });
+      if (ahead !== this.trace) this.drawTrace(plot, ahead, { faint: 0.35, dash: [] });
+    }
+    drawTrace({ ctx, bbox, valToPos }, trace, { faint, dash }) {
+      ctx.save();
+      ctx.beginPath();
+      ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+      ctx.clip();
+      ctx.setLineDash(dash.map(length => length * devicePixelRatio));
+      ctx.globalAlpha = faint;
+      for (const curve of this.curves.filter(({ colour }) => colour !== 'exact')) {
+        ctx.beginPath();
+        trace[curve.value].forEach((value, i) => {
+          const drawn = this.drawn(value);
+          if (drawn !== null) ctx.lineTo(valToPos(trace.t[i], 'x', true), valToPos(drawn, 'y', true));
+        });
+        Object.assign(ctx, { strokeStyle: this.colourOf(curve), lineWidth: 1.5 * devicePixelRatio });
+        ctx.stroke();
+      }
+      ctx.restore();
+    }
+
+    // Where the lines end that have a name and stay within the chart: { x, y, words, colour }, in pixels.
+    ends({ valToPos }) {
+      const at = (t, value, words, colour) =>
+        words && value >= this.from && value <= this.to
+          ? [{ x: valToPos(t, 'x', true), y: valToPos(value, 'y', true), words, colour }]
+          : [];
+      const { ahead, before } = this;
+      if (!ahead) return [];
+      const lasting = this.curves.flatMap(curve =>
+        at(ahead.t.at(-1), ahead[curve.value].at(-1), this.nameOf(curve), this.colourOf(curve)),
+      );
+      const known = this.paths.flatMap((curve, i) =>
+        at(this.seconds, this.lists[i]?.at(-1), this.nameOf(curve), this.colourOf(curve)),
+      );
+      const { value } = this.curves[0];
+      const left = before
+        ? at(before.trace.t.at(-1), before.trace[value].at(-1), before.words, Live.colour(this.box, 'soft'))
+        : [];
+      return [...lasting, ...known, ...left];
     }
 
     // What is known at equal times over the whole run, and not only at the steps.
@@ -153,7 +206,11 @@
           textAlign: left ? 'right' : 'left',
           textBaseline: 'middle',
         });
-        ctx.fillText('leaves the chart', x + (left ? -2 : 2) * size, tip + inwards * 1.2 * size);
+        ctx.fillText(
+          `${this.nameOf(curve) ?? ''} leaves the chart`.trim(),
+          x + (left ? -2 : 2) * size,
+          tip + inwards * 1.2 * size,
+        );
       }
       ctx.restore();
     }

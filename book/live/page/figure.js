@@ -20,7 +20,7 @@
     const figure = new Figure(element, Live.descriptions[name], drawing);
     try {
       const [code] = await Promise.all([(compiled ??= Live.compile(Live.compiled)), document.fonts.ready]);
-      figure.open(await Live.open(code, name), code);
+      await figure.open(code, name);
       Live.opened[name] = figure;
     } catch (fault) {
       figure.stage.remove();
@@ -40,16 +40,28 @@
       this.pen = new Live.Pen(find('canvas.scene'));
       this.chart = drawing.chart
         ? new Live.Plot(find('.chart'), drawing, description.shape, values => this.choose(values))
-        : new Live.Chart(find('.chart'), find('canvas.scene'), description.chart, description.seconds);
-      this.readLink();
+        : new Live.Chart(find('.chart'), description.chart, this.methods, description.seconds);
+      this.stage.setAttribute('aria-label', element.querySelector('figcaption b').textContent);
+      this.links = new Live.Links(this);
       this.settings.tell();
-      this.showCode(this.values.method ?? Object.keys(description.methods ?? {})[0]);
+      this.showCode(this.values.method ?? Object.keys(this.methods)[0]);
     }
-    open(module, code) {
+    // What the methods are called that it has, or has to choose from.
+    get methods() {
+      const { methods, controls } = this.description;
+      return methods ?? controls.find(({ name }) => name === 'method')?.choices ?? {};
+    }
+    async open(code, name) {
       const { element, description } = this;
       const find = selector => element.querySelector(selector);
-      this.run = new Live.Run(module, description);
+      const run = async () => new Live.Run(await Live.open(code, name), description);
+      this.run = await run();
       this.clock = new Live.Clock(description.pace);
+      // One that the reader holds meanwhile, or that has no run over time, has no moment to go back to.
+      if (!description.endless && !this.drawing.chart) {
+        this.ahead = new Live.Ahead(await run());
+        this.scrubber = new Live.Scrubber(this.chart, description.seconds, t => this.goTo(t));
+      }
       if (description.handle)
         this.handle = new Live.Handle(find('canvas.scene'), description.handle, values => this.hold(values));
       if (description.timed) this.stopwatch = new Live.Stopwatch(code, element.dataset.live, () => this.retime());
@@ -64,14 +76,9 @@
       on('play', () => (this.playing ? this.pause() : this.play()));
       on('step', () => this.step());
       on('reset', () => this.reset());
-      on('link', event => this.link(event.target));
       if (this.stopwatch) on('time', () => this.time());
       this.stage.addEventListener('input', () => this.change());
-      addEventListener('hashchange', () => {
-        if (!this.readLink()) return;
-        this.change();
-        this.element.scrollIntoView();
-      });
+      this.stage.addEventListener('change', () => this.release());
       new ResizeObserver(() => {
         this.chart.resize();
         this.draw();
@@ -85,20 +92,15 @@
     // Nothing moves by itself where the reader does not want motion, nor twice.
     startWhenSeen() {
       let started = still.matches;
-      new IntersectionObserver(
-        entries => {
-          const seen = entries.at(-1);
-          this.visible = seen.isIntersecting;
-          const most = 0.6 * Math.min(seen.boundingClientRect.height, seen.rootBounds?.height ?? Infinity);
-          if (!started && seen.intersectionRect.height > most) {
-            started = true;
-            this.begin();
-            this.play();
-          }
-          this.ask();
-        },
-        { threshold: [0, 0.2, 0.35, 0.5, 0.65, 0.8] },
-      ).observe(this.stage);
+      Live.watch(this.stage, (visible, mostly) => {
+        this.visible = visible;
+        if (!started && mostly) {
+          started = true;
+          this.begin();
+          this.play();
+        }
+        this.ask();
+      });
     }
 
     get values() {
@@ -107,6 +109,7 @@
 
     begin() {
       const { values, run } = this;
+      this.begun = values;
       run.start(values);
       this.clock.restart();
       this.settings.tell(run.now);
@@ -121,7 +124,7 @@
       }
       run.times = this.stopwatch.of(values);
       this.showCode(drawing.answer(this.stage, run, values));
-      if (this.playing) this.chart.draw(run, values); // no frame draws it
+      if (this.playing) this.drawChart(); // no frame draws it
     }
     time() {
       this.stopwatch.begin(this.values);
@@ -132,10 +135,11 @@
       this.draw();
       this.speak();
     }
-    // Something that the reader set by another way than its control.
+    // Something that the reader set by another way than its control: in a chart, by a link, by words in the prose.
     choose(values) {
       this.settings.values = values;
       this.change();
+      this.release();
     }
     showCode(method) {
       if (method === this.codeShown) return;
@@ -150,14 +154,30 @@
       this.draw();
       this.speak();
     }
+    // The moment stays, and what holds it: a run that is played goes on from there, and one seen to its end is seen to it.
     change() {
-      if (this.playing) {
+      const { run, playing, values } = this;
+      if (this.ahead && !this.changing) this.before = this.ahead.keep(this.begun);
+      this.changing = true;
+      const { full, now } = run;
+      if (playing && run.endless) run.set(values);
+      else if (!playing) return this.showWhole(full ? undefined : now.t);
+      else {
         this.begin();
-        this.label();
-        return;
+        run.finish(now.t);
       }
-      const { full, now, taken } = this.run;
-      this.showWhole(full || taken === 0 ? undefined : now.t);
+      this.label();
+    }
+    // The reader has let go of a control.
+    release() {
+      this.changing = false;
+      if (!this.playing) this.draw();
+    }
+    goTo(t) {
+      this.setPlaying(false);
+      this.run.goTo(this.values, t);
+      this.draw();
+      this.speak();
     }
     // What the reader holds moves within a run, and what hangs from it does not stand still meanwhile.
     hold(values) {
@@ -187,6 +207,7 @@
         this.handle.reset();
         this.run.set(this.handle.values);
       }
+      this.before = undefined;
       this.begin();
       this.draw();
       this.speak();
@@ -220,12 +241,23 @@
     }
 
     draw(part = 1) {
-      const { values } = this;
-      this.pen.begin(this.drawing.view(values));
-      this.drawing.draw(this.pen, this.run, values, part);
-      this.handle?.place(this.pen);
-      if (!this.stopwatch || !this.playing) this.chart.draw(this.run, values); // an answer stays while it is played
+      const { values, run, pen, drawing } = this;
+      pen.begin(drawing.view(values));
+      if (this.changing && this.whole) pen.faintly(0.35, () => drawing.draw(pen, this.whole, values, 1));
+      drawing.draw(pen, run, values, part);
+      this.handle?.place(pen);
+      if (!this.stopwatch || !this.playing) this.drawChart(); // an answer stays while it is played
       this.readout.textContent = this.sentence + (this.playing && this.clock.slow ? ' Runs slower than time.' : '');
+    }
+    // What the run that is shown will come to.
+    get whole() {
+      return this.ahead && (this.run.full ? this.run : this.ahead.of(this.values));
+    }
+    drawChart() {
+      const { run, values, before } = this;
+      const words = before && this.settings.wordsSince(before.values);
+      this.chart.draw(run, values, this.whole?.trace, words && { trace: before.trace, words: `before: ${words}` });
+      this.scrubber?.place(run.now.t);
     }
     get sentence() {
       const { now } = this.run;
@@ -241,36 +273,9 @@
     }
     label() {
       for (const picture of this.stage.querySelectorAll('[role=img]')) {
-        const axis = [...picture.parentElement.querySelector('.axis').childNodes]
-          .map(part => part.textContent.trim())
-          .filter(Boolean)
-          .join(', ');
+        const axis = picture.parentElement.querySelector('.axis').textContent;
         picture.setAttribute('aria-label', `${axis}. ${this.settings.words}. ${this.sentence}`);
       }
-    }
-
-    link(button) {
-      history.replaceState(null, '', `#${this.element.id}?${this.settings.query}`);
-      const say = words => {
-        button.textContent = words;
-        setTimeout(() => {
-          button.textContent = 'Link to these settings';
-        }, 2500);
-      };
-      const written =
-        globalThis.isSecureContext && navigator.clipboard
-          ? navigator.clipboard.writeText(location.href)
-          : Promise.reject();
-      written.then(
-        () => say('Link copied'),
-        () => say('The link is in the address bar'),
-      );
-    }
-    readLink() {
-      const [, id, query] = location.hash.match(/^#([\w-]+)\?(.*)$/) ?? [];
-      if (id !== this.element.id) return false;
-      this.settings.query = query;
-      return true;
     }
   }
 })();

@@ -33,14 +33,21 @@
       this.fromX = pixels => (pixels - width / 2) / across + (x[0] + x[1]) / 2;
       this.metre = across;
       this.view = { x, y };
+      this.faint = 1;
       context.lineJoin = context.lineCap = 'round';
     }
     colour(name) {
       return Live.colour(this.canvas, name);
     }
+    // Draws what is not there, or not yet, with so much of its strength, and without words.
+    faintly(faint, draw) {
+      this.faint = faint;
+      draw();
+      this.faint = 1;
+    }
     stroke({ colour = 'ink', width = 1.5, dash = [], faint = 1 }) {
       const { context } = this;
-      Object.assign(context, { strokeStyle: this.colour(colour), lineWidth: width, globalAlpha: faint });
+      Object.assign(context, { strokeStyle: this.colour(colour), lineWidth: width, globalAlpha: faint * this.faint });
       context.setLineDash(dash);
       context.stroke();
       context.setLineDash([]);
@@ -87,10 +94,35 @@
     // A dot of some pixels.
     dot(x, y, pixels, colour = 'ink') {
       const { context } = this;
-      context.fillStyle = this.colour(colour);
+      Object.assign(context, { fillStyle: this.colour(colour), globalAlpha: this.faint });
       context.beginPath();
       context.arc(this.x(x), this.y(y), pixels, 0, 2 * Math.PI);
       context.fill();
+      context.globalAlpha = 1;
+    }
+    // A thing as a dot; of one that has left the picture an arrow at the edge says where it is.
+    body(x, y, pixels, colour) {
+      const { context, canvas } = this;
+      const [right, down] = [this.x(x) - canvas.clientWidth / 2, this.y(y) - canvas.clientHeight / 2];
+      const [across, high] = [canvas.clientWidth / 2, canvas.clientHeight / 2];
+      if (!(Math.abs(right) > across || Math.abs(down) > high)) {
+        this.dot(x, y, pixels, colour);
+        return;
+      }
+      const part = Math.min((across - 4) / Math.abs(right), (high - 4) / Math.abs(down));
+      context.save();
+      context.translate(across + part * right, high + part * down);
+      context.rotate(Math.atan2(down, right));
+      Object.assign(context, { fillStyle: this.colour(colour), globalAlpha: this.faint });
+      context.beginPath();
+      for (const [along, aside] of [
+        [0, 0],
+        [-14, 7],
+        [-14, -7],
+      ])
+        context.lineTo(along, aside);
+      context.fill();
+      context.restore();
     }
     dots(xs, ys, pixels, colour) {
       for (let i = 0; i < xs.length; ++i) this.dot(xs[i], ys[i], pixels, colour);
@@ -100,12 +132,13 @@
       const { context } = this;
       context.beginPath();
       for (let i = 0; i < xs.length; ++i) context.lineTo(this.x(xs[i]), this.y(ys[i]));
-      Object.assign(context, { fillStyle: this.colour(colour), globalAlpha: faint });
+      Object.assign(context, { fillStyle: this.colour(colour), globalAlpha: faint * this.faint });
       context.fill();
       context.globalAlpha = 1;
     }
     text(x, y, words, { colour = 'soft', align = 'center' } = {}) {
       const { context } = this;
+      if (this.faint < 1) return; // what is faint has no words
       Object.assign(context, {
         font: '500 13px "Book Sans", sans-serif',
         textAlign: align,
@@ -117,6 +150,7 @@
     // Faint lines with their numbers at the left and the lower edge, or with what stands for the numbers.
     grid(xs, ys, { x: nameX, y: nameY } = { x: x => Live.digits(x, 6), y: y => Live.digits(y, 6) }) {
       const { context, canvas } = this;
+      if (this.faint < 1) return;
       context.beginPath();
       for (const x of xs) {
         context.moveTo(this.x(x), 0);

@@ -52,6 +52,11 @@
         if (this.taken % this.stride === 0) this.note();
       }
     }
+    // To a moment within the run, on or back.
+    goTo(values, t) {
+      if (t < this.now.t) this.start(values);
+      this.finish(Math.max(0, Math.min(t, this.seconds)));
+    }
     // One without an end keeps its last seconds.
     note() {
       for (const [name, list] of Object.entries(this.trace)) list.push(this.now[name]);

@@ -27,6 +27,10 @@
       return `${Live.digits(shown, 4)}${this.unit ? `\u202f${this.unit}` : ''}`;
     }
 
+    wordsOf(value) {
+      return this.words(value / this.scale);
+    }
+
     // `now`, where there is a run already, holds the value to be marked on the slider, where it has one.
     tell(now) {
       const text = this.words() + this.markWords(now);
@@ -57,7 +61,10 @@
       if (radio) radio.checked = true;
     }
     words() {
-      return this.choices[this.value];
+      return this.wordsOf(this.value);
+    }
+    wordsOf(value) {
+      return this.choices[value];
     }
     tell() {}
   }
@@ -86,6 +93,13 @@
         .map(control => `${control.label}: ${control.words()}`)
         .join(', ');
     }
+    // What other values were called, of the controls that have been moved since.
+    wordsSince(values) {
+      return this.controls
+        .filter(({ name, value, element }) => !element.hidden && value !== values[name])
+        .map(control => control.wordsOf(values[control.name]))
+        .join(', ');
+    }
     // One that is for another choice than the one made is not seen.
     tell(now) {
       const { values } = this;
@@ -102,13 +116,14 @@
         .join('&');
     }
     set query(text) {
+      this.values = this.read(text);
+    }
+    read(text) {
       const given = new URLSearchParams(text);
-      for (const control of this.controls) {
-        const wanted = given.get(control.name);
-        if (wanted === null) continue;
-        if (control.choices) control.value = wanted;
-        else if (Number.isFinite(Number(wanted))) control.value = Number(wanted);
-      }
+      const known = this.controls
+        .filter(({ name }) => given.has(name))
+        .map(({ name, choices }) => [name, choices ? given.get(name) : Number(given.get(name))]);
+      return Object.fromEntries(known.filter(([, value]) => !Number.isNaN(value)));
     }
   };
 })();

@@ -13,7 +13,7 @@ globalThis.Live.figure('thrown-ball', {
       y = run.past('y', part);
     pen.line(x, y, { colour: method, width: 1.2, faint: 0.6 });
     pen.dots(x, y, x.length > 100 ? 1.6 : 3, method);
-    pen.dot(run.blend('x', part), run.blend('y', part), 6, method);
+    pen.body(run.blend('x', part), run.blend('y', part), 6, method);
   },
   tell: ({ error }) =>
     `${error < 1e-9 ? 'right to rounding' : `${globalThis.Live.fixed(100 * error, 1)}\u202fcm from the true place`}.`,

@@ -22,7 +22,7 @@ globalThis.Live.figure('drone-spiral', {
       y = run.blend('y', part);
     pen.line([0, x], [0, y], { colour: 'context', width: 1 });
     pen.dot(0, 0, 4, 'context');
-    pen.dot(x, y, 6, method);
+    pen.body(x, y, 6, method);
   },
   tell({ distance }) {
     return `${globalThis.Live.fixed(distance, 2)}\u202fm from the tower${distance > this.numbers().fence ? ', over the fence' : ''}.`;

@@ -20,7 +20,7 @@ globalThis.Live.figure('suspension', {
       coils.map(i => 0.2 + ((x - 0.2) * i) / 16),
       { colour: 'context', width: 1.4 },
     );
-    pen.dot(-0.16, x, 9, method);
+    pen.body(-0.16, x, 9, method);
   },
   tell({ x, energy }) {
     return `stretch ${globalThis.Live.fixed(100 * x, 1)}\u202fcm, energy ${this.howMuch(energy)} what it was at the start.`;

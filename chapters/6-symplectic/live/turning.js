@@ -8,7 +8,7 @@ globalThis.Live.figure('turning', {
     pen.line(now['true x'], now['true y'], { colour: 'exact', width: 1.4, dash: [7, 5] });
     pen.line(now['turn x'], now['turn y'], { colour: method, width: 1.8 });
     pen.dot(0, 0, 5, 'context');
-    pen.dot(run.blend('x', part), run.blend('y', part), 5, method);
+    pen.body(run.blend('x', part), run.blend('y', part), 5, method);
   },
   tell(now) {
     const far = Math.hypot(now['farthest x'], now['farthest y']);

@@ -1,0 +1,63 @@
+// What sets a figure from outside its stage: the address of the page, and words in the prose.
+(function () {
+  'use strict';
+  const Live = (globalThis.Live ??= {});
+
+  // Tells whether an element is in sight, and whether most of what could be seen of it is.
+  Live.watch = function (element, told) {
+    new IntersectionObserver(
+      entries => {
+        const { isIntersecting, boundingClientRect, rootBounds, intersectionRect } = entries.at(-1);
+        const most = 0.6 * Math.min(boundingClientRect.height, rootBounds?.height ?? Infinity);
+        told(isIntersecting, intersectionRect.height > most);
+      },
+      { threshold: [0, 0.2, 0.35, 0.5, 0.65, 0.8] },
+    ).observe(element);
+  };
+
+  Live.Links = class {
+    // `figure` has an element, a stage and settings, and choose(values).
+    constructor(figure) {
+      const { element, stage, settings } = figure;
+      Object.assign(this, { id: element.id, settings });
+      const query = this.asked;
+      if (query !== undefined) settings.query = query;
+      addEventListener('hashchange', () => {
+        if (this.asked === undefined || !figure.run) return;
+        figure.choose(settings.read(this.asked));
+        element.scrollIntoView();
+      });
+      document.addEventListener('click', event => {
+        const words = event.target.closest?.(`a.set[href="#${this.id}"]`);
+        if (!words || !figure.run) return;
+        event.preventDefault();
+        figure.choose(settings.read(words.dataset.set));
+        stage.scrollIntoView({ block: 'nearest' });
+      });
+      stage.querySelector('[data-do=link]').addEventListener('click', event => this.copy(event.target));
+    }
+    // The settings that the address has for this figure.
+    get asked() {
+      const [, id, query] = location.hash.match(/^#([\w-]+)\?(.*)$/) ?? [];
+      return id === this.id ? query : undefined;
+    }
+
+    copy(button) {
+      history.replaceState(null, '', `#${this.id}?${this.settings.query}`);
+      const say = words => {
+        button.textContent = words;
+        setTimeout(() => {
+          button.textContent = 'Link to these settings';
+        }, 2500);
+      };
+      const written =
+        globalThis.isSecureContext && navigator.clipboard
+          ? navigator.clipboard.writeText(location.href)
+          : Promise.reject();
+      written.then(
+        () => say('Link copied'),
+        () => say('The link is in the address bar'),
+      );
+    }
+  };
+})();

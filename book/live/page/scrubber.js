@@ -1,0 +1,58 @@
+// The chart as a time line: the reader goes to a moment by mouse, by finger or by the arrow keys.
+(function () {
+  'use strict';
+  const Live = (globalThis.Live ??= {});
+  const SLACK = 8; // pixels that a finger moves before it means it
+  const KEYS = { ArrowLeft: -0.01, ArrowRight: 0.01, PageDown: -0.1, PageUp: 0.1, Home: -Infinity, End: Infinity };
+
+  // Calls `hold` with where the pointer is, sideways; a finger that goes up or down scrolls the page, and holds nothing.
+  Live.drag = function (element, hold) {
+    let from = null;
+    element.addEventListener('pointerdown', event => {
+      from = event.clientX;
+      element.setPointerCapture(event.pointerId);
+    });
+    element.addEventListener('pointermove', event => {
+      if (!element.hasPointerCapture(event.pointerId)) return;
+      if (Math.abs(event.clientX - from) < SLACK && event.pointerType === 'touch') return;
+      from = Infinity;
+      hold(event.clientX - element.getBoundingClientRect().left);
+    });
+    element.addEventListener('click', event => hold(event.clientX - element.getBoundingClientRect().left));
+  };
+
+  Live.Scrubber = class {
+    // `moved` is called with the time that the reader goes to, which may lie outside the run.
+    constructor({ box, plot }, seconds, moved) {
+      this.plot = plot;
+      this.element = box.parentElement.appendChild(document.createElement('span'));
+      this.element.className = 'moment';
+      const attributes = {
+        'role': 'slider',
+        'tabindex': 0,
+        'aria-label': 'Time',
+        'aria-valuemin': 0,
+        'aria-valuemax': seconds,
+      };
+      for (const [name, value] of Object.entries(attributes)) this.element.setAttribute(name, value);
+      plot.over.classList.add('scrubbed');
+      Live.drag(plot.over, x => moved(plot.posToVal(x, 'x')));
+      this.element.addEventListener('keydown', event => {
+        if (!(event.key in KEYS) || event.ctrlKey || event.metaKey || event.altKey) return;
+        event.preventDefault();
+        moved(this.t + KEYS[event.key] * seconds);
+      });
+    }
+    // Where the run stands.
+    place(t) {
+      const { plot, element } = this;
+      this.t = t;
+      element.setAttribute('aria-valuenow', t);
+      element.setAttribute('aria-valuetext', `${t.toFixed(2)} seconds`);
+      const chart = plot.root.parentElement;
+      element.style.left = `${chart.offsetLeft + plot.over.offsetLeft + plot.valToPos(t, 'x')}px`;
+      element.style.top = `${chart.offsetTop + plot.over.offsetTop}px`;
+      element.style.height = `${plot.over.offsetHeight}px`;
+    }
+  };
+})();

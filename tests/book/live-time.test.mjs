@@ -1,0 +1,83 @@
+// The time of a live figure is the reader's: in the chart, while a knob is held, and from words in the prose.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { frames, openTab } from './browser.mjs';
+import { figures, open } from './live.mjs';
+
+const figure = figures.find(({ name }) => name === 'drone-spiral');
+const tab = await openTab();
+const live = await open(tab, figure);
+const moment = live.stage.locator('.moment');
+const t = async () => (await live.now()).t;
+const near = (seconds, wanted) =>
+  assert.ok(Math.abs(seconds - wanted) < 0.02 * figure.seconds, `${seconds}, not ${wanted}`);
+
+test('the figure is a group with its name', async () => {
+  const caption = await tab.locator(`[data-live="${figure.name}"] figcaption b`).textContent();
+  assert.equal(await live.stage.getAttribute('aria-label'), caption);
+});
+
+test('the chart goes to a moment, by a click, by a drag back, and by keys', async () => {
+  const { x, y, width, height } = await live.stage.locator('.u-over').boundingBox();
+  await tab.mouse.click(x + 0.4 * width, y + height / 2);
+  near(await t(), 0.4 * figure.seconds);
+  const scene = await live.scene();
+  await tab.mouse.move(x + 0.4 * width, y + height / 2);
+  await tab.mouse.down();
+  await tab.mouse.move(x + 0.2 * width, y + height / 2, { steps: 3 });
+  await tab.mouse.up();
+  near(await t(), 0.2 * figure.seconds);
+  assert.notEqual(await live.scene(), scene);
+  await moment.focus();
+  await tab.keyboard.press('ArrowRight');
+  near(await t(), 0.21 * figure.seconds);
+  near(Number(await moment.getAttribute('aria-valuenow')), await t());
+  await tab.keyboard.press('End');
+  near(await t(), figure.seconds);
+  await tab.keyboard.press('Home');
+  assert.equal(await t(), 0);
+});
+
+test('a knob that is held leaves the time where it is, and shows the whole run, which goes when it is let go', async () => {
+  await live.reopen();
+  const { x, y, width, height } = await live.stage.locator('.u-over').boundingBox();
+  await tab.mouse.click(x + 0.25 * width, y + height / 2);
+  const before = await t();
+  const knob = await live.control('rate').locator('input').boundingBox();
+  await tab.mouse.move(knob.x + 0.625 * knob.width, knob.y + knob.height / 2);
+  await tab.mouse.down();
+  await tab.mouse.move(knob.x + 0.4 * knob.width, knob.y + knob.height / 2, { steps: 3 });
+  near(await t(), before);
+  const held = await live.scene();
+  await tab.mouse.up();
+  await frames(tab, 2);
+  assert.notEqual(await live.scene(), held);
+  near(await t(), before);
+  assert.match(await tab.evaluate(of => globalThis.Live.opened[of].chart.before.words, figure.name), /^before: 60/);
+  await live.press('reset');
+  assert.equal(await tab.evaluate(of => globalThis.Live.opened[of].chart.before, figure.name), undefined);
+});
+
+test('a run that is played goes on from where it is when a setting changes', async () => {
+  await live.press('reset');
+  await live.press('play');
+  await tab.waitForFunction(of => globalThis.Live.opened[of].run.now.t > 4, figure.name);
+  await live.control('rate').locator('input').focus();
+  await tab.keyboard.press('ArrowRight');
+  assert.ok((await t()) > 3.5 && (await live.playing()));
+  await live.press('play');
+});
+
+test('words in the prose set it, as often as they are clicked, and the figure comes into sight', async () => {
+  const words = tab.locator(`a.set[href="#figure-${figure.name}"]`).last();
+  const wanted = Number(new URLSearchParams(await words.getAttribute('data-set')).get('rate'));
+  const rate = () => tab.evaluate(of => globalThis.Live.opened[of].values.rate, figure.name);
+  for (let i = 0; i < 2; ++i) {
+    await words.click();
+    assert.equal(await rate(), wanted);
+    await live.control('rate').locator('input').focus();
+    await tab.keyboard.press('ArrowRight');
+    assert.notEqual(await rate(), wanted);
+  }
+  assert.deepEqual(tab.faults, []);
+});
