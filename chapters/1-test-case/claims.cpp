@@ -5,6 +5,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "ball.h"
@@ -299,6 +300,20 @@ TEST_CASE("In air the term with half a h squared makes a thrown ball's error lar
         measure::largest_error(constant_acceleration, in_air, h, 2 * rate).position;
     CHECK(curved > plain);
     CHECK(measure::largest_error(constant_acceleration, in_a_vacuum, h, 2 * rate).position < 1e-12);
+  }
+}
+
+TEST_CASE("Without air, Euler's error does not depend on the throw") {
+  for (const int rate : {5, 20, 240}) {
+    const double h = 1.0 / rate;
+    const double error = measure::largest_error(euler, in_a_vacuum, h, 2 * rate).position;
+    for (const auto& [across, up] : {std::pair{2.0, 0.0}, {5.0, 11.0}, {10.5, 3.0}}) {
+      Ball ball = in_a_vacuum;
+      ball.across.v0 = across;
+      ball.up.v0 = up;
+      CHECK_THAT(measure::largest_error(euler, ball, h, 2 * rate).position,
+                 WithinRel(error, 1e-10));
+    }
   }
 }
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { openTab } from './browser.mjs';
-import { figures, open } from './live.mjs';
+import { figures, hold, open } from './live.mjs';
 
 const figure = figures.find(({ name }) => name === 'speed-against-accuracy');
 const tab = await openTab();
@@ -113,5 +113,23 @@ test('the live choice takes its own times beside the page, and draws them over t
   }
   assert.notEqual(await live.chart(), chart);
   assert.deepEqual(await live.now(), before);
+  assert.deepEqual(tab.faults, []);
+});
+
+test('a place in a map is a spring for its method', async () => {
+  const name = 'your-spring';
+  const live = await hold(tab, { name });
+  const canvas = live.stage.locator('canvas.scene');
+  const { width, height } = await canvas.boundingBox();
+  const first = await live.query();
+  await canvas.click({ position: { x: 0.12 * width, y: 0.28 * height } });
+  const { method, omega, zeta, rate } = await tab.evaluate(of => globalThis.Live.opened[of].values, name);
+  assert.equal(method, 'rk4');
+  assert.notEqual(await live.query(), first);
+  // The map is 4 wide and 2 high, and has 37 % of a column's width and 65 % of a row's height.
+  const right = (0.24 - 0.03) / 0.37;
+  const up = (6 * 0.72 - 4 - 0.06) / 0.65;
+  assert.ok(Math.abs(omega / rate / (4 * right) - 1) < 0.15, `${omega} of ${rate}`);
+  assert.ok(Math.abs(zeta - 2 * up) < 0.06, `${zeta}`);
   assert.deepEqual(tab.faults, []);
 });

@@ -81,3 +81,29 @@ test('words in the prose set it, as often as they are clicked, and the figure co
   }
   assert.deepEqual(tab.faults, []);
 });
+
+test('what is held in the picture of a run with an end is a setting: the time stays, and a link has it', async () => {
+  const ball = figures.find(({ name }) => name === 'thrown-ball');
+  const thrown = await open(tab, ball, 'throw%20x=5&throw%20y=8&rate=60');
+  const { x } = await thrown.now();
+  assert.ok(Math.abs(x - 10) < 1e-9, `${x}`);
+  const chart = await thrown.stage.locator('.u-over').boundingBox();
+  await tab.mouse.click(chart.x + chart.width / 2, chart.y + chart.height / 2);
+  const { t: before } = await thrown.now();
+  const handle = thrown.stage.locator('.handle');
+  const box = await handle.boundingBox();
+  await tab.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await tab.mouse.down();
+  await tab.mouse.move(box.x + box.width / 2 - 20, box.y + box.height / 2 - 10, { steps: 3 });
+  await tab.mouse.up();
+  const slow = await thrown.now();
+  assert.equal(slow.t, before);
+  assert.ok(slow.x < 5 * slow.t, `${slow.x}`);
+  assert.equal(await thrown.playing(), false);
+  await handle.focus();
+  await tab.keyboard.press('ArrowLeft');
+  assert.ok((await thrown.now()).x < slow.x);
+  await thrown.press('link');
+  assert.match(tab.url(), /throw%20x=\d.*throw%20y=\d/);
+  assert.deepEqual(tab.faults, []);
+});

@@ -86,7 +86,7 @@
 
     // `ahead` is the trace of the whole run, and `before` that of a run with other settings, { trace, words }; both are faint.
     draw({ trace, now, endless }, { method = 'first' }, ahead = trace, before) {
-      const isOther = ({ value }) => !Object.is(before.trace[value].at(-1), ahead[value].at(-1));
+      const isOther = ({ value }) => this.differ(before.trace[value].at(-1), ahead[value].at(-1));
       Object.assign(this, { method, trace, ahead, before: before && this.curves.some(isOther) ? before : undefined });
       this.lists = this.paths.map(({ path }) => now[path]);
       const whole = name => (trace.t.at(-1) === now.t ? trace[name] : [...trace[name], now[name]]);
@@ -98,6 +98,12 @@
         .filter(Boolean);
       if (endless) this.until = Math.max(this.seconds, now.t);
       this.plot.setData([times, ...this.curves.map(({ value }) => whole(value).map(this.drawn))]);
+    }
+    // Whether two values are seen to be two.
+    differ(one, other) {
+      const [a, b] = [this.drawn(one), this.drawn(other)];
+      if (a === null || b === null) return a !== b;
+      return this.log ? Math.abs(Math.log(a / b)) > 0.02 : Math.abs(a - b) > 0.005 * (this.to - this.from);
     }
     // Beyond a hundred times the chart, a canvas draws nonsense.
     drawn = value => (Number.isNaN(value) ? null : Math.max(-100 * this.to, Math.min(100 * this.to, value)));

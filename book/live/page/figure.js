@@ -7,7 +7,8 @@
   Live.opened = {};
   Live.started = []; // a promise for each figure, kept once it runs or never will
 
-  // `drawing` has view(settings), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence. One that is
+  // `drawing` has view(settings), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence; and take(x, y),
+  // if a pointer in the picture sets something, which returns what. One that is
   // "timed" also has chart(pen, run, settings) and answer(stage, run, settings), which comes before all drawing and returns a method.
   Live.figure = function (name, drawing) {
     if (!globalThis.WebAssembly || !globalThis.DecompressionStream) return; // a browser that is too old keeps the still picture
@@ -42,6 +43,8 @@
         ? new Live.Plot(find('.chart'), drawing, description.shape, values => this.choose(values))
         : new Live.Chart(find('.chart'), description.chart, this.methods, description.seconds);
       this.stage.setAttribute('aria-label', element.querySelector('figcaption b').textContent);
+      if (description.handle)
+        this.handle = new Live.Handle(find('canvas.scene'), description.handle, () => this.hold());
       this.links = new Live.Links(this);
       this.settings.tell();
       this.showCode(this.values.method ?? Object.keys(this.methods)[0]);
@@ -62,9 +65,12 @@
         this.ahead = new Live.Ahead(await run());
         this.scrubber = new Live.Scrubber(this.chart, description.seconds, t => this.goTo(t));
       }
-      if (description.handle)
-        this.handle = new Live.Handle(find('canvas.scene'), description.handle, values => this.hold(values));
       if (description.timed) this.stopwatch = new Live.Stopwatch(code, element.dataset.live, () => this.retime());
+      const { pen, drawing } = this;
+      if (drawing.take) {
+        pen.canvas.classList.add('taken');
+        Live.drag(pen.canvas, (x, y) => this.choose(drawing.take(pen.fromX(x), pen.fromY(y)) ?? {}));
+      }
       this.listen(find);
       this.showWhole();
       this.startWhenSeen();
@@ -104,7 +110,22 @@
     }
 
     get values() {
-      return this.settings.values;
+      return { ...this.settings.values, ...this.handle?.values };
+    }
+    // The same as a link has them.
+    get query() {
+      const held = Object.entries(this.handle?.values ?? {});
+      return [
+        this.settings.query,
+        ...held.map(([name, value]) => `${encodeURIComponent(name)}=${Number(value.toPrecision(4))}`),
+      ].join('&');
+    }
+    read(query) {
+      return { ...this.settings.read(query), ...this.handle?.read(query) };
+    }
+    set(values) {
+      this.settings.values = values;
+      if (this.handle) this.handle.values = values;
     }
 
     begin() {
@@ -137,7 +158,7 @@
     }
     // Something that the reader set by another way than its control: in a chart, by a link, by words in the prose.
     choose(values) {
-      this.settings.values = values;
+      this.set(values);
       this.change();
       this.release();
     }
@@ -179,9 +200,11 @@
       this.draw();
       this.speak();
     }
-    // What the reader holds moves within a run, and what hangs from it does not stand still meanwhile.
-    hold(values) {
-      this.run.set(values);
+    // What the reader holds in the picture. In a run without an end it moves within the run, and what hangs from it does not stand
+    // still meanwhile; elsewhere it is a setting like others.
+    hold() {
+      if (!this.description.endless) return this.change();
+      this.run.set(this.values);
       if (this.run.taken === 0) this.begin();
       if (!this.playing) this.play();
     }
@@ -203,10 +226,7 @@
     }
     reset() {
       this.setPlaying(false);
-      if (this.handle) {
-        this.handle.reset();
-        this.run.set(this.handle.values);
-      }
+      this.handle?.reset();
       this.before = undefined;
       this.begin();
       this.draw();
@@ -255,8 +275,8 @@
     }
     drawChart() {
       const { run, values, before } = this;
-      const words = before && this.settings.wordsSince(before.values);
-      this.chart.draw(run, values, this.whole?.trace, words && { trace: before.trace, words: `before: ${words}` });
+      const words = before && ['before', this.settings.wordsSince(before.values)].filter(Boolean).join(': ');
+      this.chart.draw(run, values, this.whole?.trace, before && { trace: before.trace, words });
       this.scrubber?.place(run.now.t);
     }
     get sentence() {

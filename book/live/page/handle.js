@@ -6,24 +6,30 @@
   const within = ({ from, to }, value) => Math.max(from, Math.min(to, value));
 
   Live.Handle = class {
-    // `moved` is called with the names of two settings and their values.
+    // `moved` is called when it has been moved. An axis has what it sets, if it does; `at` is where nothing stands in the picture,
+    // and `per` how far one of its unit is.
     constructor(canvas, description, moved) {
-      Object.assign(this, { canvas, description, moved });
+      const axis = of => ({ at: 0, per: 1, ...of });
+      Object.assign(this, { canvas, description, moved, across: axis(description.x), up: axis(description.y) });
       this.element = canvas.parentElement.appendChild(document.createElement('span'));
       this.element.className = 'handle';
       const attributes = {
         'role': 'slider',
         'tabindex': 0,
         'aria-label': `${description.name}, moved by all four arrow keys`,
-        'aria-valuemin': description.x.from,
-        'aria-valuemax': description.x.to,
+        'aria-valuemin': this.main.from,
+        'aria-valuemax': this.main.to,
       };
       for (const [name, value] of Object.entries(attributes)) this.element.setAttribute(name, value);
       this.reset();
       this.listen();
     }
+    // One that moves up and down alone says its height.
+    get main() {
+      return this.across.set ? this.across : this.up;
+    }
     reset() {
-      this.hold(this.description.x.start, this.description.y.start);
+      this.hold(this.across.start, this.up.start);
     }
 
     listen() {
@@ -35,37 +41,63 @@
       element.addEventListener('pointermove', event => {
         if (!element.hasPointerCapture(event.pointerId)) return;
         const { x, y, at } = this.from;
-        this.move(at[0] + (event.clientX - x) / this.metre, at[1] - (event.clientY - y) / this.metre);
+        const { across, up, metre } = this;
+        this.move(
+          at[0] + (event.clientX - x) / (metre.across * across.per),
+          at[1] - (event.clientY - y) / (metre.up * up.per),
+        );
       });
+      element.addEventListener('lostpointercapture', () => this.letGo());
       element.addEventListener('keydown', event => {
         const arrow = ARROWS[event.key];
         if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
         event.preventDefault();
         this.move(this.x + arrow[0] * this.description.by, this.y + arrow[1] * this.description.by);
+        this.letGo();
       });
+    }
+    // As a control says it.
+    letGo() {
+      this.element.dispatchEvent(new Event('change', { bubbles: true }));
     }
     move(x, y) {
       this.hold(x, y);
-      this.moved(this.values);
+      this.moved();
     }
     hold(x, y) {
-      this.x = within(this.description.x, x);
-      this.y = within(this.description.y, y);
-      this.element.setAttribute('aria-valuenow', this.x.toFixed(2));
-      this.element.setAttribute(
-        'aria-valuetext',
-        `${Live.fixed(this.x, 2)}\u202f${this.description.unit} to the right, ${Live.fixed(this.y, 2)}\u202f${this.description.unit} up`,
-      );
+      const { across, up, element } = this;
+      const { unit } = this.description;
+      this.x = within(across, x);
+      this.y = within(up, y);
+      const words = [
+        across.set && `${Live.fixed(this.x, 2)}\u202f${unit} to the right`,
+        `${Live.fixed(this.y, 2)}\u202f${unit} up`,
+      ];
+      element.setAttribute('aria-valuenow', (across.set ? this.x : this.y).toFixed(2));
+      element.setAttribute('aria-valuetext', words.filter(Boolean).join(', '));
     }
     get values() {
-      return { [this.description.x.set]: this.x, [this.description.y.set]: this.y };
+      const { across, up, x, y } = this;
+      return { ...(across.set && { [across.set]: x }), [up.set]: y };
+    }
+    set values(wanted) {
+      this.hold(wanted[this.across.set] ?? this.x, wanted[this.up.set] ?? this.y);
+    }
+    // Those of its values that a link has.
+    read(text) {
+      const given = new URLSearchParams(text);
+      const known = Object.keys(this.values).filter(
+        name => given.has(name) && Number.isFinite(Number(given.get(name))),
+      );
+      return Object.fromEntries(known.map(name => [name, Number(given.get(name))]));
     }
 
     // Puts it where it belongs in the picture that the pen draws.
     place(pen) {
-      this.metre = pen.metre;
-      this.element.style.left = `${this.canvas.offsetLeft + pen.x(this.x)}px`;
-      this.element.style.top = `${this.canvas.offsetTop + pen.y(this.y)}px`;
+      const { x, y, across, up, element, canvas } = this;
+      this.metre = { across: pen.metre, up: pen.metreUp };
+      element.style.left = `${canvas.offsetLeft + pen.x(across.at + x * across.per)}px`;
+      element.style.top = `${canvas.offsetTop + pen.y(up.at + y * up.per)}px`;
     }
   };
 })();

@@ -18,20 +18,19 @@
   Live.Links = class {
     // `figure` has an element, a stage and settings, and choose(values).
     constructor(figure) {
-      const { element, stage, settings } = figure;
-      Object.assign(this, { id: element.id, settings });
-      const query = this.asked;
-      if (query !== undefined) settings.query = query;
+      const { element, stage } = figure;
+      Object.assign(this, { id: element.id, figure });
+      if (this.asked !== undefined) figure.set(figure.read(this.asked));
       addEventListener('hashchange', () => {
         if (this.asked === undefined || !figure.run) return;
-        figure.choose(settings.read(this.asked));
+        figure.choose(figure.read(this.asked));
         element.scrollIntoView();
       });
       document.addEventListener('click', event => {
         const words = event.target.closest?.(`a.set[href="#${this.id}"]`);
         if (!words || !figure.run) return;
         event.preventDefault();
-        figure.choose(settings.read(words.dataset.set));
+        figure.choose(figure.read(words.dataset.set));
         stage.scrollIntoView({ block: 'nearest' });
       });
       stage.querySelector('[data-do=link]').addEventListener('click', event => this.copy(event.target));
@@ -43,7 +42,7 @@
     }
 
     copy(button) {
-      history.replaceState(null, '', `#${this.id}?${this.settings.query}`);
+      history.replaceState(null, '', `#${this.id}?${this.figure.query}`);
       const say = words => {
         button.textContent = words;
         setTimeout(() => {

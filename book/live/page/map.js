@@ -14,6 +14,9 @@
     return { x: share => left + width * share, y: share => low + high * share };
   };
 
+  // The spring at a place of the map, as parts of its width and height, under so many steps a second.
+  Live.springAt = (right, up, rate) => ({ omega: right * WIDEST * rate, zeta: up * TALLEST });
+
   // Where the method with this label is stable and, darker, where it is true to life; `columns` are those of the table "map".
   Live.map = function (pen, { x, y }, columns, { label, colour }, spring) {
     const find = words => Object.entries(columns).find(([column]) => column.toLowerCase() === words.toLowerCase())[1];

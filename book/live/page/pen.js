@@ -31,7 +31,9 @@
       this.x = value => width / 2 + (value - (x[0] + x[1]) / 2) * across;
       this.y = value => height / 2 - (value - (y[0] + y[1]) / 2) * up;
       this.fromX = pixels => (pixels - width / 2) / across + (x[0] + x[1]) / 2;
+      this.fromY = pixels => (height / 2 - pixels) / up + (y[0] + y[1]) / 2;
       this.metre = across;
+      this.metreUp = up;
       this.view = { x, y };
       this.faint = 1;
       context.lineJoin = context.lineCap = 'round';
@@ -52,6 +54,19 @@
       context.stroke();
       context.setLineDash([]);
       context.globalAlpha = 1;
+    }
+    // From one place to another, with a head.
+    arrow(fromX, fromY, x, y, look = {}) {
+      this.line([fromX, x], [fromY, y], look);
+      const [right, down] = [this.x(x) - this.x(fromX), this.y(y) - this.y(fromY)];
+      const back = 9 / (Math.hypot(right, down) || 1);
+      const { context } = this;
+      context.beginPath();
+      for (const aside of [-0.5, 0.5]) {
+        context.moveTo(this.x(x), this.y(y));
+        context.lineTo(this.x(x) - back * (right + aside * down), this.y(y) - back * (down - aside * right));
+      }
+      this.stroke(look);
     }
     // A line through points, given as two lists.
     line(xs, ys, look = {}) {

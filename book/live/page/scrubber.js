@@ -5,9 +5,13 @@
   const SLACK = 8; // pixels that a finger moves before it means it
   const KEYS = { ArrowLeft: -0.01, ArrowRight: 0.01, PageDown: -0.1, PageUp: 0.1, Home: -Infinity, End: Infinity };
 
-  // Calls `hold` with where the pointer is, sideways; a finger that goes up or down scrolls the page, and holds nothing.
+  // Calls `hold` with where the pointer is, from the left and from the top; a finger that goes up or down scrolls the page, and holds nothing.
   Live.drag = function (element, hold) {
     let from = null;
+    const tell = ({ clientX, clientY }) => {
+      const { left, top } = element.getBoundingClientRect();
+      hold(clientX - left, clientY - top);
+    };
     element.addEventListener('pointerdown', event => {
       from = event.clientX;
       element.setPointerCapture(event.pointerId);
@@ -16,9 +20,9 @@
       if (!element.hasPointerCapture(event.pointerId)) return;
       if (Math.abs(event.clientX - from) < SLACK && event.pointerType === 'touch') return;
       from = Infinity;
-      hold(event.clientX - element.getBoundingClientRect().left);
+      tell(event);
     });
-    element.addEventListener('click', event => hold(event.clientX - element.getBoundingClientRect().left));
+    element.addEventListener('click', tell);
   };
 
   Live.Scrubber = class {

@@ -39,6 +39,12 @@ globalThis.Live.figure('equal-cost', {
       width: 1.2,
     });
   },
+  take(x, y) {
+    const found = this.fields.find(
+      ([, , column, row]) => Math.floor(x / this.side) === column && Math.floor(y / this.side) === row,
+    );
+    return found && { method: found[0] };
+  },
   tell(now, { method }) {
     const [, label] = this.fields.find(([name]) => name === method);
     return `after ${now.steps} ${now.steps === 1 ? 'step' : 'steps'}, ${label} has been up to ${globalThis.Live.metres(now[`${method} worst`])} from where the drone should be.`;

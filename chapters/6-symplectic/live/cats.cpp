@@ -22,19 +22,22 @@ class Cats final : public Figure {
   static constexpr std::size_t left_behind = 6;  // at most
 
   double method_ = 1, h_ = cat_step;
-  double begin_ = 0;  // the area at the start [rad^2/s]
+  double aside_ = 0, faster_ = 0;  // where it is put, from where the chapter has it [rad, rad/s]
+  double begin_ = 0;               // the area at the start [rad^2/s]
   std::vector<std::unique_ptr<Run<double>>> points_;
   std::vector<double> x_, v_, behind_x_, behind_v_;
 
   std::vector<Setting> settings() override {
-    return {{"method", &method_, names(methods)}, {"h", &h_}};
+    return {
+        {"method", &method_, names(methods)}, {"h", &h_}, {"aside", &aside_}, {"faster", &faster_}};
   }
 
   void start() override {
     points_.clear();
     behind_x_.clear();
     behind_v_.clear();
-    for (const auto& point : cat(parts)) {
+    for (const auto& [x, v] : cat(parts)) {
+      const scenes::State<double> point{x + aside_, v + faster_};
       points_.push_back(start_run(methods, method_, wrecking_ball, point, h_));
     }
     begin_ = area(outline());

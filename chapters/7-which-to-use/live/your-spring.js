@@ -1,18 +1,37 @@
 // Twelve methods on one spring: for each its part of the map, with the spring as a dot, and what becomes of the spring.
 globalThis.Live.figure('your-spring', {
   view: () => ({ x: [0, 2], y: [0, 6], free: true }),
+  low: 0.06, // of its row, where the two pictures of a method begin
+  high: 0.65,
+  map: { left: 0.03, width: 0.37 }, // of its column
+  names: globalThis.Live.descriptions['your-spring'].controls.find(({ name }) => name === 'method').choices,
+  // A place in a map is a spring for its method; beside the map it is the method alone.
+  take(x, y) {
+    const { Live } = globalThis;
+    const row = 5 - Math.floor(y);
+    const method = Object.keys(this.names)[2 * row + Math.floor(x)];
+    const [right, up] = [((x % 1) - this.map.left) / this.map.width, ((y % 1) - this.low) / this.high];
+    const inside = right >= 0 && right <= 1 && up >= 0 && up <= 1;
+    return { method, ...(inside && Live.springAt(right, up, this.rate)) };
+  },
   draw(pen, run, { omega, zeta, rate, method }) {
     const { Live } = globalThis,
-      { tables, controls } = Live.descriptions['your-spring'];
-    this.names = controls.find(({ name }) => name === 'method').choices;
+      { tables } = Live.descriptions['your-spring'];
+    this.rate = rate;
     this.lost = Object.keys(this.names).filter(name => run.trace[name].some(x => !(Math.abs(x) < run.now.far)));
     Object.entries(this.names).forEach(([name, label], i) => {
       const left = i % 2,
-        low = 5 - Math.floor(i / 2) + 0.06;
+        low = 5 - Math.floor(i / 2) + this.low;
       pen.text(left + 0.03, low + 0.81, label, { colour: name, align: 'left' });
       if (this.lost.includes(name)) pen.text(left + 0.98, low + 0.81, 'lost', { colour: 'limit', align: 'right' });
-      const box = (at, width) => Live.frame(pen, { left: left + at, low, width, high: 0.65 }, name === method);
-      Live.map(pen, box(0.03, 0.37), tables.map, { label, colour: name }, { homega: omega / rate, zeta });
+      const box = (at, width) => Live.frame(pen, { left: left + at, low, width, high: this.high }, name === method);
+      Live.map(
+        pen,
+        box(this.map.left, this.map.width),
+        tables.map,
+        { label, colour: name },
+        { homega: omega / rate, zeta },
+      );
       this.path(pen, box(0.45, 0.53), name, run);
     });
   },
