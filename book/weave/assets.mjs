@@ -27,14 +27,20 @@ const FONTS = [
 // What every page can do, in one file.
 const SCRIPTS = ['book', 'values', 'marks', 'search'];
 
-// Without the lines that only explain.
-const joinFiles = (files, to) =>
-  writeFileSync(to, files.map(file => readFileSync(file, 'utf8').replace(/^ *\/\/.*\n/gm, '')).join('\n'));
+// One file of several scripts, without the lines that only explain and without indents; in words over several lines, an indent
+// would be part of the words.
+function joinScripts(files, to) {
+  const lines = files.flatMap(file => readFileSync(file, 'utf8').split('\n'));
+  const open = lines.find(line => line.split('`').length % 2 === 0);
+  if (open) throw new Error(`a script of the page has words over several lines: ${open.slice(0, 200)}`);
+  const code = lines.map(line => line.trimStart()).filter(line => line && !line.startsWith('//'));
+  writeFileSync(to, code.join('\n'));
+}
 
 export function copyAssets(book, out) {
   for (const file of ['book.css', 'print.css', 'whole.css', 'find.js', 'exercises.js', 'pick-a-method.js', 'wall.html'])
     copyFileSync(join(theme, file), join(out, file));
-  joinFiles(
+  joinScripts(
     SCRIPTS.map(name => join(theme, `${name}.js`)),
     join(out, 'book.js'),
   );
@@ -55,7 +61,7 @@ export function copyAssets(book, out) {
 function copyLive({ config, live }, folder) {
   mkdirSync(folder, { recursive: true });
   const uplot = dirname(require.resolve('uplot'));
-  joinFiles(
+  joinScripts(
     [join(uplot, 'uPlot.iife.min.js'), ...LIVE_SCRIPTS.map(script => join(livePage, `${script}.js`))],
     join(folder, 'live.js'),
   );
