@@ -28,6 +28,7 @@ export const LIVE_SCRIPTS = [
   'stopwatch',
   'links',
   'figure',
+  'one-step',
 ];
 
 // What a page with live figures loads, and no other.
@@ -91,10 +92,10 @@ export function liveHtml({ book }, live) {
   return `<template><div class="stage${timed ? ' timed' : ''}" role="group" style="--scene:${shape[0] / shape[1]}">
 <div class="picture"><p class="axis">${escapeHtml(smarten(scene))}</p><canvas class="scene" role="img" style="aspect-ratio:${shape.join('/')}"></canvas></div>
 <div class="keys"><button type="button" data-do="play">Play</button><button type="button" data-do="step">Step</button><button type="button" data-do="reset">Reset</button>${timed ? '<button type="button" data-do="time">Time it here</button>' : ''}
-<p class="readout"></p><small>${paceText(pace)}</small></div>
+<p class="readout"></p><small>${chart ? paceText(pace) : ''}</small></div>
 <div class="controls">${live.controls.map(control => controlHtml(live, control)).join('')}
 <button type="button" data-do="link">Link to these settings</button>${timed ? '<div class="advice"></div>' : ''}</div>
-<div class="graph"><p class="axis">${escapeHtml(smarten(chart.name))}</p><div class="chart" role="img"></div></div>
+${chart ? `<div class="graph"><p class="axis">${escapeHtml(smarten(chart.name))}</p><div class="chart" role="img"></div></div>` : ''}
 <div class="beside">${timed ? '<div class="ranked"></div>' : ''}${methodsOf(live)
     .map(method => codeHtml(book, method))
     .join('\n')}</div>
@@ -125,7 +126,9 @@ function controlHtml(live, { name, label, choices, start, values, from, to, by, 
 
 function codeHtml(book, { name, label, path, tag }) {
   const { lines } = book.snippet(path, tag);
-  const html = highlightLines(lines.map(line => line.text).join('\n'), 'cpp', linker(book.api, path)).join('\n');
+  const html = highlightLines(lines.map(line => line.text).join('\n'), 'cpp', linker(book.api, path))
+    .map(line => `<span class="line">${line}</span>`)
+    .join('\n');
   return `<div class="listing" data-method="${name}" hidden><p><b>${escapeHtml(smarten(label))}</b> <a class="file" href="${sourceHref(path)}#L${lines[0].number}">${escapeHtml(path)}</a></p><pre><code>${html}</code></pre></div>`;
 }
 

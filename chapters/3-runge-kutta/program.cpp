@@ -73,6 +73,15 @@ void one_step(Record& record) {
   add(measure::after(midpoint, drone, start, 1.0, 1));
   add(measure::after(euler, drone, start, 1.0, 1));
 
+  auto& looks = record.table("looks", {{"x", "m"}, {"y", "m"}, {"u", "m/s"}, {"v", "m/s"}});
+  auto end = start;
+  integrate::rk4(end.x, end.v, 0.0, 1.0, [&](const auto& x, const auto& v, double t) {
+    looks.add({x.x(), x.y(), v.x(), v.y()});
+    return drone(x, v, t);
+  });
+  looks.add({end.x.x(), end.x.y(), end.v.x(), end.v.y()});
+  record.number("four-looks-off", 100 * (end.x - drone.exact(1).x).norm(), 2, "cm");
+
   auto& slopes = record.table("slopes", {{"t", "s"}, {"braking", "m/s²"}});
   double x = 0, v = 1;
   integrate::rk4(x, v, 0.0, 1.0, [&](double, double velocity, double t) {

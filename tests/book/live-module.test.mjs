@@ -71,6 +71,33 @@ test('the choices on the page are those of the program', async () => {
   }
 });
 
+test('one step looks where its method says, and ends where its formula does', async () => {
+  const { Live } = globalThis;
+  const code = await WebAssembly.compile(module);
+  const [omega, h, r] = [Math.PI / 4, 0.7, 10];
+  const w = h * omega;
+  const near = (value, wanted) => assert.ok(Math.abs(value - wanted) < 1e-9, `${value}, not ${wanted}`);
+  for (const [name, times, x, y] of [
+    ['tangent', [0], r, r * w],
+    ['midpoint-step', [0, h / 2], r * (1 - w ** 2 / 2), r * w],
+    ['four-looks', [0, h / 2, h / 2, h], r * (1 - w ** 2 / 2 + w ** 4 / 24), r * (w - w ** 3 / 6)],
+    ['from-the-end', [h], r / (1 + w ** 2), (r * w) / (1 + w ** 2)],
+  ]) {
+    const opened = await Live.open(code, name);
+    opened.set('step', h);
+    const now = opened.start();
+    assert.deepEqual(
+      [now['look t']].flatMap(one => (one.length ? [...one] : [one])),
+      times,
+      name,
+    );
+    assert.equal(now.seconds, times.length + 1);
+    near(now['end x'], x);
+    near(now['end y'], y);
+    near(now.error, Math.hypot(x - r * Math.cos(w), y - r * Math.sin(w)));
+  }
+});
+
 // What the build compared them with: all runs, or the first of each choice, with its sliders where they stand.
 const all = cases();
 const native = readFileSync(join(build, 'weave/live/same-bits.txt'), 'utf8')

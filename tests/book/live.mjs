@@ -29,7 +29,7 @@ export async function hold(tab, { name }) {
     stage,
     press: action => stage.locator(`[data-do=${action}]`).click(),
     scene: () => canvas('canvas.scene'),
-    chart: () => canvas('.chart canvas'),
+    chart: async () => ((await stage.locator('.chart').count()) ? canvas('.chart canvas') : ''),
     now: () =>
       tab.evaluate(of => {
         const { now } = globalThis.Live.opened[of].run;

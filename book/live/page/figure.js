@@ -8,7 +8,8 @@
   Live.started = []; // a promise for each figure, kept once it runs or never will
 
   // `drawing` has view(settings), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence; and take(x, y),
-  // if a pointer in the picture sets something, which returns what. One that is
+  // if a pointer in the picture sets something, which returns what. Where the code is lit, lit(now, lines) returns the first and
+  // last line and what it finds; when(now) is a time that is not in seconds. One that is
   // "timed" also has chart(pen, run, settings) and answer(stage, run, settings), which comes before all drawing and returns a method.
   Live.figure = function (name, drawing) {
     if (!globalThis.WebAssembly || !globalThis.DecompressionStream) return; // a browser that is too old keeps the still picture
@@ -39,9 +40,10 @@
       this.status = find('[role=status]');
       this.settings = new Live.Settings(this.stage, description.controls);
       this.pen = new Live.Pen(find('canvas.scene'));
-      this.chart = drawing.chart
-        ? new Live.Plot(find('.chart'), drawing, description.shape, values => this.choose(values))
-        : new Live.Chart(find('.chart'), description.chart, this.methods, description.seconds);
+      if (drawing.chart)
+        this.chart = new Live.Plot(find('.chart'), drawing, description.shape, values => this.choose(values));
+      else if (description.chart)
+        this.chart = new Live.Chart(find('.chart'), description.chart, this.methods, description.seconds);
       this.stage.setAttribute('aria-label', element.querySelector('figcaption b').textContent);
       if (description.handle)
         this.handle = new Live.Handle(find('canvas.scene'), description.handle, () => this.hold());
@@ -61,7 +63,7 @@
       this.run = await run();
       this.clock = new Live.Clock(description.pace);
       // One that the reader holds meanwhile, or that has no run over time, has no moment to go back to.
-      if (!description.endless && !this.drawing.chart) {
+      if (this.chart && !description.endless && !this.drawing.chart) {
         this.ahead = new Live.Ahead(await run());
         this.scrubber = new Live.Scrubber(this.chart, description.seconds, t => this.goTo(t));
       }
@@ -86,7 +88,7 @@
       this.stage.addEventListener('input', () => this.change());
       this.stage.addEventListener('change', () => this.release());
       new ResizeObserver(() => {
-        this.chart.resize();
+        this.chart?.resize();
         this.draw();
       }).observe(this.stage);
       for (const source of [matchMedia('(prefers-color-scheme: dark)'), still])
@@ -140,7 +142,7 @@
     answer() {
       const { values, run, drawing } = this;
       if (!this.stopwatch) {
-        this.showCode(values.method);
+        this.showCode(values.method ?? Object.keys(this.methods)[0]);
         return;
       }
       run.times = this.stopwatch.of(values);
@@ -267,7 +269,20 @@
       drawing.draw(pen, run, values, part);
       this.handle?.place(pen);
       if (!this.stopwatch || !this.playing) this.drawChart(); // an answer stays while it is played
+      if (drawing.lit) this.light();
       this.readout.textContent = this.sentence + (this.playing && this.clock.slow ? ' Runs slower than time.' : '');
+    }
+    // The lines of the code that are at work, and what the last of them finds.
+    light() {
+      const lines = [...this.stage.querySelectorAll(`[data-method="${this.codeShown}"] .line`)];
+      const [from, to, found = ''] = this.drawing.lit(
+        this.run.now,
+        lines.map(line => line.textContent),
+      );
+      lines.forEach((line, i) => {
+        line.classList.toggle('lit', i >= from && i <= to);
+        line.dataset.found = i === to ? found : '';
+      });
     }
     // What the run that is shown will come to.
     get whole() {
@@ -276,12 +291,13 @@
     drawChart() {
       const { run, values, before } = this;
       const words = before && ['before', this.settings.wordsSince(before.values)].filter(Boolean).join(': ');
-      this.chart.draw(run, values, this.whole?.trace, before && { trace: before.trace, words });
+      this.chart?.draw(run, values, this.whole?.trace, before && { trace: before.trace, words });
       this.scrubber?.place(run.now.t);
     }
     get sentence() {
       const { now } = this.run;
-      return `${now.t.toFixed(2)}\u202fs: ${this.drawing.tell(now, this.values)}`;
+      const { drawing, values } = this;
+      return `${drawing.when?.(now) ?? `${now.t.toFixed(2)}\u202fs`}: ${drawing.tell(now, values)}`;
     }
     // For those who do not see it: once things have come to rest, not in every frame.
     speak() {

@@ -1,0 +1,2 @@
+// One step of the midpoint method, which looks twice.
+globalThis.Live.oneStep('midpoint-step');
