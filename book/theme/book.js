@@ -126,6 +126,9 @@
     { capture: true, passive: true },
   );
 
+  // Where scripts run, a film's last picture only stands behind it.
+  for (const picture of all('.film .still')) picture.setAttribute('aria-hidden', 'true');
+
   // On paper all is open that is printed; on the screen it is again as it was.
   let opened = [];
   addEventListener('beforeprint', () => {

@@ -173,6 +173,14 @@
   };
   watch();
   phone.addEventListener('change', watch);
+  // All of them once there is time, one after the other: a picture of the whole page has them, too.
+  addEventListener('load', async () => {
+    for (const box of all('.plot :is(.wide, .narrow)')) {
+      await new Promise(done => setTimeout(done));
+      if (phone.matches) draw(box);
+      box.style.contentVisibility = 'visible';
+    }
+  });
 
   // The numbers of a paragraph are one stop, too: from its first the arrows go to the next, over all of the page.
   const numbers = all('data.number');

@@ -60,7 +60,8 @@ const BOXES = {
       adoptSvg(readFileSync(file, 'utf8'), { id: `${id}-${size}`, title: words, description: description || words });
     const [wide, narrow] = [draw(figure.wide, 'wide'), draw(figure.narrow, 'narrow')];
     const values = valuesHtml({ wide: wide.points, narrow: narrow.points });
-    const svgs = `<div class="wide" style="aspect-ratio:${wide.shape}">${wide.html}</div>\n<div class="narrow" style="aspect-ratio:${narrow.shape}"><template>${narrow.html}</template></div>\n${values}`;
+    const room = ({ shape }) => `style="aspect-ratio:${shape};max-width:${shape.split('/')[0]}px"`;
+    const svgs = `<div class="wide" ${room(wide)}>${wide.html}</div>\n<div class="narrow" ${room(narrow)}><template>${narrow.html}</template></div>\n${values}`;
     const live = book.config.live && piece.live;
     const stage = live ? ` data-live="${live.name}"` : '';
     const caption = live ? html : onPaper;
