@@ -3,13 +3,11 @@
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { alive, browser, frames, openTab, pageOf } from './browser.mjs';
-import { figures, hold, open } from './live.mjs';
+import { figures, firstOfEachKind, hold, open } from './live.mjs';
 
 const others = process.argv[3] === 'others';
 const only = others ? undefined : process.argv[3];
-// Of figures of one kind, which share all but the method, the first.
-const isFirst = ({ kind }, i) => !kind || figures.findIndex(one => one.kind === kind) === i;
-const asked = figures.filter((figure, i) => (only ? figure.name === only : isFirst(figure, i)));
+const asked = only ? figures.filter(({ name }) => name === only) : firstOfEachKind;
 const inTurn = asked.filter((_, i) => only || i > 0 === others);
 const looks = [
   ['light', 'on a desktop', others ? [] : asked],

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { build } from './book.mjs';
 import { visit } from './browser.mjs';
 
-export { figures } from './live-list.mjs';
+export { figures, firstOfEachKind } from './live-list.mjs';
 
 export const MODULE = join(build, 'weave/live/live.wasm');
 export const module = readFileSync(MODULE);
