@@ -38,7 +38,7 @@ class OneStep final : public Figure {
 
   Step step_;
   double h_ = 1, x_ = drone.radius, y_ = 0;  // [s], [m], [m]
-  scenes::State<Vec> start_, end_;
+  scenes::State<Vec> end_;
   std::vector<Watched::Look> looks_;
   std::size_t done_ = 0;
 
@@ -52,8 +52,7 @@ class OneStep final : public Figure {
 
   // On a circle around the tower, whichever it is.
   void start() override {
-    start_ = {{x_, y_}, drone.omega * Vec{-y_, x_}};
-    end_ = start_;
+    end_ = {{x_, y_}, drone.omega * Vec{-y_, x_}};
     looks_.clear();
     step_(end_.x, end_.v, 0.0, h_, Watched{&looks_});
     done_ = 0;

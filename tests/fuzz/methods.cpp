@@ -4,7 +4,6 @@
 
 #include "fuzz.h"
 #include "integrate/leapfrog.h"
-#include "integrate/leapfrog_drift.h"
 #include "integrate/linear_damping.h"
 #include "integrate/predicted_euler.h"
 #include "integrate/stormer_verlet.h"
@@ -81,10 +80,6 @@ void add_leapfrogs(Cases& cases) {
               v = integrate::leapfrog_start(x, v, t, h, force);
               integrate::leapfrog(x, v, t, h, force);
               v = integrate::leapfrog_velocity(x, v, t, h, force);
-            });
-  add_steps(cases, "leapfrog_drift", "leapfrog_drift",
-            [](auto& x, auto& v, auto t, auto h, auto& force, Source&) {
-              integrate::leapfrog_drift(x, v, t, h, force);
             });
   add_steps(cases, "velocity_verlet", "velocity_verlet",
             [](auto& x, auto& v, auto t, auto h, auto& force, Source&) {

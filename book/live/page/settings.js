@@ -123,7 +123,7 @@
       const known = this.controls
         .filter(({ name }) => given.has(name))
         .map(({ name, choices }) => [name, choices ? given.get(name) : Number(given.get(name))]);
-      return Object.fromEntries(known.filter(([, value]) => !Number.isNaN(value)));
+      return Object.fromEntries(known.filter(([, value]) => typeof value === 'string' || Number.isFinite(value)));
     }
   };
 })();
