@@ -27,6 +27,7 @@ export const LIVE_SCRIPTS = [
   'handle',
   'stopwatch',
   'links',
+  'sight',
   'figure',
   'one-step',
 ];

@@ -85,6 +85,23 @@ test('the arrow keys move the hand, say where it is, and stop at the edge; Reset
   assert.deepEqual([(await now()).x[0], (await now()).y[0]], [x.start, y.start]);
 });
 
+test('a knob that is moved while the rope swings says so, and the rope swings on', async () => {
+  const { control, stage, press, now, playing } = await openRope(tab);
+  await press('play');
+  await tab.waitForFunction(name => globalThis.Live.opened[name].run.taken > 20, NAME);
+  const { t } = await now();
+  const value = control('iterations').locator('.value');
+  const [said, code] = [await value.textContent(), await stage.locator('.listing:visible b').textContent()];
+  await control('iterations').locator('input').focus();
+  await tab.keyboard.press('ArrowRight');
+  assert.notEqual(await value.textContent(), said);
+  await control('method').locator('[value=uneven]').check();
+  assert.notEqual(await stage.locator('.listing:visible b').textContent(), code);
+  assert.ok((await now()).t >= t && (await playing()));
+  await press('play');
+  await control('method').locator('[value=even]').check();
+});
+
 test('the live handle has no end: the chart goes along and keeps the last seconds', async () => {
   await openRope(tab);
   const { ended, t, kept, from, until } = await tab.evaluate(async name => {

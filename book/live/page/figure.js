@@ -49,12 +49,16 @@
         this.handle = new Live.Handle(find('canvas.scene'), description.handle, () => this.hold());
       this.links = new Live.Links(this);
       this.settings.tell();
-      this.showCode(this.values.method ?? Object.keys(this.methods)[0]);
+      this.showCode(this.method);
     }
     // What the methods are called that it has, or has to choose from.
     get methods() {
       const { methods, controls } = this.description;
       return methods ?? controls.find(({ name }) => name === 'method')?.choices ?? {};
+    }
+    // The one that is chosen, or the only one.
+    get method() {
+      return this.values.method ?? Object.keys(this.methods)[0];
     }
     async open(code, name) {
       const { element, description } = this;
@@ -135,14 +139,18 @@
       this.begun = values;
       run.start(values);
       this.clock.restart();
-      this.settings.tell(run.now);
+      this.tell();
+    }
+    // What the controls and the methods say of the settings.
+    tell() {
+      this.settings.tell(this.run.now);
       this.answer();
     }
     // What the figure says of its methods, where it has times of them.
     answer() {
       const { values, run, drawing } = this;
       if (!this.stopwatch) {
-        this.showCode(values.method ?? Object.keys(this.methods)[0]);
+        this.showCode(this.method);
         return;
       }
       run.times = this.stopwatch.of(values);
@@ -183,8 +191,10 @@
       if (this.ahead && !this.changing) this.before = this.ahead.keep(this.begun);
       this.changing = true;
       const { full, now } = run;
-      if (playing && run.endless) run.set(values);
-      else if (!playing) return this.showWhole(full ? undefined : now.t);
+      if (playing && run.endless) {
+        run.set(values);
+        this.tell();
+      } else if (!playing) return this.showWhole(full ? undefined : now.t);
       else {
         this.begin();
         run.finish(now.t);

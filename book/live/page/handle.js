@@ -6,7 +6,7 @@
   const within = ({ from, to }, value) => Math.max(from, Math.min(to, value));
 
   Live.Handle = class {
-    // `moved` is called when it has been moved. An axis has what it sets, if it does; `at` is where nothing stands in the picture,
+    // `moved` is called when it has been moved. An axis has what it sets; `at` is where nothing stands in the picture,
     // and `per` how far one of its unit is.
     constructor(canvas, description, moved) {
       const axis = of => ({ at: 0, per: 1, ...of });
@@ -17,16 +17,12 @@
         'role': 'slider',
         'tabindex': 0,
         'aria-label': `${description.name}, moved by all four arrow keys`,
-        'aria-valuemin': this.main.from,
-        'aria-valuemax': this.main.to,
+        'aria-valuemin': this.across.from,
+        'aria-valuemax': this.across.to,
       };
       for (const [name, value] of Object.entries(attributes)) this.element.setAttribute(name, value);
       this.reset();
       this.listen();
-    }
-    // One that moves up and down alone says its height.
-    get main() {
-      return this.across.set ? this.across : this.up;
     }
     reset() {
       this.hold(this.across.start, this.up.start);
@@ -69,16 +65,15 @@
       const { unit } = this.description;
       this.x = within(across, x);
       this.y = within(up, y);
-      const words = [
-        across.set && `${Live.fixed(this.x, 2)}\u202f${unit} to the right`,
-        `${Live.fixed(this.y, 2)}\u202f${unit} up`,
-      ];
-      element.setAttribute('aria-valuenow', (across.set ? this.x : this.y).toFixed(2));
-      element.setAttribute('aria-valuetext', words.filter(Boolean).join(', '));
+      element.setAttribute('aria-valuenow', this.x.toFixed(2));
+      element.setAttribute(
+        'aria-valuetext',
+        `${Live.fixed(this.x, 2)}\u202f${unit} to the right, ${Live.fixed(this.y, 2)}\u202f${unit} up`,
+      );
     }
     get values() {
       const { across, up, x, y } = this;
-      return { ...(across.set && { [across.set]: x }), [up.set]: y };
+      return { [across.set]: x, [up.set]: y };
     }
     set values(wanted) {
       this.hold(wanted[this.across.set] ?? this.x, wanted[this.up.set] ?? this.y);
