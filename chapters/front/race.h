@@ -7,7 +7,7 @@
 
 #include "../cast.h"
 #include "measure/evaluations.h"
-#include "measure/methods.h"
+#include "measure/run.h"
 
 inline constexpr double price = 15;    ///< evaluations of the acceleration per second
 inline constexpr int turns = 20;       ///< length of the race

@@ -316,3 +316,23 @@ test('the line of choose asks for the thing that is shown', async () => {
     }
   }
 });
+
+test('in the race each method ends as the front page says, and the true shuttle flies as it is thrown', async () => {
+  const now = await end('race', '');
+  assert.deepEqual([...now.crashed], [0, 0, 0, 0, 1, 1, 0, 0]);
+  assert.ok(now['euler length'] > 3, `${now['euler length']}`);
+  assert.ok(Math.abs(now['rk4 length'] - 0.8) < 0.01, `${now['rk4 length']}`);
+  assert.ok(Math.abs(now['heun length'] - 2.7) < 0.1, `${now['heun length']}`);
+  const dearer = await end('race', 'price=60');
+  const [rk4, ...others] = ['rk4', 'euler', 'midpoint', 'heun', 'velocity_verlet', 'symplectic_euler'].map(
+    name => dearer[`${name} error`],
+  );
+  assert.ok(rk4 < 0.5 && others.every(error => error > 2 * rk4), `${rk4} ${others}`);
+  // On a circle of five metres: mu is ten cubed times the square of a turn's 2 pi over 8 s.
+  const round = await end('race', `throw%20y=${Math.sqrt((1000 * (Math.PI / 4) ** 2) / 5)}`);
+  assert.ok(Math.abs(Math.hypot(round['true x'], round['true y']) - 5) < 1e-9);
+  // Thrown aside as fast as up, it comes by its start again and again.
+  const aside = await end('race', 'throw%20x=6&throw%20y=9');
+  const start = [...aside['path x']].at(-1);
+  assert.ok(Math.abs(start - 5) < 1e-9, `${start}`);
+});

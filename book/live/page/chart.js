@@ -112,7 +112,7 @@
     exitOf(curve, times, values) {
       const within = value => value >= this.from && value <= this.to;
       const first = values.findIndex(within);
-      const at = values.findIndex((value, i) => i > first && !within(value));
+      const at = values.findIndex((value, i) => i > first && !Number.isNaN(value) && !within(value));
       if (first < 0 || at < 0) return null;
       const up = !(values[at] < this.from);
       if (this.log && !up) return null; // what is too small for a logarithmic axis has come to nothing
