@@ -8,18 +8,31 @@
 
 namespace live {
 
-/// The size of the larger eigenvalue of one step on a spring, of a method that keeps x and v.
+/// One step on a spring, of a method that keeps x and v, by where it takes two starts.
 ///
-/// What measure::spectral_radius gives, without the size of a solver for any matrix in the page.
-template <class Step, class Scene>
-double largest_eigenvalue(Step step, const Scene& scene, double h) {
+/// What measure::step_matrix gives, without the size of a solver for any matrix in the page.
+struct StepOnASpring {
   scenes::State<double> a{1, 0}, b{0, 1};
-  step(a.x, a.v, 0.0, h, scene);
-  step(b.x, b.v, 0.0, h, scene);
-  const double middle = (a.x + b.v) / 2;
-  const double determinant = a.x * b.v - b.x * a.v;
-  const double apart = middle * middle - determinant;
-  return apart < 0 ? std::sqrt(determinant) : std::abs(middle) + std::sqrt(apart);
+
+  /// By how much the step multiplies an area of places and velocities.
+  double determinant() const { return a.x * b.v - b.x * a.v; }
+  /// The size of the larger eigenvalue: by how much it multiplies what lasts.
+  double largest_eigenvalue() const {
+    const double middle = (a.x + b.v) / 2;
+    const double apart = middle * middle - determinant();
+    return apart < 0 ? std::sqrt(determinant()) : std::abs(middle) + std::sqrt(apart);
+  }
+};
+
+/// @param step  a method that keeps x and v
+/// @param scene  a spring
+/// @param h  step size [s]
+template <class Step, class Scene>
+StepOnASpring one_step(Step step, const Scene& scene, double h) {
+  StepOnASpring found;
+  step(found.a.x, found.a.v, 0.0, h, scene);
+  step(found.b.x, found.b.v, 0.0, h, scene);
+  return found;
 }
 
 /// The step at which the method loses the spring [s], as measure::stability_limit finds it.
@@ -29,7 +42,8 @@ template <class Step, class Scene>
 double step_limit(Step step, const Scene& scene, double stable, double unstable) {
   for (int halving = 0; halving < 60; ++halving) {
     const double middle = (stable + unstable) / 2;
-    (largest_eigenvalue(step, scene, middle) > 1 + 1e-12 ? unstable : stable) = middle;
+    const bool grows = one_step(step, scene, middle).largest_eigenvalue() > 1 + 1e-12;
+    (grows ? unstable : stable) = middle;
   }
   return stable;
 }

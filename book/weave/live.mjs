@@ -30,6 +30,7 @@ export const LIVE_SCRIPTS = [
   'sight',
   'figure',
   'one-step',
+  'plane',
 ];
 
 // What a page with live figures loads, and no other.
@@ -89,11 +90,11 @@ export const methodsOf = live =>
 
 // What stands ready for the scripts; a page whose scripts do not run never shows it.
 export function liveHtml({ book }, live) {
-  const { scene, shape, chart, pace, timed } = live;
+  const { scene, shape, chart, timed } = live;
   return `<template><div class="stage${timed ? ' timed' : ''}" role="group" style="--scene:${shape[0] / shape[1]}">
 <div class="picture"><p class="axis">${escapeHtml(smarten(scene))}</p><canvas class="scene" role="img" style="aspect-ratio:${shape.join('/')}"></canvas></div>
 <div class="keys"><button type="button" data-do="play">Play</button><button type="button" data-do="step">Step</button><button type="button" data-do="reset">Reset</button>${timed ? '<button type="button" data-do="time">Time it here</button>' : ''}
-<p class="readout"></p><small>${chart ? paceText(pace) : ''}</small></div>
+<p class="readout"></p><small>${chart ? paceText(live) : ''}</small></div>
 <div class="controls">${live.controls.map(control => controlHtml(live, control)).join('')}
 <button type="button" data-do="link">Link to these settings</button>${timed ? '<div class="advice"></div>' : ''}</div>
 ${chart ? `<div class="graph"><p class="axis">${escapeHtml(smarten(chart.name))}</p><div class="chart" role="img"></div></div>` : ''}
@@ -103,9 +104,11 @@ ${chart ? `<div class="graph"><p class="axis">${escapeHtml(smarten(chart.name))}
 <p class="unseen" role="status"></p></div></template>`;
 }
 
-function paceText(pace) {
+// Where time is counted in something else than seconds, how many of it there are in one.
+function paceText({ pace, chart }) {
+  if (chart?.time) return `${pace} ${chart.time}${pace === 1 ? '' : 's'} a second`;
   if (pace === 1) return 'real time';
-  return pace > 1 ? `${pace}× real time` : `${1 / pace}× slow motion`;
+  return pace > 1 ? `${pace}× real time` : `${Number((1 / pace).toPrecision(2))}× slow motion`;
 }
 
 function controlHtml(live, { name, label, choices, start, values, from, to, by, mark }) {

@@ -22,18 +22,22 @@ export function checkSet({ book, page, piece, report }) {
   }
   piece.target = book.labels.get(`figure:${figure}`);
   piece.query = query;
+  const settable = [...live.controls, ...axesOf(live.handle)];
   for (const [name, value] of new URLSearchParams(query)) {
-    const control = live.controls.find(one => one.name === name);
+    const control = settable.find(one => one.name === name);
     if (!control) {
       report(
         `the live figure "${figure}" has no control "${name}".${nameOneOf(
           name,
-          live.controls.map(one => one.name),
+          settable.map(one => one.name),
         )}`,
       );
     } else checkValue(control, value, report);
   }
 }
+
+// What is dragged in the picture can be set by words, too.
+const axesOf = handle => [handle?.x, handle?.y].filter(Boolean).map(({ set, from, to }) => ({ name: set, from, to }));
 
 // A choice by its key; a number in seconds and the like, as a link to settings has it.
 function checkValue({ name, choices, values, from, to, scale = 1 }, value, report) {

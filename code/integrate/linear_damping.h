@@ -135,9 +135,11 @@ template <class Position, class Vec, class Time, class Real, class Acceleration>
 constexpr void linear_damping_implicit_first(Position& x, Vec& v, Time t, Real h, Real c,
                                              Acceleration&& acceleration) {
   if constexpr (linear_damping_accepts<Position, Vec, Time, Real, Acceleration>()) {
+    // [implicit-first-move]
     const Vec a = acceleration(x, v, t);
     v = (Real(1) / (Real(1) + c * h)) * v + h * a;
     x = x + h * v;
+    // [implicit-first-move]
   }
 }
 

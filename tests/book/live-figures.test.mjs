@@ -88,6 +88,7 @@ function withoutMotion(figure, reader, name, onDesktop) {
     assert.equal(start.t, 0);
     await live.press('step');
     assert.equal((await live.now()).t, start.h);
+    await live.press('step'); // the first one of Euler's method leaves what is at rest where it is
     assert.notEqual(await live.scene(), scene);
     await live.stage.locator('[role=status]', { hasText: /\d/ }).waitFor({ state: 'attached' });
   });
@@ -96,11 +97,9 @@ function withoutMotion(figure, reader, name, onDesktop) {
     await live.press('reset');
     for (let i = 0; i < 4; ++i) await live.press('step');
     const held = await live.now();
-    const { name, choices } = figure.controls.at(-1);
-    await live
-      .control(name)
-      .locator(choices ? 'input:checked' : 'input')
-      .focus();
+    const [last] = figure.controls.slice(-1);
+    const knob = last && live.control(last.name).locator(last.choices ? 'input:checked' : 'input');
+    await (knob ?? live.stage.locator('.handle')).focus();
     await tab.keyboard.press('ArrowLeft');
     const { t, h } = await live.now();
     assert.ok(t > 0 && Math.abs(t - held.t) < 1.001 * h, `${held.t} became ${t}`);

@@ -6,10 +6,10 @@
 
   Live.Chart = class {
     // `methods` has what the methods are called.
-    constructor(box, { curves, from, to, log, marks }, methods, seconds) {
+    constructor(box, { curves, from, to, log, marks, time = 'time [s]', colours = {} }, methods, seconds) {
       const paths = curves.filter(curve => curve.path);
       curves = curves.filter(curve => !curve.path);
-      Object.assign(this, { box, methods, curves, paths, from, to, log, exits: [], seconds, until: seconds });
+      Object.assign(this, { box, methods, curves, paths, colours, from, to, log, exits: [], seconds, until: seconds });
       const paint = name => () => Live.colour(box, name);
       const numbers = (_, marks) => marks.map(mark => (mark === null ? '' : Live.digits(mark, 6)));
       const axis = {
@@ -41,8 +41,8 @@
             y: { range: [from, to], distr: log ? 3 : 1 },
           },
           axes: [
-            { ...axis, size: 24, label: 'time [s]', labelSize: 20, labelFont: FONT },
-            { ...axis, size: 44, ...logarithmic, ...named },
+            { ...axis, size: 24, label: time, labelSize: 20, labelFont: FONT },
+            { ...axis, size: marks ? this.widest(marks) : 44, ...logarithmic, ...named },
           ],
           series: [{}, ...curves.map(curve => this.seriesOf(curve))],
           hooks: {
@@ -58,6 +58,12 @@
         box,
       );
     }
+    // Room for the longest of some names, in pixels.
+    widest(marks) {
+      const { context } = new Live.Pen(document.createElement('canvas'));
+      context.font = FONT;
+      return Math.max(44, ...marks.map(([, name]) => context.measureText(name).width + 12));
+    }
     seriesOf(curve) {
       const exact = curve.colour === 'exact';
       return {
@@ -67,9 +73,9 @@
         points: { show: false },
       };
     }
-    // A curve of the colour "method" has that of the method chosen.
+    // A curve of the colour "method" has that of the method chosen, or the one that `colours` gives it.
     colourOf({ colour }) {
-      return Live.colour(this.box, colour === 'method' ? this.method : colour);
+      return Live.colour(this.box, colour === 'method' ? (this.colours[this.method] ?? this.method) : colour);
     }
 
     nameOf({ label, colour }) {

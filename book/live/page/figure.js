@@ -302,12 +302,14 @@
       const { run, values, before } = this;
       const words = before && ['before', this.settings.wordsSince(before.values)].filter(Boolean).join(': ');
       this.chart?.draw(run, values, this.whole?.trace, before && { trace: before.trace, words });
-      this.scrubber?.place(run.now.t);
+      this.scrubber?.place(run.now.t, this.when);
+    }
+    get when() {
+      const { now } = this.run;
+      return this.drawing.when?.(now) ?? `${now.t.toFixed(2)}\u202fs`;
     }
     get sentence() {
-      const { now } = this.run;
-      const { drawing, values } = this;
-      return `${drawing.when?.(now) ?? `${now.t.toFixed(2)}\u202fs`}: ${drawing.tell(now, values)}`;
+      return `${this.when}: ${this.drawing.tell(this.run.now, this.values)}`;
     }
     // For those who do not see it: once things have come to rest, not in every frame.
     speak() {

@@ -47,12 +47,12 @@
         moved(this.t + KEYS[event.key] * seconds);
       });
     }
-    // Where the run stands.
-    place(t) {
+    // Where the run stands, and what that is called.
+    place(t, words) {
       const { plot, element } = this;
       this.t = t;
       element.setAttribute('aria-valuenow', t);
-      element.setAttribute('aria-valuetext', `${t.toFixed(2)} seconds`);
+      element.setAttribute('aria-valuetext', words);
       const chart = plot.root.parentElement;
       element.style.left = `${chart.offsetLeft + plot.over.offsetLeft + plot.valToPos(t, 'x')}px`;
       element.style.top = `${chart.offsetTop + plot.over.offsetTop}px`;

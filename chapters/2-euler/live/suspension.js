@@ -14,12 +14,7 @@ globalThis.Live.figure('suspension', {
     pen.line(t, places, { colour: method, width: 1.2 });
     pen.dots(t, places, t.length > 200 ? 1.2 : 2.2, method);
     const x = run.blend('x', part);
-    const coils = Array.from({ length: 17 }, (_, i) => i);
-    pen.line(
-      coils.map(i => -0.16 + (i % 2 ? 0.04 : -0.04) * (i > 0 && i < 16)),
-      coils.map(i => 0.2 + ((x - 0.2) * i) / 16),
-      { colour: 'context', width: 1.4 },
-    );
+    globalThis.Live.coil(pen, -0.16, 0.2, x, 0.04);
     pen.body(-0.16, x, 9, method);
   },
   tell({ x, energy }) {
