@@ -81,3 +81,19 @@ TEST_CASE("Turned exactly by its own spin the midpoint rule is off by less than 
   CHECK(off < measure::off_in_a_second(measure::by_midpoint) / 5);
   CHECK(off > measure::off_in_a_second(measure::by_rotations));
 }
+
+TEST_CASE(
+    "In ten seconds a crate turned by its spin has twice its energy, by Bullet's step a third") {
+  double naive_at_end = 0, bullet_at_end = 0;
+  throw_a_crate([&](double, double naive, double bullet, double) {
+    naive_at_end = naive;
+    bullet_at_end = bullet;
+  });
+  CHECK_THAT(naive_at_end, WithinAbs(2, 0.02));
+  CHECK_THAT(bullet_at_end, WithinAbs(1.0 / 3, 0.02));
+}
+
+TEST_CASE("Rotations keep the energy of a thrown crate to a thousandth") {
+  throw_a_crate(
+      [](double, double, double, double rotations) { CHECK_THAT(rotations, WithinAbs(1, 0.001)); });
+}

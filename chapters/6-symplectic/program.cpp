@@ -161,6 +161,7 @@ int main(int argc, char** argv) {
     six_ways(record);
     thrown_pair(record);
     tumbling(record);
+    thrown_crate(record);
     composition(record);
     planets(record);
   });

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "../cast.h"
-#include "measure/methods.h"
+#include "measure/methods/euler.h"
 #include "measure/run.h"
 
 /// The farthest that a spring swings in a number of steps.

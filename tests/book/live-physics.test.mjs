@@ -336,3 +336,82 @@ test('in the race each method ends as the front page says, and the true shuttle 
   const start = [...aside['path x']].at(-1);
   assert.ok(Math.abs(start - 5) < 1e-9, `${start}`);
 });
+
+test('a dot under its line dies away, one above it grows, and the line is where the chapters have it', async () => {
+  const root = Math.sqrt(2);
+  for (const [name, method, zeta, limit] of [
+    ['spring-limit', '', 0.3, 0.6],
+    ['spring-limit', '', 1.5, 2 * (1.5 - Math.sqrt(1.25))],
+    ['rk4-limits', 'method=rk4&', 0, 2 * root],
+    ['damped', 'method=symplectic_euler&', 1, 2 * (root - 1)],
+    ['damped', 'method=linear_damping_implicit_last&', 0.5, 2 * (Math.sqrt(1.25) + 0.5)],
+  ]) {
+    const under = await end(name, `${method}zeta=${zeta}&homega=${limit - 0.01}`);
+    const over = await end(name, `${method}zeta=${zeta}&homega=${limit + 0.01}`);
+    assert.ok(under.factor < 1 && over.factor > 1, `${name}: ${under.factor} ${over.factor}`);
+    const zetas = [...under.zetas];
+    const edge = [...under[`${method.slice(7, -1) || 'euler'} edge`]];
+    const at = zetas.findIndex(one => Math.abs(one - zeta) < 1e-9);
+    if (at >= 0) assert.ok(Math.abs(edge[at] - limit) < 1e-3, `${name}: ${edge[at]} instead of ${limit}`);
+  }
+});
+
+test('a kick and a drift keep the area of the cat at every moment, to what its straight edges cost, and both at once do not', async () => {
+  const area = async query => {
+    const shears = await open(
+      tab,
+      figures.find(({ name }) => name === 'shears'),
+      query,
+    );
+    return (await shears.trace()).area;
+  };
+  assert.ok((await area('method=symplectic_euler')).every(value => Math.abs(value - 100) < 0.05));
+  assert.ok((await area('method=euler&h=0.5')).at(-1) > 150);
+});
+
+test('the spring goes as far out as the shadow says, and past two it leaves', async () => {
+  for (const homega of [0.5, 1.5, 1.9]) {
+    const { farthest, shadow, ...now } = await end('opening', `homega=${homega}`);
+    const most = 1 / Math.sqrt(1 - homega ** 2 / 4);
+    assert.ok(farthest <= most + 1e-9 && farthest > 0.98 * most, `${farthest} of ${most}`);
+    assert.ok(Math.abs(shadow - 1) < 1e-9);
+    const out = Math.max(...[...now['curve x']].map(Math.abs));
+    assert.ok(Math.abs(out / most - 1) < 0.001, `${out} of ${most}`);
+  }
+  assert.ok((await end('opening', 'homega=2.1')).farthest > 1000);
+});
+
+test('six leaves end at the speeds of the chapter, and two of them at the right one', async () => {
+  const now = await end('terminal', 'c=2&rate=20');
+  const factor = { explicit: 0.9, implicit: 1 / 1.1, exponential: Math.exp(-0.1) };
+  for (const [how, f] of Object.entries(factor)) {
+    // v = (v + ha) f and v = v f + ha, as parts of a / c; ch is a tenth.
+    assert.ok(Math.abs(now[`${how} last speed`] - (0.1 * f) / (1 - f)) < 1e-4, `${how} last`);
+    assert.ok(Math.abs(now[`${how} first speed`] - 0.1 / (1 - f)) < 1e-4, `${how} first`);
+  }
+});
+
+test('the crate keeps the energies that the film prints', async () => {
+  const crate = await open(
+    tab,
+    figures.find(({ name }) => name === 'thrown-crate'),
+    '',
+  );
+  const { t, ...trace } = await crate.trace();
+  const after = t.findIndex(one => one > 5 - 1e-6);
+  const printed = [1.99516, 0.560593, 0.999998];
+  ['naive', 'bullet', 'rotations'].forEach((way, i) =>
+    assert.ok(Math.abs(trace[`${way} energy`][after] - printed[i]) < 1e-5, `${way}`),
+  );
+});
+
+test('the bar is torn and held at the steps of the chapter', async () => {
+  const torn = async rate => {
+    const now = await end('bar-lost', `rate=${rate}`);
+    return ['euler', 'symplectic_euler', 'rk4', 'backward_euler'].filter(name => now[`${name} distance`] > 0.005);
+  };
+  assert.deepEqual(await torn(60), ['euler', 'symplectic_euler', 'rk4']);
+  assert.deepEqual(await torn(240), ['euler', 'symplectic_euler']);
+  assert.deepEqual(await torn(480), ['euler']);
+  assert.deepEqual(await torn(4000), []);
+});

@@ -35,6 +35,7 @@ export async function hold(tab, { name }) {
         const { now } = globalThis.Live.opened[of].run;
         return { ...now };
       }, name),
+    trace: () => tab.evaluate(of => ({ ...globalThis.Live.opened[of].run.trace }), name),
     playing: () => tab.evaluate(of => globalThis.Live.opened[of].playing, name),
     query: () => tab.evaluate(of => globalThis.Live.opened[of].settings.query, name),
     // Puts it back to how the page opened it: the whole run, with the settings of then.

@@ -1,0 +1,25 @@
+// The cat within a step, and arrows along which its points move.
+globalThis.Live.figure('shears', {
+  view: () => ({ x: [-2.1, 2.1], y: [-1.7, 1.45] }),
+  draw(pen, { now }, { method }) {
+    pen.grid([-2, -1, 0, 1, 2], [-2, -1, 0, 1, 2]);
+    const drifts = this.half(now, method) === 'drift';
+    now['from x'].forEach((x, i) => {
+      const [v, toX, toV] = ['from v', 'to x', 'to v'].map(name => now[name][i]);
+      const path = { kick: [x, v, x, toV], drift: [x, toV, toX, toV], both: [x, v, toX, toV] };
+      pen.arrow(...path[this.half(now, method)], { colour: drifts ? 'second' : 'first', width: 1 });
+    });
+    pen.area(now.x, now.v, { colour: method, faint: 0.25 });
+    pen.line([...now.x, now.x[0]], [...now.v, now.v[0]], { colour: method, width: 1.8 });
+  },
+  half: ({ t }, method) => (method === 'euler' ? 'both' : (t + 1e-9) % 1 < 0.5 ? 'kick' : 'drift'),
+  when: ({ t }) => `Step ${Math.floor(t + 1e-9) + 1}`,
+  tell(now, { method }) {
+    const what = {
+      kick: 'the kick moves each strip up or down',
+      drift: 'the drift moves each strip to the side',
+      both: 'both at once, from the old values',
+    };
+    return `${what[this.half(now, method)]}. The area is ${globalThis.Live.fixed(now.area, 1)}\u202f% of what it was.`;
+  },
+});
