@@ -8,6 +8,7 @@
 #include "../cast.h"
 #include "blob.h"
 #include "hitch.h"
+#include "machines.h"
 #include "measure/energy.h"
 #include "measure/error.h"
 #include "measure/evaluations.h"
@@ -397,6 +398,19 @@ TEST_CASE(
     for (int n = 0; n < rate / 2; ++n) shelf::smooth(x, 10.0, 0.0, -60 * std::log(0.9), 1.0 / rate);
     CHECK_THAT(10 - x, WithinRel(left_by_lerp(60), 1e-12));
   }
+}
+
+TEST_CASE("After a late frame smoothing is where it would have been, and lerp far behind") {
+  for (const long late : {1L, 6L, 15L}) {
+    after_a_jump(60, late, [&](const Machine<double>& machine) {
+      const double t = double(machine.shown) / 60;
+      CHECK_THAT(10 - machine.exact, WithinAbs(10 * std::exp(-tuned * t), 1e-12));
+      // Of the refreshes since the jump lerp has seen one where the late frame took more.
+      const double seen = double(machine.shown > 6 ? machine.shown - late + 1 : machine.shown);
+      CHECK_THAT(10 - machine.lerp, WithinAbs(10 * std::pow(0.9, seen), 1e-12));
+    });
+  }
+  CHECK(std::pow(0.9, 30 - 15 + 1) > 4 * std::pow(0.9, 30));
 }
 
 TEST_CASE("A damper of c = h omega^2 takes what Euler's method gives, and the drone stays") {

@@ -7,6 +7,7 @@
 #include "../cast.h"
 #include "blob.h"
 #include "hitch.h"
+#include "machines.h"
 #include "measure/energy.h"
 #include "measure/fewest_steps.h"
 #include "measure/methods.h"
@@ -150,6 +151,20 @@ void drag(Record& record) {
                 "m/s");
 }
 
+void machines(Record& record) {
+  auto& table =
+      record.table("machines", {{"rate", "Hz", whole}, {"t", "s"}, {"lerp", "m"}, {"exact", "m"}});
+  for (const double rate : {30.0, 60.0, 144.0}) {
+    after_a_jump(rate, 1, [&](const auto& machine) {
+      table.add({rate, double(machine.shown) / rate, 10 - machine.lerp, 10 - machine.exact});
+    });
+  }
+  record.number("lerp-60", left_by_lerp(60), 2, "m");
+  after_a_jump(60, 15, [&](const auto& machine) {
+    if (machine.shown == 30) record.number("lerp-late", 10 - machine.lerp, 2, "m");
+  });
+}
+
 void constant_force(Record& record) {
   for (const int rate : {15, 30, 60}) {
     const double top = measure::after(euler, jump, jump.start(), 1.0 / rate, rate).x.y();
@@ -169,6 +184,7 @@ int main(int argc, char** argv) {
     stiffness(record);
     drag(record);
     cameras(record);
+    machines(record);
     constant_force(record);
     planets(record);
   });

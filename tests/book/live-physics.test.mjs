@@ -41,6 +41,30 @@ test('the suspension dies away within its limit and grows outside, and the limit
   }
 });
 
+test('a tenth of the way in every frame depends on the frame rate and on a late frame, smoothing on neither', async () => {
+  // The way left 0.4 s after the third jump by ten metres, of which each comes two seconds after the last.
+  const left = share => (10 - (10 - 10 * share(2)) * share(2)) * share(0.4);
+  const frames = (seconds, rate) => Math.floor(seconds * rate + 1e-9);
+  const near = (found, share) => assert.ok(Math.abs(found - left(share)) < 1e-9, `${found} instead of ${left(share)}`);
+  for (const [slow, fast, late] of [
+    [30, 144, 0],
+    [15, 240, 0.25],
+  ]) {
+    const now = await end('two-cameras', `slow=${slow}&fast=${fast}&late=${late}`);
+    const missed = seconds => late && Math.ceil(seconds) * (60 * late - 1);
+    near(now['slow lerp'], seconds => 0.9 ** frames(seconds, slow));
+    near(now['middle lerp'], seconds => 0.9 ** (frames(seconds, 60) - missed(seconds)));
+    near(now['fast lerp'], seconds => 0.9 ** frames(seconds, fast));
+    near(now['slow exact'], seconds => 0.9 ** ((60 * frames(seconds, slow)) / slow));
+    near(now['middle exact'], seconds => 0.9 ** frames(seconds, 60));
+    near(now['fast exact'], seconds => 0.9 ** ((60 * frames(seconds, fast)) / fast));
+  }
+  const { x, y, width, height } = await tab.locator('[data-live=two-cameras] canvas.scene').boundingBox();
+  await tab.mouse.click(x + width / 4, y + height / 4);
+  const isThere = () => Math.abs(globalThis.Live.opened['two-cameras'].run.now['target x'] + 3.5) < 0.1;
+  await tab.waitForFunction(isThere);
+});
+
 test('the term with half a h squared is exact without air, and worse than Euler in air', async () => {
   const error = async (air, method) => (await end('thrown-ball', `air=${air}&method=${method}&rate=20`)).error;
   assert.ok((await error('none', 'constant_acceleration')) < 1e-12);

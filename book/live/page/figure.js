@@ -75,7 +75,7 @@
       const { pen, drawing } = this;
       if (drawing.take) {
         pen.canvas.classList.add('taken');
-        Live.drag(pen.canvas, (x, y) => this.choose(drawing.take(pen.fromX(x), pen.fromY(y)) ?? {}));
+        Live.drag(pen.canvas, (x, y) => this.take(drawing.take(pen.fromX(x), pen.fromY(y)) ?? {}));
       }
       this.listen(find);
       this.showWhole();
@@ -171,6 +171,12 @@
       this.set(values);
       this.change();
       this.release();
+    }
+    // By a pointer in the picture. In a run without an end it takes hold of what is held there.
+    take(values) {
+      if (!this.description.endless) return this.choose(values);
+      this.set(values);
+      this.hold();
     }
     showCode(method) {
       if (method === this.codeShown) return;
