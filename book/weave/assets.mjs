@@ -72,11 +72,18 @@ function copyLive({ config, live }, folder) {
   writeFileSync(join(folder, 'live.css'), [colours, ...rules].join('\n'));
   writeFileSync(
     join(folder, 'compiled.js'),
-    `(globalThis.Live ??= {}).compiled = "${gzipSync(readFileSync(config.live)).toString('base64')}";\n` +
-      `globalThis.Live.descriptions = ${JSON.stringify(Object.fromEntries(live))};\n`,
+    `(globalThis.Live ??= {}).compiled = "${gzipSync(readFileSync(config.live)).toString('base64')}";\n`,
   );
-  for (const { name, folder: from } of live.values())
-    copyFileSync(join(config.source, from, `${name}.js`), join(folder, `${name}.js`));
+  for (const description of live.values())
+    copyFigure(config.source, description, join(folder, `${description.name}.js`));
+}
+
+// A figure brings its own description, so that no page has those of all.
+function copyFigure(source, description, to) {
+  const { name, folder } = description;
+  joinScripts([join(source, folder, `${name}.js`)], to);
+  const described = `(globalThis.Live.descriptions ??= {})['${name}'] = ${JSON.stringify(description)};\n`;
+  writeFileSync(to, described + readFileSync(to, 'utf8'));
 }
 
 function copyFonts(folder) {

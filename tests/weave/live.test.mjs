@@ -153,6 +153,8 @@ test('a live figure without its parts', () =>
   ));
 
 const described = change => [`${FOLDER}/spiral.json`, JSON.stringify({ ...JSON.parse(DESCRIPTION), ...change })];
+// What the script of the figure says of it.
+const description = book => JSON.parse(book.read('built/book/live/spiral.js').match(/\] = ({.*});/)[1]);
 const other = live.filter(([file]) => !file.endsWith('.json'));
 
 test('a live figure may show a table of its chapter, and the code of a method from another place', () => {
@@ -161,15 +163,13 @@ test('a live figure may show a table of its chapter, and the code of a method fr
     described({ tables: ['growth'], code: { euler: { path: 'code/integrate/euler.h', tag: 'step' } } }),
     module,
   );
-  const descriptions = JSON.parse(book.read('built/book/live/compiled.js').match(/descriptions = (.*);/)[1]);
-  assert.deepEqual(descriptions.spiral.tables.growth.h, [0.1, 0.01, 1e-7]);
+  assert.deepEqual(description(book).tables.growth.h, [0.1, 0.01, 1e-7]);
   assert.match(book.read('built/book/2-euler.html'), /data-method="euler"[^]*?the old velocity[^]*?<\/template>/);
 });
 
 test('a live figure may draw with numbers of its chapter', () => {
   const book = weaves(...other, described({ numbers: ['step', 'radius'] }), method, methodEnd, module);
-  const descriptions = JSON.parse(book.read('built/book/live/compiled.js').match(/descriptions = (.*);/)[1]);
-  assert.deepEqual(descriptions.spiral.numbers, { step: 0.1, radius: 3.141592653589793 });
+  assert.deepEqual(description(book).numbers, { step: 0.1, radius: 3.141592653589793 });
 });
 
 test('a live figure that wants a number nobody records', () =>
