@@ -20,6 +20,7 @@
 #include "scenes/orbit.h"
 #include "scenes/pendulum.h"
 #include "toys.h"
+#include "two_ropes.h"
 #include "verlet_starts.h"
 #include "wheel_runs.h"
 
@@ -512,6 +513,48 @@ TEST_CASE(
 
 TEST_CASE("Eight steps of one iteration stretch a rope an eighth as far as one step of eight") {
   CHECK_THAT(hanging(20, frame, 8) / hanging(20, frame / 8, 1), WithinAbs(8, 0.3));
+}
+
+TEST_CASE("A weight of w points stretches a hanging rope by (n - 1) (w - 1) g h^2 / q more") {
+  const auto stretch = [](double weight, int substeps, int iterations) {
+    const double n = RopeWithWeight::links, h = frame / substeps;
+    return (n * (n - 1) / 2 + (n - 1) * (weight - 1)) * 9.81 * h * h / iterations / 2;  // of 2 m
+  };
+  for (const double weight : {1.0, 5.0, 10.0, 20.0}) {
+    for (const int substeps : {1, 4, 8}) {
+      CHECK_THAT(hanging_with_weight(weight, substeps, 1),
+                 WithinRel(stretch(weight, substeps, 1), 1e-3));
+    }
+    for (const int iterations : {2, 4, 8}) {
+      CHECK_THAT(hanging_with_weight(weight, 1, iterations),
+                 WithinRel(stretch(weight, 1, iterations), 1.0 / 7));
+    }
+  }
+}
+
+TEST_CASE("With a weight at its end, too, eight substeps stretch a rope an eighth as far") {
+  for (const double weight : {2.0, 10.0, 20.0}) {
+    CHECK_THAT(hanging_with_weight(weight, 1, 8) / hanging_with_weight(weight, 8, 1),
+               WithinAbs(8, 0.3));
+  }
+}
+
+TEST_CASE(
+    "A weight that falls over a peg stretches a rope three times as far in eight iterations as in "
+    "eight substeps") {
+  const auto most = [](double weight, int substeps, int iterations) {
+    RopeWithWeight rope = level_rope(weight);
+    double farthest = 0;
+    for (int n = 0; n < 120; ++n) {
+      rope.frame_of(rope.x[0], substeps, iterations);
+      farthest = std::max(farthest, rope.stretch());
+    }
+    return farthest;
+  };
+  for (const double weight : {2.0, 5.0, 10.0, 20.0}) {
+    CAPTURE(weight);
+    CHECK_THAT(most(weight, 1, 8) / most(weight, 8, 1), WithinAbs(3.3, 0.5));
+  }
 }
 
 TEST_CASE(

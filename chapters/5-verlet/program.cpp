@@ -13,6 +13,7 @@
 #include "measure/stability.h"
 #include "rope_runs.h"
 #include "toys.h"
+#include "two_ropes.h"
 #include "verlet_starts.h"
 #include "wheel_runs.h"
 
@@ -129,6 +130,39 @@ void drag(Record& record) {
   }
 }
 
+/// A rope with a weight of ten points falls over a peg: eight pulls a frame, spent in two ways.
+void two_ropes(Record& record) {
+  auto& paths = record.table(
+      "two-weights",
+      {{"t", "s"}, {"x", "m"}, {"y", "m"}, {"x in substeps", "m"}, {"y in substeps", "m"}});
+  auto& shapes = record.table(
+      "two-ropes", {{"x", "m"}, {"y", "m"}, {"x in substeps", "m"}, {"y in substeps", "m"}});
+  const int pulls = 8;
+  RopeWithWeight iterated = level_rope(10), stepped = iterated;
+  double iterated_most = 0, stepped_most = 0;
+  for (int n = 0; n <= 120; ++n) {
+    const Vec a = iterated.x.back(), b = stepped.x.back();
+    if (n <= 42) paths.add({n * frame, a.x(), a.y(), b.x(), b.y()});
+    if (n == 42) {
+      for (std::size_t i = 0; i < iterated.x.size(); ++i) {
+        shapes.add({iterated.x[i].x(), iterated.x[i].y(), stepped.x[i].x(), stepped.x[i].y()});
+      }
+      record.number("weight-after", n * frame, 2, "s");
+    }
+    iterated_most = std::max(iterated_most, iterated.stretch());
+    stepped_most = std::max(stepped_most, stepped.stretch());
+    iterated.frame_of(iterated.x[0], 1, pulls);
+    stepped.frame_of(stepped.x[0], pulls, 1);
+  }
+  record.number("weight-falls", 100 * iterated_most, 2, "%");
+  record.number("weight-falls-substeps", 100 * stepped_most, 2, "%");
+  record.number("weight-pulls", pulls, measure::whole);
+  record.number("weight-hangs", 100 * hanging_with_weight(10, 1, pulls), 2, "%");
+  record.number("weight-hangs-substeps", 100 * hanging_with_weight(10, pulls, 1), 2, "%");
+  record.number("peg-radius", iterated.radius, 2, "m");
+  record.number("peg-height", iterated.peg.y(), 2, "m");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -142,6 +176,7 @@ int main(int argc, char** argv) {
     drag(record);
     jitter(record);
     ropes(record);
+    two_ropes(record);
     wheels(record);
   });
 }

@@ -271,6 +271,27 @@ test('in recorded frames the rope twitches more than three times as wide, correc
   }
 });
 
+test('of two ropes with a weight the one in substeps is stretched by its formula, and that in iterations as many times as far', async () => {
+  for (const [pulls, weight] of [
+    [1, 10],
+    [4, 1],
+    [8, 10],
+    [8, 50],
+  ]) {
+    await end('two-ropes', `pulls=${pulls}&weight=${weight}`);
+    const [iterated, stepped] = await tab.evaluate(() => {
+      const { trace } = globalThis.Live.opened['two-ropes'].run;
+      return ['iterated stretch', 'stepped stretch'].map(of => trace[of].slice(trace.t.findIndex(t => t > 3)));
+    });
+    const rule = (100 * (190 + 19 * (weight - 1)) * 9.81) / (60 * pulls) ** 2 / 2;
+    for (const [found, wanted] of [
+      [mean(stepped), rule],
+      [mean(iterated), pulls * rule],
+    ])
+      assert.ok(Math.abs(found / wanted - 1) < 0.2, `${found} instead of ${wanted}, with ${pulls} pulls of ${weight}`);
+  }
+});
+
 const LEVEL = ['jump', 'leaf', 'suspension', 'hatch', 'lamp', 'shuttle'];
 const labels = figures.find(({ name }) => name === 'speed-against-accuracy').methods;
 
