@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "measure/run.h"
+#include "scenes/spring.h"
 
 namespace live {
 
@@ -21,6 +22,15 @@ struct StepOnASpring {
     const double middle = (a.x + b.v) / 2;
     const double apart = middle * middle - determinant();
     return apart < 0 ? std::sqrt(determinant()) : std::abs(middle) + std::sqrt(apart);
+  }
+  /// The spring whose exact motion takes the same step, if it swings; not a number if it does not.
+  /// @param h  step size [s]
+  scenes::Spring<> effective(double h) const {
+    const double size = std::sqrt(determinant());
+    const double decay = -std::log(size) / h;
+    const double turn = std::acos((a.x + b.v) / (2 * size)) / h;
+    const double omega = std::hypot(decay, turn);
+    return {.omega = omega, .zeta = decay / omega};
   }
 };
 

@@ -460,3 +460,22 @@ test('the bar is torn and held at the steps of the chapter', async () => {
   assert.deepEqual(await torn(480), ['euler']);
   assert.deepEqual(await torn(4000), []);
 });
+
+test('a soft constraint gives what the chapter says, and the one of Box2D gives less of it', async () => {
+  for (const [rate, swings, damping] of [
+    [60, 4.6, 0.24],
+    [30, 3.9, 0.42],
+  ]) {
+    const now = await end('soft-damping', `hertz=5&zeta=0&rate=${rate}`);
+    assert.ok(Math.abs(now['got hertz'] - swings) < 0.05, `${now['got hertz']}`);
+    assert.ok(Math.abs(now['got zeta'] - damping) < 0.01, `${now['got zeta']}`);
+  }
+  const { trace } = await open(
+    tab,
+    figures.find(({ name }) => name === 'soft-damping'),
+    'rate=60',
+  );
+  const { once, twice } = await trace();
+  const most = xs => Math.max(...xs.slice(6).map(Math.abs));
+  assert.ok(most(twice) < most(once), `${most(twice)} ${most(once)}`);
+});
