@@ -479,3 +479,26 @@ test('a soft constraint gives what the chapter says, and the one of Box2D gives 
   const most = xs => Math.max(...xs.slice(6).map(Math.abs));
   assert.ok(most(twice) < most(once), `${most(twice)} ${most(once)}`);
 });
+
+test('the cells of the level are those of the chapter, and the cheapest ways keep within what is asked', async () => {
+  const now = await end('level', '');
+  const lines = readFileSync(join(build, 'chapters/7-which-to-use/data/level.csv'), 'utf8').trim().split('\n');
+  const [head, ...rows] = lines.map(line => line.split(','));
+  const { controls } = figures.find(({ name }) => name === 'level');
+  const [things, methods] = ['thing', 'method'].map(of =>
+    Object.keys(controls.find(({ name }) => name === of).choices),
+  );
+  const labels = { ...controls.find(({ name }) => name === 'method').choices };
+  things.forEach((thing, j) =>
+    methods.forEach((method, i) => {
+      const row = rows.find(([label]) => label.toLowerCase() === labels[method].toLowerCase());
+      const recorded = Number(row[head.findIndex(name => name.startsWith(thing))].replace('inf', 'Infinity')) / 100;
+      const shown = now.errors[10 * j + i];
+      const same = shown === recorded || Math.abs(shown - recorded) < 1e-3 * recorded + 1e-7;
+      assert.ok(same, `${thing}, ${method}: ${shown} instead of ${recorded}`);
+    }),
+  );
+  const bill = async tolerance => [...(await end('level', `tolerance=${tolerance}`)).bills];
+  const [loose, tight] = [await bill(0.1), await bill(0.0001)];
+  assert.ok(loose.every((price, j) => price <= tight[j] && price >= 1));
+});

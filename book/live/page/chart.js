@@ -37,7 +37,7 @@
           cursor: { show: false },
           padding: [8, 20, 0, 0],
           scales: {
-            x: { time: false, range: () => [this.until - seconds, this.until] },
+            x: { time: false, range: () => [this.until - this.seconds, this.until] },
             y: { range: [from, to], distr: log ? 3 : 1 },
           },
           axes: [
@@ -91,7 +91,7 @@
     }
 
     // `ahead` is the trace of the whole run, and `before` that of a run with other settings, { trace, words }; both are faint.
-    draw({ trace, now, endless }, { method = 'first' }, ahead = trace, before) {
+    draw({ trace, now, endless, seconds }, { method = 'first' }, ahead = trace, before) {
       const isOther = ({ value }) => this.differ(before.trace[value].at(-1), ahead[value].at(-1));
       Object.assign(this, { method, trace, ahead, before: before && this.curves.some(isOther) ? before : undefined });
       this.lists = this.paths.map(({ path }) => now[path]);
@@ -102,7 +102,8 @@
         .filter(({ colour }) => colour !== 'exact')
         .map(curve => this.exitOf(curve, seen('t'), seen(curve.value)))
         .filter(Boolean);
-      if (endless) this.until = Math.max(this.seconds, now.t);
+      this.seconds = seconds;
+      this.until = endless ? Math.max(seconds, now.t) : seconds;
       this.plot.setData([times, ...this.curves.map(({ value }) => whole(value).map(this.drawn))]);
     }
     // Whether two values are seen to be two.

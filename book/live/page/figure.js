@@ -69,7 +69,7 @@
       // One that the reader holds meanwhile, or that has no run over time, has no moment to go back to.
       if (this.chart && !description.endless && !this.drawing.chart) {
         this.ahead = new Live.Ahead(await run());
-        this.scrubber = new Live.Scrubber(this.chart, description.seconds, t => this.goTo(t));
+        this.scrubber = new Live.Scrubber(this.chart, t => this.goTo(t));
       }
       if (description.timed) this.stopwatch = new Live.Stopwatch(code, element.dataset.live, () => this.retime());
       const { pen, drawing } = this;

@@ -151,11 +151,11 @@
       context.fill();
       context.globalAlpha = 1;
     }
-    text(x, y, words, { colour = 'soft', align = 'center' } = {}) {
+    text(x, y, words, { colour = 'soft', align = 'center', size = 13 } = {}) {
       const { context } = this;
       if (this.faint < 1) return; // what is faint has no words
       Object.assign(context, {
-        font: '500 13px "Book Sans", sans-serif',
+        font: `500 ${size}px "Book Sans", sans-serif`,
         textAlign: align,
         textBaseline: 'middle',
         fillStyle: this.colour(colour),

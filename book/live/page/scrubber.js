@@ -27,8 +27,9 @@
 
   Live.Scrubber = class {
     // `moved` is called with the time that the reader goes to, which may lie outside the run.
-    constructor({ box, plot }, seconds, moved) {
-      this.plot = plot;
+    constructor(chart, moved) {
+      const { box, plot } = chart;
+      Object.assign(this, { chart, plot });
       this.element = box.parentElement.appendChild(document.createElement('span'));
       this.element.className = 'moment';
       const attributes = {
@@ -36,7 +37,6 @@
         'tabindex': 0,
         'aria-label': 'Time',
         'aria-valuemin': 0,
-        'aria-valuemax': seconds,
       };
       for (const [name, value] of Object.entries(attributes)) this.element.setAttribute(name, value);
       plot.over.classList.add('scrubbed');
@@ -44,18 +44,19 @@
       this.element.addEventListener('keydown', event => {
         if (!(event.key in KEYS) || event.ctrlKey || event.metaKey || event.altKey) return;
         event.preventDefault();
-        moved(this.t + KEYS[event.key] * seconds);
+        moved(this.t + KEYS[event.key] * chart.seconds);
       });
     }
     // Where the run stands, and what that is called.
     place(t, words) {
       const { plot, element } = this;
       this.t = t;
+      element.setAttribute('aria-valuemax', this.chart.seconds);
       element.setAttribute('aria-valuenow', t);
       element.setAttribute('aria-valuetext', words);
-      const chart = plot.root.parentElement;
-      element.style.left = `${chart.offsetLeft + plot.over.offsetLeft + plot.valToPos(t, 'x')}px`;
-      element.style.top = `${chart.offsetTop + plot.over.offsetTop}px`;
+      const frame = plot.root.parentElement;
+      element.style.left = `${frame.offsetLeft + plot.over.offsetLeft + plot.valToPos(t, 'x')}px`;
+      element.style.top = `${frame.offsetTop + plot.over.offsetTop}px`;
       element.style.height = `${plot.over.offsetHeight}px`;
     }
   };

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT-0
+// The level of chapter 7: ten methods on each of its six things, and one of them at play.
+#include <algorithm>
+#include <string>
+
+#include "7-which-to-use/live/trial.h"
+#include "live/figure.h"
+
+namespace live {
+namespace {
+
+/// How many of the methods are for every thing.
+constexpr std::size_t for_all = 10;
+
+class Level final : public Figure {
+  double thing_ = 5, method_ = 5, steps_in_a_frame_ = 1, tolerance_ = 0.01;
+  std::vector<std::unique_ptr<Trial>> trials_;
+  long frames_ = 0;
+
+  std::vector<Setting> settings() override {
+    auto all = names(methods);
+    all.resize(for_all);
+    std::vector<const char*> things;
+    for_each_thing([&](const char* name, const auto&, double) { things.push_back(name); });
+    return {{"thing", &thing_, things},
+            {"method", &method_, all},
+            {"steps", &steps_in_a_frame_},
+            {"tolerance", &tolerance_}};
+  }
+
+  // What the methods make of the things depends on nothing that the reader sets.
+  void start() override {
+    if (trials_.empty()) {
+      for_each_thing([&](const char*, const auto& scene, double seconds) {
+        using Scene = std::decay_t<decltype(scene)>;
+        trials_.push_back(std::make_unique<TrialOf<Scene>>(scene, seconds));
+      });
+    }
+    frames_ = 0;
+    show_table();
+    show_run();
+    show_state();
+  }
+
+  void step() override { ++frames_; }
+
+  const Trial& trial() const { return *trials_[std::size_t(thing_)]; }
+  const Outcome& outcome() const { return trial().outcomes[std::size_t(method_)]; }
+
+  std::size_t place_of_steps() const {
+    const auto& all = tried_in_a_frame;
+    return std::size_t(std::find(all.begin(), all.end(), int(steps_in_a_frame_)) - all.begin());
+  }
+
+  // The largest errors, thing by thing and method by method, and what each thing costs at least.
+  void show_table() {
+    std::vector<double> errors, bills;
+    for (const auto& trial : trials_) {
+      double least = INFINITY;
+      for (std::size_t i = 0; i < for_all; ++i) {
+        const Outcome& outcome = trial->outcomes[i];
+        errors.push_back(outcome.errors[place_of_steps()]);
+        for (std::size_t k = 0; k < tried_in_a_frame.size(); ++k) {
+          if (outcome.errors[k] > tolerance_) continue;
+          least = std::min(least, outcome.evaluations * tried_in_a_frame[k]);
+        }
+      }
+      bills.push_back(least);
+    }
+    show("errors", errors);
+    show("bills", bills);
+    show("tolerance", tolerance_);
+  }
+
+  void show_run() {
+    const auto& truth = trial().truth;
+    const auto start = outcome().paths.begin() + std::ptrdiff_t(place_of_steps() * truth.size());
+    path_.assign(start, start + std::ptrdiff_t(truth.size()));
+    coordinates_ = truth.size() / std::size_t(std::lround(trial().seconds / frame) + 1);
+    show("seconds", trial().seconds);
+    show("truth", truth);
+    show("path", path_);
+    show("coordinates", double(coordinates_));
+  }
+
+  void show_state() override {
+    show("t", double(frames_) * frame);
+    show("h", frame);
+    double squares = 0;
+    for (std::size_t i = 0; i < coordinates_; ++i) {
+      const std::size_t at = std::size_t(frames_) * coordinates_ + i;
+      if (at >= path_.size()) break;
+      squares += (path_[at] - trial().truth[at]) * (path_[at] - trial().truth[at]);
+    }
+    show("error", std::sqrt(squares));
+    show("limit", tolerance_);
+  }
+
+  std::vector<double> path_;     // of the method that is chosen, frame by frame [m]
+  std::size_t coordinates_ = 1;  // of a place
+};
+
+}  // namespace
+
+std::unique_ptr<Figure> make_level() {
+  return std::make_unique<Level>();
+}
+
+}  // namespace live
