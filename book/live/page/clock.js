@@ -25,17 +25,18 @@
       this.last = now;
       this.saved += Math.min(passed, LONGEST) * this.pace;
       const end = performance.now() + BUDGET;
-      for (; this.saved >= run.now.h && !run.ended; this.saved -= run.now.h) {
-        if (performance.now() > end) break;
+      // Steps may be of any lengths: one is due when the picture has come to the newest state.
+      while (this.saved >= run.gap && !run.ended && performance.now() <= end) {
+        this.saved -= run.gap;
         run.step();
       }
-      const late = run.ended ? 0 : Math.floor(this.saved / run.now.h) * run.now.h;
+      const late = run.ended ? 0 : Math.max(0, this.saved - run.gap);
       this.saved -= late;
       this.dropped = 0.9 * this.dropped + Math.max(0, passed - LONGEST) + late / this.pace;
     }
     // How far the picture is from the last state but one to the last.
     part(run) {
-      return run.ended ? 1 : this.saved / run.now.h;
+      return run.ended || run.gap === 0 ? 1 : this.saved / run.gap;
     }
   };
 })();

@@ -37,6 +37,10 @@
     get ended() {
       return this.full && !this.endless;
     }
+    // How much time lies between the last two states.
+    get gap() {
+      return this.now.t - this.before.t;
+    }
     step() {
       this.before = this.now;
       this.now = this.module.advance(1);
