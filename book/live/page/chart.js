@@ -93,7 +93,8 @@
     // `ahead` is the trace of the whole run, and `before` that of a run with other settings, { trace, words }; both are faint.
     draw({ trace, now, endless, seconds }, { method = 'first' }, ahead = trace, before) {
       const isOther = ({ value }) => this.differ(before.trace[value].at(-1), ahead[value].at(-1));
-      Object.assign(this, { method, trace, ahead, before: before && this.curves.some(isOther) ? before : undefined });
+      this.changed = before && this.curves.find(isOther);
+      Object.assign(this, { method, trace, ahead, before: this.changed && before });
       this.lists = this.paths.map(({ path }) => now[path]);
       const whole = name => (trace.t.at(-1) === now.t ? trace[name] : [...trace[name], now[name]]);
       const times = whole('t');
@@ -174,9 +175,13 @@
       const known = this.paths.flatMap((curve, i) =>
         at(this.seconds, this.lists[i]?.at(-1), this.nameOf(curve), this.colourOf(curve)),
       );
-      const { value } = this.curves[0];
       const left = before
-        ? at(before.trace.t.at(-1), before.trace[value].at(-1), before.words, Live.colour(this.box, 'soft'))
+        ? at(
+            before.trace.t.at(-1),
+            before.trace[this.changed.value].at(-1),
+            before.words,
+            Live.colour(this.box, 'soft'),
+          )
         : [];
       return [...lasting, ...known, ...left];
     }

@@ -4,13 +4,16 @@
   const Live = (globalThis.Live ??= {});
   const APART = 18; // of two names that would lie on each other [px]
 
-  // `ends` are { x, y, words, colour }. A name stands above its line's end; of two that would meet the lower one gives way.
+  // `ends` are { x, y, words, colour }. A name stands above its line's end, or below if it would lie on another line there; of two
+  // that would meet the lower one gives way.
   Live.nameLines = function ({ ctx, bbox }, ends, box) {
     const pixel = devicePixelRatio;
     const names = [...new Map(ends.map(end => [end.words, end])).values()].sort((a, b) => a.y - b.y);
+    const isCrossed = at => ends.some(({ y }) => Math.abs(y - at) < 6 * pixel);
     let free = bbox.top + 8 * pixel;
     for (const name of names) {
-      name.at = Math.max(name.y - 9 * pixel, free);
+      const above = name.y - 9 * pixel;
+      name.at = Math.max(isCrossed(above) ? name.y + 9 * pixel : above, free);
       free = name.at + APART * pixel;
     }
     let floor = bbox.top + bbox.height - 8 * pixel;
