@@ -111,7 +111,7 @@ function paceText({ pace, chart }) {
   return pace > 1 ? `${pace}× real time` : `${Number((1 / pace).toPrecision(2))}× slow motion`;
 }
 
-function controlHtml(live, { name, label, choices, start, values, from, to, by, mark }) {
+function controlHtml(live, { name, label, choices, start, values, from, to, by, mark, half }) {
   const words = escapeHtml(smarten(label));
   if (choices) {
     const radios = Object.entries(choices).map(
@@ -123,7 +123,7 @@ function controlHtml(live, { name, label, choices, start, values, from, to, by, 
   const range = values ? [0, values.length - 1, 1, values.indexOf(start)] : [from, to, by, start];
   const [min, max, step, value] = range;
   return (
-    `<label class="slider" data-control="${name}"><span>${words}</span><span class="value"></span><span class="track"><input type="range" min="${min}" max="${max}" step="${step}" value="${value}">` +
+    `<label class="slider${half ? ' half' : ''}" data-control="${name}"><span>${words}</span><span class="value"></span><span class="track"><input type="range" min="${min}" max="${max}" step="${step}" value="${value}">` +
     `${mark ? '<span class="mark" hidden></span>' : ''}</span></label>`
   );
 }

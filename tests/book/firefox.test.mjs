@@ -41,7 +41,7 @@ for (const { name, page, controls } of firstOfEachKind) {
     const stage = tab.locator(`[data-live="${name}"] .stage`);
     for (const control of controls) {
       for (const [name, value] of Object.entries(control.for ?? {}))
-        await stage.locator(`[data-control="${name}"] [value="${value}"]`).check();
+        await stage.locator(`[data-control="${name}"] [value="${[value].flat()[0]}"]`).check();
       const before = await tab.evaluate(of => globalThis.pictures(of), name);
       await stage.locator(`[data-control="${control.name}"] ${control.choices ? 'input:checked' : 'input'}`).focus();
       await tab.keyboard.press('ArrowRight');

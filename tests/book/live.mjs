@@ -53,7 +53,7 @@ export async function hold(tab, { name }) {
     // Some controls are for one choice of another alone: makes that choice.
     reach: async ({ for: choice = {} }) => {
       for (const [control, value] of Object.entries(choice))
-        await stage.locator(`[data-control="${control}"] [value="${value}"]`).check();
+        await stage.locator(`[data-control="${control}"] [value="${[value].flat()[0]}"]`).check();
     },
   };
 }

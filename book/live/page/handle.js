@@ -7,18 +7,19 @@
 
   Live.Handle = class {
     // `moved` is called when it has been moved. An axis has what it sets; `at` is where nothing stands in the picture,
-    // and `per` how far one of its unit is.
+    // and `per` how far one of its unit is. It stays where it is along an axis that sets nothing.
     constructor(canvas, description, moved) {
-      const axis = of => ({ at: 0, per: 1, ...of });
+      const axis = of => ({ at: 0, per: 1, from: 0, to: 0, start: 0, ...of });
       Object.assign(this, { canvas, description, moved, across: axis(description.x), up: axis(description.y) });
       this.element = canvas.parentElement.appendChild(document.createElement('span'));
       this.element.className = 'handle';
+      const { from, to } = this.across.set ? this.across : this.up;
       const attributes = {
         'role': 'slider',
         'tabindex': 0,
-        'aria-label': `${description.name}, moved by all four arrow keys`,
-        'aria-valuemin': this.across.from,
-        'aria-valuemax': this.across.to,
+        'aria-label': `${description.name}, moved by ${this.across.set ? 'all four arrow keys' : 'the arrow keys up and down'}`,
+        'aria-valuemin': from,
+        'aria-valuemax': to,
       };
       for (const [name, value] of Object.entries(attributes)) this.element.setAttribute(name, value);
       this.reset();
@@ -65,15 +66,13 @@
       const { unit } = this.description;
       this.x = within(across, x);
       this.y = within(up, y);
-      element.setAttribute('aria-valuenow', this.x.toFixed(2));
-      element.setAttribute(
-        'aria-valuetext',
-        `${Live.fixed(this.x, 2)}\u202f${unit} to the right, ${Live.fixed(this.y, 2)}\u202f${unit} up`,
-      );
+      const right = across.set ? `${Live.fixed(this.x, 2)}\u202f${unit} to the right, ` : '';
+      element.setAttribute('aria-valuenow', (across.set ? this.x : this.y).toFixed(2));
+      element.setAttribute('aria-valuetext', `${right}${Live.fixed(this.y, 2)}\u202f${unit} up`);
     }
     get values() {
       const { across, up, x, y } = this;
-      return { [across.set]: x, [up.set]: y };
+      return { ...(across.set && { [across.set]: x }), [up.set]: y };
     }
     set values(wanted) {
       this.hold(wanted[this.across.set] ?? this.x, wanted[this.up.set] ?? this.y);

@@ -69,9 +69,9 @@
     tell() {}
   }
 
-  // "for": { "thing": "orbit" } is a control of orbits alone.
+  // "for": { "thing": "orbit" } is a control of orbits alone; { "late": ["a", "all"] } of two choices.
   const isFor = (control, values) =>
-    Object.entries(control.for ?? {}).every(([name, choice]) => values[name] === choice);
+    Object.entries(control.for ?? {}).every(([name, choice]) => [choice].flat().includes(values[name]));
 
   Live.Settings = class {
     constructor(stage, controls) {
