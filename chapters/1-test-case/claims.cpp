@@ -43,6 +43,13 @@ std::vector<double> heights(std::size_t first_frame, Advance advance) {
   return seen;
 }
 
+/// The frames of a second on a machine one of whose frames takes a tenth of a second [s].
+std::vector<double> frames_with_a_late_one(int rate, int late) {
+  std::vector<double> lengths(std::size_t(rate), 1.0 / rate);
+  lengths[std::size_t(late)] = 0.1;
+  return lengths;
+}
+
 double highest_when_step_follows_frame(std::size_t first_frame) {
   const auto seen = heights(first_frame, [](double length, auto& s, auto& states) {
     integrate::euler(s.x, s.v, 0.0, length, jump);
@@ -118,6 +125,40 @@ TEST_CASE("A ledge at 1.33 m is in reach at 30 frames a second and out of reach 
   CHECK(apex(euler, 30) > 1.33);
   CHECK(apex(euler, 60) < 1.33);
   CHECK(apex(euler, 144) < apex(euler, 60));
+}
+
+TEST_CASE(
+    "One frame of a tenth of a second on the way up lifts any of four machines above a ledge at "
+    "1.33 m") {
+  for (const int rate : {20, 30, 60, 144}) {
+    for (int late = 0; late / double(rate) + 0.1 < 5 / 9.81; ++late) {
+      auto s = jump.start();
+      double top = 0;
+      for (const double length : frames_with_a_late_one(rate, late)) {
+        integrate::euler(s.x, s.v, 0.0, length, jump);
+        top = std::max(top, s.x.y());
+      }
+      CHECK(top > 1.33);
+    }
+  }
+}
+
+TEST_CASE("In steps of a sixtieth no late frame lifts a jump above a ledge at 1.33 m") {
+  for (const int rate : {20, 30, 60, 144}) {
+    for (int late = 0; late < rate; ++late) {
+      shelf::FixedStep<> clock;
+      auto s = jump.start();
+      double top = 0;
+      for (const double length : frames_with_a_late_one(rate, late)) {
+        clock.frame(length, [&](double t) {
+          integrate::euler(s.x, s.v, t, clock.h, jump);
+          top = std::max(top, s.x.y());
+        });
+      }
+      CHECK(top == apex(euler, 60));
+    }
+  }
+  CHECK(apex(euler, 60) < 1.33);
 }
 
 TEST_CASE("With the velocity moved first a jump is too low by nearly as much") {

@@ -61,8 +61,10 @@ struct FixedStep {
   /// @param step  called as `step(t)` for each step due, with the time at its start [s]
   template <class Step>
   constexpr void frame(Real length, Step&& step) {
+    // [spend]
     if (length > Real(0)) saved += length < longest_frame ? length : longest_frame;
     for (; saved >= h; saved -= h) step(Real(steps++) * h);
+    // [spend]
   }
 
   /// How far the screen is between the last two states: 0 at the older one, 1 at the newer.

@@ -65,6 +65,25 @@ test('a tenth of the way in every frame depends on the frame rate and on a late 
   await tab.waitForFunction(isThere);
 });
 
+test('four machines jump as high as the first program prints, and who passes the ledge stands on it', async () => {
+  const list = values => Object.values(values);
+  // With how high each jumper was drawn at most, and who is on the ledge in the end.
+  const heights = async (query, wanted, stands) => {
+    const now = await end('four-machines', query);
+    list(now.highest).forEach((height, i) =>
+      assert.ok(Math.abs(height - wanted[i]) < 6e-6, `${query}: ${height}, not ${wanted[i]}`),
+    );
+    assert.deepEqual(list(now.stands), stands, query);
+    list(now.y).forEach((y, i) => assert.equal(y, stands[i] * now.ledge, `${query}: ${y}`));
+  };
+  await heights('', [1.40113, 1.35867, 1.31621, 1.29163], [1, 1, 0, 0]);
+  await heights('method=fixed', [1.31507, 1.31621, 1.31621, 1.31611], [0, 0, 0, 0]);
+  assert.deepEqual(list((await end('four-machines', 'method=follow&late=d')).stands), [1, 1, 0, 1]);
+  assert.deepEqual(list((await end('four-machines', 'late=all&at=0.35')).stands), [1, 1, 1, 1]);
+  assert.deepEqual(list((await end('four-machines', 'late=all&method=fixed')).stands), [0, 0, 0, 0]);
+  await heights('method=follow&late=none&ledge=1.3', [1.40113, 1.35867, 1.31621, 1.29163], [1, 1, 1, 0]);
+});
+
 test('the term with half a h squared is exact without air, and worse than Euler in air', async () => {
   const error = async (air, method) => (await end('thrown-ball', `air=${air}&method=${method}&rate=20`)).error;
   assert.ok((await error('none', 'constant_acceleration')) < 1e-12);

@@ -107,3 +107,43 @@ test('what is held in the picture of a run with an end is a setting: the time st
   assert.match(tab.url(), /throw%20x=\d.*throw%20y=\d/);
   assert.deepEqual(tab.faults, []);
 });
+
+test('a machine that is clicked while it jumps has its late frame now, and the ledge is held up and down alone', async () => {
+  const machines = await open(
+    tab,
+    figures.find(({ name }) => name === 'four-machines'),
+  );
+  const values = () => tab.evaluate(() => globalThis.Live.opened['four-machines'].values);
+  const handle = machines.stage.locator('.handle');
+  const middle = async () => {
+    const { x, y, width, height } = await handle.boundingBox();
+    return [x + width / 2, y + height / 2];
+  };
+  const [x, y] = await middle();
+  await tab.mouse.move(x, y);
+  await tab.mouse.down();
+  await tab.mouse.move(x + 30, y - 20, { steps: 3 });
+  await tab.mouse.up();
+  const moved = await middle();
+  assert.ok(Math.abs(moved[0] - x) < 0.1 && Math.abs(moved[1] - y + 20) < 1, `${moved}`);
+  const raised = (await values()).ledge;
+  assert.ok(raised > 1.34, `${raised}`);
+  await handle.focus();
+  await tab.keyboard.press('ArrowRight');
+  await tab.keyboard.press('ArrowDown');
+  assert.ok(Math.abs((await values()).ledge - raised + 0.01) < 1e-9);
+  assert.match(await handle.getAttribute('aria-valuetext'), /^1\.\d\d.m up$/);
+
+  const canvas = await machines.stage.locator('canvas.scene').boundingBox();
+  const click = part => tab.mouse.click(canvas.x + part * canvas.width, canvas.y + canvas.height / 2);
+  await click(0.8);
+  assert.deepEqual([(await values()).late, (await values()).at], ['d', 0.2], 'nothing moves: it is late where it was');
+  await machines.press('reset');
+  await machines.press('play');
+  await tab.waitForFunction(() => globalThis.Live.opened['four-machines'].run.now.t > 0.25);
+  await click(0.1);
+  await machines.press('play');
+  const { late, at } = await values();
+  assert.ok(late === 'a' && at >= 0.24 && at <= (await machines.now()).t, `${late} at ${at}`);
+  assert.deepEqual(tab.faults, []);
+});
