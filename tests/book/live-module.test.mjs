@@ -62,11 +62,12 @@ test('numbers are written as in the book', async () => {
 
 test('the choices on the page are those of the program', async () => {
   const { Live } = (await import('../../book/live/page/module.js'), globalThis);
-  for (const { name, controls, handle } of figures) {
+  for (const { name, controls, handle, frames } of figures) {
     const { settings } = await Live.open(await WebAssembly.compile(module), name);
     const computed = controls.filter(({ page }) => !page);
     const described = Object.fromEntries(computed.map(control => [control.name, Object.keys(control.choices ?? {})]));
     for (const { set } of handle ? [handle.x, handle.y] : []) if (set) described[set] = [];
+    if (frames) described[frames] = [];
     assert.deepEqual(described, settings, name);
   }
 });

@@ -19,10 +19,15 @@
     get slow() {
       return this.dropped > 0.05;
     }
-    // Takes the steps due at `now` [ms].
+    // Takes the steps due at `now` [ms]; where a step is a frame of the reader's own screen, that one.
     frame(now, run) {
       const passed = this.last === null ? 0 : Math.max(0, now - this.last) / 1000;
       this.last = now;
+      if (run.frames) {
+        if (passed) run.frame(Math.min(passed, LONGEST) * this.pace);
+        this.dropped = 0.9 * this.dropped + Math.max(0, passed - LONGEST);
+        return;
+      }
       this.saved += Math.min(passed, LONGEST) * this.pace;
       const end = performance.now() + BUDGET;
       // Steps may be of any lengths: one is due when the picture has come to the newest state.
@@ -36,7 +41,7 @@
     }
     // How far the picture is from the last state but one to the last.
     part(run) {
-      return run.ended || run.gap === 0 ? 1 : this.saved / run.gap;
+      return run.ended || run.frames || run.gap === 0 ? 1 : this.saved / run.gap;
     }
   };
 })();

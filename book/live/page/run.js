@@ -5,9 +5,10 @@
   const MOST = 2000; // points of a trace: more than a chart has pixels
 
   Live.Run = class {
-    constructor(module, { seconds, endless, controls }) {
+    // `frames` is the setting that takes the length of a frame, where each step is a frame of the reader's own screen.
+    constructor(module, { seconds, endless, frames, controls }) {
       const inThePage = controls.filter(({ page }) => page).map(({ name }) => name);
-      Object.assign(this, { module, seconds, endless, inThePage });
+      Object.assign(this, { module, seconds, endless, frames, inThePage });
     }
     // What concerns the page alone stays there.
     set(values) {
@@ -45,6 +46,10 @@
       this.before = this.now;
       this.now = this.module.advance(1);
       if (++this.taken % this.stride === 0) this.note();
+    }
+    frame(length) {
+      this.module.set(this.frames, length);
+      this.step();
     }
     // Goes to the end at once, or to some time.
     finish(until = this.seconds) {
