@@ -14,6 +14,7 @@
 #include "jump.h"
 #include "measure/methods.h"
 #include "measure/order.h"
+#include "runner.h"
 #include "scenes/constant_velocity.h"
 #include "scenes/friction.h"
 #include "scenes/linear_drag.h"
@@ -82,7 +83,7 @@ std::vector<double> states_with_fixed_step(std::size_t first_frame) {
 
 /// Where a ball at 3 m/s is drawn, on a screen of 144 frames a second with 60 steps a second.
 struct Drawn {
-  std::vector<double> newest, blended, true_place;
+  std::vector<double> newest, blended, extrapolated, true_place;
 };
 
 Drawn drawn_ball(int frames) {
@@ -96,6 +97,7 @@ Drawn drawn_ball(int frames) {
     });
     drawn.newest.push_back(now);
     drawn.blended.push_back(before + clock.blend() * (now - before));
+    drawn.extrapolated.push_back(now + 3 * clock.saved);
     drawn.true_place.push_back(3.0 * shown / 144);
   }
   return drawn;
@@ -416,6 +418,42 @@ TEST_CASE("A blended picture of a steady runner is one step behind the clock") {
   const Drawn ball = drawn_ball(1440);
   for (std::size_t i = 4; i < ball.blended.size(); ++i) {
     CHECK_THAT((ball.true_place[i] - ball.blended[i]) / 3, WithinAbs(1.0 / 60, 1e-12));
+  }
+}
+
+TEST_CASE("Extrapolated, a steady runner is drawn where he is") {
+  const Drawn ball = drawn_ball(1440);
+  for (std::size_t i = 0; i < ball.extrapolated.size(); ++i) {
+    CHECK_THAT(ball.extrapolated[i], WithinAbs(ball.true_place[i], 1e-12));
+  }
+}
+
+TEST_CASE(
+    "At a wall an extrapolated runner is drawn up to a step's way inside it, a blended one "
+    "never") {
+  for (const int rate : {20, 60}) {
+    double deepest = 0, least = 1, deepest_blended = -1;
+    for (int start = 0; start < 100; ++start) {
+      shelf::FixedStep<> clock{.h = 1.0 / rate};
+      Runner before{.x = room - 1 - 0.01 * start}, now = before;
+      double deep = 0;
+      for (int shown = 0; shown < 2 * 144; ++shown) {
+        clock.frame(1.0 / 144, [&](double) {
+          before = now;
+          now.step(clock.h);
+        });
+        deep = std::max(deep, now.x + clock.saved * now.v - room);
+        deepest_blended =
+            std::max(deepest_blended, before.x + clock.blend() * (now.x - before.x) - room);
+      }
+      deepest = std::max(deepest, deep);
+      least = std::min(least, deep);
+    }
+    const double way = 3.0 / rate;
+    CHECK(deepest < way);
+    CHECK(deepest > 0.95 * way);
+    CHECK(least < 0.1 * way);
+    CHECK(deepest_blended <= 0);
   }
 }
 

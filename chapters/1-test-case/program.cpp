@@ -9,6 +9,7 @@
 #include "measure/methods.h"
 #include "measure/order.h"
 #include "measure/record.h"
+#include "runner.h"
 #include "shelf/fixed_step.h"
 #include "shot.h"
 
@@ -142,20 +143,25 @@ void uneven_frames(Record& record) {
 }
 
 void display(Record& record) {
-  auto& table =
-      record.table("display", {{"frame", "", whole}, {"newest state", "cm"}, {"blended", "cm"}});
-  // [blend]
+  auto& table = record.table(
+      "display",
+      {{"frame", "", whole}, {"newest state", "cm"}, {"blended", "cm"}, {"extrapolated", "cm"}});
+  const auto from_the_wall = [](double x) { return 100 * (x - room); };
+  // [drawn]
   shelf::FixedStep<> clock{.h = 1.0 / 60};
-  double before = 0, now = 0;
+  Runner before{.x = room - 0.355}, now = before;
   for (int shows = 0; shows < 48; ++shows) {
     clock.frame(1.0 / 144, [&](double) {
       before = now;
-      now += 3 * clock.h;
+      now.step(clock.h);
     });
-    const double shown = before + clock.blend() * (now - before);
-    table.add({double(shows), 100 * now, 100 * shown});
+    const double blended = before.x + clock.blend() * (now.x - before.x);
+    const double ahead = now.x + clock.saved * now.v;
+    table.add({double(shows), from_the_wall(now.x), from_the_wall(blended), from_the_wall(ahead)});
   }
-  // [blend]
+  // [drawn]
+  record.number("runner-step", 100 * Runner{}.v * clock.h, 2, "cm");
+  record.number("runner-step-20", 100 * Runner{}.v / 20, 2, "cm");
 }
 
 void far_away(Record& record) {

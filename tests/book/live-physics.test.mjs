@@ -84,6 +84,28 @@ test('four machines jump as high as the first program prints, and who passes the
   await heights('method=follow&late=none&ledge=1.3', [1.40113, 1.35867, 1.31621, 1.29163], [1, 1, 1, 0]);
 });
 
+test('a runner leaps in his newest state, is a step late when blended, and is in the wall when extrapolated', async () => {
+  for (const [rate, speed] of [
+    [20, 3],
+    [60, 3],
+    [10, 6],
+  ]) {
+    const { t, frames, still, behind, beyond } = await end('runner', `rate=${rate}&speed=${speed}`);
+    const way = speed / rate;
+    const said = JSON.stringify({ rate, speed, t, frames, still, behind, beyond });
+    assert.ok(Math.abs(frames - 144 * t) < 1e-6 && Math.abs(frames - still - rate * t) < 1, said);
+    assert.ok(Math.abs(behind / way - 1) < 1e-9 && beyond > 0.2 * way && beyond < way, said);
+    const off = await tab.evaluate(() => {
+      const { trace } = globalThis.Live.opened.runner.run;
+      return ['newest', 'blended', 'extrapolated'].map(name => Math.max(...trace[`${name} off`]));
+    });
+    assert.ok(
+      off[0] < 1 + 1e-9 && Math.abs(off[1] - 1) < 1e-9 && Math.abs(off[2] - (2 * beyond) / way) < 1e-9,
+      `${off}`,
+    );
+  }
+});
+
 test('the term with half a h squared is exact without air, and worse than Euler in air', async () => {
   const error = async (air, method) => (await end('thrown-ball', `air=${air}&method=${method}&rate=20`)).error;
   assert.ok((await error('none', 'constant_acceleration')) < 1e-12);

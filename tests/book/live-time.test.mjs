@@ -108,6 +108,25 @@ test('what is held in the picture of a run with an end is a setting: the time st
   assert.deepEqual(tab.faults, []);
 });
 
+test("where a step is a frame of the reader's screen, it is as long as the frame was", async () => {
+  await open(
+    tab,
+    figures.find(({ name }) => name === 'runner'),
+  );
+  const lengths = await tab.evaluate(() => {
+    const { clock, run, values } = globalThis.Live.opened.runner;
+    run.start(values);
+    clock.restart();
+    return [1000, 1012, 1019, 1019, 1500].map(now => {
+      const { t } = run.now;
+      clock.frame(now, run);
+      return Math.round(1e6 * (run.now.t - t));
+    });
+  });
+  assert.deepEqual(lengths, [0, 12e3, 7e3, 0, 100e3]);
+  assert.deepEqual(tab.faults, []);
+});
+
 test('a machine that is clicked while it jumps has its late frame now, and the ledge is held up and down alone', async () => {
   const machines = await open(
     tab,
