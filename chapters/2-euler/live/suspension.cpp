@@ -16,16 +16,18 @@ class Suspension final : public Figure {
   static constexpr double shown_time = 1.5;                   // [s]
   static constexpr double shortest = 0.0001, longest = 0.25;  // steps to look for the limit [s]
 
-  double method_ = 0, h_ = 0.011, zeta_ = suspension.zeta;
+  double method_ = 0, h_ = 0.011, zeta_ = suspension.zeta, pulled_ = suspension.x0;
   scenes::Spring<> spring_ = suspension;
   std::unique_ptr<Run<double>> run_;
 
   std::vector<Setting> settings() override {
-    return {{"method", &method_, names(methods)}, {"h", &h_}, {"zeta", &zeta_}};
+    return {
+        {"method", &method_, names(methods)}, {"h", &h_}, {"zeta", &zeta_}, {"pulled", &pulled_}};
   }
 
   void start() override {
     spring_.zeta = zeta_;
+    spring_.x0 = pulled_;
     run_ = start_run(methods, method_, spring_, spring_.start(), h_);
     show_limit();
     show_path();
