@@ -4,6 +4,7 @@
   const Live = (globalThis.Live ??= {});
   const still = matchMedia('(prefers-reduced-motion: reduce)');
   let compiled;
+  let turn = Promise.resolve(); // of the figure that is next: each opens in a task of its own, between which the page answers
   Live.opened = {};
   Live.started = []; // a promise for each figure, kept once it runs or never will
 
@@ -22,6 +23,7 @@
     const figure = new Figure(element, Live.descriptions[name], drawing);
     try {
       const [code] = await Promise.all([(compiled ??= Live.compile(Live.compiled)), document.fonts.ready]);
+      await (turn = turn.then(() => new Promise(next => setTimeout(next))));
       await figure.open(code, name);
       Live.opened[name] = figure;
     } catch (fault) {
