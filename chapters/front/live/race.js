@@ -33,7 +33,7 @@ globalThis.Live.figure('race', {
       }
       pen.dot(x + run.blend(`${name} x`, part), y + run.blend(`${name} y`, part), 4, colour);
     });
-    if (run.now.crashed[place - 1]) pen.text(x - 3, y - 12 + 10 / pen.metre, 'crashed');
+    if (run.now.crashed[place - 1]) pen.text(x + 11.5, y - 12 + 9 / pen.metre, 'crashed', { align: 'right', size: 11 });
     pen.text(x - 18, y + 12 + 9 / pen.metre, label, { colour: name === 'true' ? 'soft' : colour, align: 'left' });
   },
   tell(now) {
