@@ -16,9 +16,9 @@ const isLive = page => /<\w[^>]* data-live="/.test(read(page));
 test('the module needs nothing from outside', async () =>
   assert.deepEqual(WebAssembly.Module.imports(await WebAssembly.compile(module)), []));
 
-test('what a page loads of the module, compressed and in Base64, has less than 100 kB', () => {
+test('what a page loads of the module, compressed and in Base64, has less than 5 kB for each figure', () => {
   const { length } = gzipSync(module).toString('base64');
-  assert.ok(length < 100e3, `${length} bytes`);
+  assert.ok(length < 5e3 * figures.length, `${length} bytes for ${figures.length} figures`);
 });
 
 test('a page loads the live scripts if it has a live figure, and only then', () => {
