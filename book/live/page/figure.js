@@ -8,7 +8,7 @@
   Live.opened = {};
   Live.started = []; // a promise for each figure, kept once it runs or never will
 
-  // `drawing` has view(settings), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence; and take(x, y),
+  // `drawing` has view(settings, width), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence; and take(x, y),
   // if a pointer in the picture sets something, which returns what. Where the code is lit, lit(now, lines) returns the first and
   // last line and what it finds; when(now) is a time that is not in seconds. One that is
   // "timed" also has chart(pen, run, settings) and answer(stage, run, settings), which comes before all drawing and returns a method.
@@ -282,7 +282,7 @@
 
     draw(part = 1) {
       const { values, run, pen, drawing } = this;
-      pen.begin(drawing.view(values));
+      pen.begin(drawing.view(values, pen.canvas.clientWidth));
       if (this.changing && this.whole) pen.faintly(0.35, () => drawing.draw(pen, this.whole, values, 1));
       drawing.draw(pen, run, values, part);
       this.handle?.place(pen);

@@ -1,12 +1,12 @@
 // Ten methods and six things as a table; below it the one that is chosen, beside the truth.
 globalThis.Live.figure('level', {
-  narrow: () => innerWidth < 600,
   // How wide the names of the methods are, where a thing is one wide.
   get left() {
-    return this.narrow() ? 2.5 : 1.9;
+    return this.narrow ? 2.5 : 1.9;
   },
   low: 6, // rows for the picture of the thing
-  view() {
+  view(_, width) {
+    this.narrow = width < 520; // pixels
     return { x: [0, this.left + 6], y: [0, 12.6 + this.low], free: true };
   },
   choices: of => globalThis.Live.descriptions.level.controls.find(({ name }) => name === of).choices,
@@ -17,7 +17,7 @@ globalThis.Live.figure('level', {
     return { ...(thing && { thing }), ...(method && { method }) };
   },
   draw(pen, run, chosen, part) {
-    const size = this.narrow() ? 10 : 13;
+    const size = this.narrow ? 10 : 13;
     this.table(pen, run.now, chosen, size);
     const top = this.low - 0.4;
     pen.within([0.05, this.left + 5.95], [0.1, top], { colour: 'grid', width: 1 }, () =>
