@@ -14,6 +14,7 @@
 #include "measure/stability.h"
 #include "net/conjugate_gradients.h"
 #include "net/matrix_costs.h"
+#include "net/struck_cloths.h"
 #include "net/visible_error.h"
 #include "parachute.h"
 #include "scenes/linear_drag.h"
@@ -122,6 +123,28 @@ void predictors(Record& record) {
   record.number("backward-off", 100 * largest_error(backward_euler), 3, "cm");
 }
 
+void cloths(Record& record) {
+  auto& table = record.table("cloths", {{"t", "s"}, {"backward Euler"}, {"BDF2"}, {"in substeps"}});
+  StruckCloths struck(light_k, frame, Blow{});
+  for (int n = 0; n <= 180; ++n) {
+    const auto [solved, remembered, stepped] = struck.energies();
+    table.add({n * frame, solved, remembered, stepped});
+    struck.frame();
+  }
+  const auto left = [&](const char* name, double share) {
+    record.number(name, 100 * share, 2, "%");
+  };
+  const auto half = cloths_after(30), second = cloths_after(60);
+  left("cloths-half-backward", half[0]);
+  left("cloths-half-bdf2", half[1]);
+  left("cloths-second-backward", second[0]);
+  left("cloths-second-bdf2", second[1]);
+  left("cloths-second-twice", cloths_after(120, frame / 2)[0]);
+  record.number("cloths-side", StruckCloths::side, whole);
+  record.number("cloths-substeps", struck.substeps(), whole);
+  record.number("cloths-speed", Blow{}.speed, whole, "m/s");
+}
+
 void ringing(Record& record) {
   measure::path(record, "ring-trapezoid", trapezoid, bar, frame, 1);
   measure::path(record, "ring-backward", backward_euler, bar, frame, 1);
@@ -148,6 +171,7 @@ int main(int argc, char** argv) {
     a_second(record);
     hard_blows(record);
     newton(record);
+    cloths(record);
     ringing(record);
     soft_damping(record);
     record_free_rigid_body(record);

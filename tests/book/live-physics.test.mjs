@@ -179,6 +179,26 @@ test('a solved frame of the rope costs the same at every stiffness, and substeps
   assert.equal(stiff['stepped work'], 6 * soft['stepped work']);
 });
 
+test('of one blow a hanging cloth keeps least under backward Euler, all in substeps, and more if struck near the hem', async () => {
+  const left = async query => {
+    const now = await end('three-cloths', query);
+    return ['backward_euler', 'bdf2', 'symplectic_euler'].map(method => now[`${method} energy`]);
+  };
+  const middle = await left('');
+  assert.ok(middle[0] < 0.11 && middle[1] > 2 * middle[0] && middle[1] < 0.3, `${middle}`);
+  const hem = await left('hit y=-0.9');
+  assert.ok(hem[0] > 1.5 * middle[0] && hem[1] > 1.5 * middle[1], `${hem}`);
+  for (const [, , stepped] of [middle, hem, await left('hit y=-0.55&k=1000')])
+    assert.ok(Math.abs(stepped - 1) < 0.03, `${stepped}`);
+  const most = await tab.evaluate(() => Math.max(...globalThis.Live.opened['three-cloths'].run.trace['bdf2 energy']));
+  assert.ok(most > 1.1, `${most} on stiff springs`);
+  await end('three-cloths', 'k=100&speed=3');
+  const { x, y, width, height } = await tab.locator('[data-live=three-cloths] canvas.scene').boundingBox();
+  await tab.mouse.click(x + width / 6, y + height / 2);
+  const values = await tab.evaluate(() => globalThis.Live.opened['three-cloths'].values);
+  assert.ok(Math.abs(values['hit x']) < 0.2 && Math.abs(values['hit y'] + 0.5) < 0.2, JSON.stringify(values));
+});
+
 test('a chart marks where its curve leaves it, and none that stays', async () => {
   const exit = async (query, name = 'drone-spiral') => {
     await end(name, query);

@@ -176,9 +176,13 @@
     }
     // By a pointer in the picture. In a run without an end it takes hold of what is held there.
     take(values) {
-      if (!this.description.endless) return this.choose(values);
+      if (!this.description.endless && !this.anew) return this.choose(values);
       this.set(values);
       this.hold();
+    }
+    // Whether what is struck in the picture is to be seen from its start.
+    get anew() {
+      return this.description.anew && !still.matches;
     }
     showCode(method) {
       if (method === this.codeShown) return;
@@ -223,6 +227,10 @@
     // What the reader holds in the picture. In a run without an end it moves within the run, and what hangs from it does not stand
     // still meanwhile; elsewhere it is a setting like others.
     hold() {
+      if (this.anew) {
+        this.begin();
+        return this.setPlaying(true);
+      }
       if (!this.description.endless) return this.change();
       this.run.set(this.values);
       if (this.run.taken === 0) this.begin();
