@@ -5,10 +5,11 @@ globalThis.Live.figure('three-cloths', {
     ['bdf2', 'BDF2'],
     ['symplectic_euler', 'Substeps'],
   ],
-  apart: 1.4, // [m]
-  across: 0.9, // of a metre to the right, and of one away from the eye, to the right and upwards
+  apart: 1.22, // [m]
+  // How far a metre to the right is drawn, and one away from the eye: to the right and upwards.
+  across: 0.9,
   away: [0.45, 0.28],
-  view: () => ({ x: [-2.05, 2.25], y: [-1.5, 0.45] }),
+  view: () => ({ x: [-1.78, 1.92], y: [-1.42, 0.28] }),
   middle(i) {
     return (i - 1) * this.apart;
   },
@@ -22,7 +23,7 @@ globalThis.Live.figure('three-cloths', {
       pen.text(middle, 20 / pen.metre, words, { colour: method });
       const left = run.blend(`${method} energy`, part);
       const share = Math.abs(left) < 100 ? `${fixed(100 * left, 0)}\u202f%` : 'lost';
-      pen.text(middle, -1.34, share, { colour: method });
+      pen.text(middle, -1.3, share, { colour: method });
       this.arrow(pen, settings, middle);
     });
   },
