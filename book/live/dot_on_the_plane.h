@@ -3,6 +3,7 @@
 /// A spring as a dot on the plane of zeta and h omega, and what becomes of it step by step.
 #pragma once
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,14 @@ namespace live {
 template <class... Steps>
 class DotOnThePlane final : public Figure {
   static constexpr double h = 1.0 / 60, seconds = 1.5;  // of a step, of the run [s]
+  static constexpr double far = 10;  // a spring that was stretched so much is lost
 
   std::tuple<Method<Steps>...> methods_;
   double method_ = 0, zeta_, homega_, widest_;
   std::vector<std::string> edge_names_;
   scenes::Spring<> spring_;
   std::unique_ptr<Run<double>> run_;
+  bool lost_ = false;
 
  public:
   /// @param methods  to choose from
@@ -45,18 +48,22 @@ class DotOnThePlane final : public Figure {
   void start() override {
     if (shown().empty()) show_edges();
     spring_ = {.omega = homega_ / h, .zeta = zeta_};
+    lost_ = false;
     run_ = start_run(methods_, method_, spring_, spring_.start(), h);
     show_step();
     show_path();
     show_state();
   }
 
-  void step() override { run_->step(); }
+  void step() override {
+    lost_ = lost_ || !(std::abs(run_->now.x) < far);  // the first place out there is still shown
+    run_->step();
+  }
 
   void show_state() override {
     show("t", run_->t());
     show("h", h);
-    show("x", run_->now.x);
+    show("x", lost_ ? std::numeric_limits<double>::quiet_NaN() : run_->now.x);
   }
 
   // By how much one step multiplies what lasts, and any area of places and velocities.

@@ -130,8 +130,8 @@ TEST_CASE("A ledge at 1.33 m is in reach at 30 frames a second and out of reach 
 }
 
 TEST_CASE(
-    "One frame of a tenth of a second on the way up lifts any of four machines above a ledge at "
-    "1.33 m") {
+    "One frame of a tenth of a second that ends before the top lifts any of four machines above a "
+    "ledge at 1.33 m") {
   for (const int rate : {20, 30, 60, 144}) {
     for (int late = 0; late / double(rate) + 0.1 < 5 / 9.81; ++late) {
       auto s = jump.start();

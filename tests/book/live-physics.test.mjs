@@ -438,7 +438,7 @@ test('in the race each method ends as the front page says, and the true shuttle 
   const round = await end('race', `throw%20y=${Math.sqrt((1000 * (Math.PI / 4) ** 2) / 5)}`);
   assert.ok(Math.abs(Math.hypot(round['true x'], round['true y']) - 5) < 1e-9);
   // Thrown aside as fast as up, it comes by its start again and again.
-  const aside = await end('race', 'throw%20x=6&throw%20y=9');
+  const aside = await end('race', 'throw%20x=3&throw%20y=9');
   const start = [...aside['path x']].at(-1);
   assert.ok(Math.abs(start - 5) < 1e-9, `${start}`);
 });
@@ -514,7 +514,7 @@ test('the crate keeps the energies that the film prints', async () => {
 test('the bar is torn and held at the steps of the chapter', async () => {
   const torn = async rate => {
     const now = await end('bar-lost', `rate=${rate}`);
-    return ['euler', 'symplectic_euler', 'rk4', 'backward_euler'].filter(name => now[`${name} distance`] > 0.005);
+    return ['euler', 'symplectic_euler', 'rk4', 'backward_euler'].filter((_, i) => now.torn[i]);
   };
   assert.deepEqual(await torn(60), ['euler', 'symplectic_euler', 'rk4']);
   assert.deepEqual(await torn(240), ['euler', 'symplectic_euler']);

@@ -21,7 +21,7 @@
     const height = x => top * (0.42 - 0.2 * x);
 
     Live.figure(name, {
-      view: () => ({ x: [-0.07 * right, 1.26 * right], y: [-0.09 * top, 1.02 * top], free: true }),
+      view: () => ({ x: [-0.07 * right, 1.26 * right], y: [-0.09 * top, 1.06 * top], free: true }),
       take: (x, y) => x >= 0 && x <= right && y <= top && { zeta: x, homega: Math.max(0.02, y) },
       draw(pen, run, { method = Object.keys(labels)[0], zeta, homega }, part) {
         const zetas = [...run.now.zetas];
@@ -45,8 +45,8 @@
         pen.body(thing, x, 9, colour(method));
       },
       tell({ factor, area }) {
-        const times = value => `${Live.digits(value, 3)} times`;
-        return `a step makes the swing ${times(factor)} as wide, and an area of springs ${times(Math.abs(area))} as large.`;
+        const [long, any] = [factor, Math.abs(area)].map(value => Live.digits(value, 3));
+        return `in the long run a step multiplies what is left by ${long}, and any area by ${any}.`;
       },
     });
   };

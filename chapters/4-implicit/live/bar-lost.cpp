@@ -21,6 +21,7 @@ class BarLost final : public Figure {
   double omega_ = bar.omega, zeta_ = bar.zeta, rate_ = 1 / frame;
   scenes::Spring<> spring_ = bar;
   std::vector<std::unique_ptr<Run<double>>> runs_;
+  std::vector<double> torn_;            // 1 for each that has been
   std::vector<std::string> distances_;  // what they are called
 
  public:
@@ -37,13 +38,17 @@ class BarLost final : public Figure {
     spring_.omega = omega_;
     spring_.zeta = zeta_;
     runs_.clear();
+    torn_.assign(distances_.size(), 0);
     for (std::size_t i = 0; i < distances_.size(); ++i)
       runs_.push_back(start_run(methods, double(i), spring_, spring_.start(), 1 / rate_));
     show_state();
   }
 
   void step() override {
-    for (const auto& run : runs_) run->step();
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      runs_[i]->step();
+      if (!(std::abs(runs_[i]->now.x) < 5 * bar.x0)) torn_[i] = 1;
+    }
   }
 
   void show_state() override {
@@ -55,6 +60,7 @@ class BarLost final : public Figure {
       show(all[i], runs_[i]->now.x);
       show(distances_[i].c_str(), std::abs(runs_[i]->now.x));
     }
+    show("torn", torn_);
     const auto truth = spring_.exact(t);
     show_reference("true", truth.x);
     // How far it swings, which does not pass through nothing twice in each swing.

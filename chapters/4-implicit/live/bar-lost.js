@@ -6,9 +6,9 @@ globalThis.Live.figure('bar-lost', {
     this.curves().forEach(({ value, colour, label }, i) => {
       const low = 2 * (4 - i),
         out = 1000 * now[value.replace(' distance', '')]; // in millimetres
-      pen.text(-1.9, low + 1.5, label, { colour, align: 'left' });
+      pen.text(-1.9, low + 1.5, colour === 'exact' ? 'true' : label, { colour, align: 'left' });
       pen.line([-2.2, 12.6], [low - 0.05, low - 0.05], { colour: 'grid', width: 1 });
-      const torn = Math.abs(out) > 5;
+      const torn = this.torn(now, i);
       const end = torn ? 5.2 + 7.4 * Math.sign(out) : 5.8 + out;
       pen.line([1.8, end], [low + 0.6, low + 0.6], { colour: 'context', width: 2 });
       if (torn) {
@@ -30,8 +30,10 @@ globalThis.Live.figure('bar-lost', {
     if (named.length) return `past ${named.at(-1)[1]}`;
     return distance < 1000 ? Live.metres(distance) : `${Live.fixed(distance / 1000, 0)}\u202fkm`;
   },
+  // The last one is the true one, which holds. What has been torn stays so.
+  torn: ({ torn }, i) => torn[i] === 1,
   tell(now) {
-    const lost = this.curves().filter(({ value }) => now[value] > 0.005);
+    const lost = this.curves().filter((_, i) => this.torn(now, i));
     if (!lost.length) return 'all five are there.';
     return `${lost.map(({ label }) => label).join(', ')} ${lost.length === 1 ? 'has' : 'have'} torn the bar.`;
   },

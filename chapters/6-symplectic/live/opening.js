@@ -26,7 +26,9 @@ globalThis.Live.figure('opening', {
     });
     return found;
   },
-  when: ({ t }) => `Step ${t}`,
-  tell: ({ farthest, size, energy }) =>
-    `the spring has been ${globalThis.Live.fixed(farthest / size, 2)} times as far out as it should, and its energy is ${globalThis.Live.fixed(energy, 2)} times what it was.`,
+  when: ({ t }) => `Point ${t + 1}`,
+  tell({ farthest, size, energy }) {
+    if (size === 0) return 'the spring is at rest.';
+    return `the spring has been ${globalThis.Live.fixed(farthest / size, 2)} times as far out as it should, and its energy is ${globalThis.Live.fixed(energy, 2)} times what it was.`;
+  },
 });

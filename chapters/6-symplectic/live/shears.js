@@ -13,13 +13,14 @@ globalThis.Live.figure('shears', {
     pen.line([...now.x, now.x[0]], [...now.v, now.v[0]], { colour: method, width: 1.8 });
   },
   half: ({ t }, method) => (method === 'euler' ? 'both' : (t + 1e-9) % 1 < 0.5 ? 'kick' : 'drift'),
-  when: ({ t }) => `Step ${Math.floor(t + 1e-9) + 1}`,
+  when: ({ t }) => (t > 4 - 1e-9 ? 'After 4 steps' : `Step ${Math.floor(t + 1e-9) + 1}`),
   tell(now, { method }) {
     const what = {
       kick: 'the kick moves each strip up or down',
       drift: 'the drift moves each strip to the side',
       both: 'both at once, from the old values',
     };
-    return `${what[this.half(now, method)]}. The area is ${globalThis.Live.fixed(now.area, 1)}\u202f% of what it was.`;
+    const area = `area is ${globalThis.Live.fixed(now.area, 1)}\u202f% of what it was.`;
+    return now.t > 4 - 1e-9 ? `its ${area}` : `${what[this.half(now, method)]}. The ${area}`;
   },
 });

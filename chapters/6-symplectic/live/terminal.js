@@ -21,8 +21,9 @@ globalThis.Live.figure('terminal', {
     });
   },
   tell(now) {
+    if (now.t === 0) return 'all start at rest.';
     const right = this.curves().filter(
-      ({ value }) => value !== 'true speed' && Math.abs(now[value] - now['true speed']) < 0.005,
+      ({ value }) => value !== 'true speed' && Math.abs(now[value] / now['true speed'] - 1) < 0.005,
     );
     const names = right.map(({ label }) => label).join(', ');
     return `the true leaf falls at ${globalThis.Live.fixed(now['true speed'] * now.end, 2)}\u202fm/s. Within half a per cent of that: ${names || 'none'}.`;

@@ -26,6 +26,6 @@ globalThis.Live.figure('thrown-crate', {
   },
   tell(now) {
     const words = this.curves().map(({ value, label }) => `${label} ${Math.round(100 * now[value])}\u202f%`);
-    return `of the energy there is left: ${words.join(', ')}.`;
+    return `of the energy of the throw they have: ${words.join(', ')}.`;
   },
 });

@@ -52,6 +52,11 @@ class Thrown {
 
   Vec at(double t) const { return Eigen::Rotation2Dd(turn_) * orbit_.exact(begin_ + t).x; }
   double period() const { return orbit_.period(); }
+  /// A place on its ellipse, by the eccentric anomaly, so that equal parts of it are equally round.
+  Vec on_its_ellipse(double anomaly) const {
+    const double mean = anomaly - orbit_.eccentricity * std::sin(anomaly);
+    return Eigen::Rotation2Dd(turn_) * orbit_.exact(mean * period() / (2 * std::numbers::pi)).x;
+  }
 };
 
 /// One of the eight, between its last two steps.
@@ -152,7 +157,7 @@ class Race final : public Figure {
   void show_path() {
     std::vector<double> xs, ys;
     for (int i = 0; i <= 120; ++i) {
-      const Vec x = truth_.at(truth_.period() * i / 120);
+      const Vec x = truth_.on_its_ellipse(2 * std::numbers::pi * i / 120);
       xs.push_back(x.x());
       ys.push_back(x.y());
     }
