@@ -23,6 +23,7 @@ export const LIVE_SCRIPTS = [
   'chart',
   'scrubber',
   'plot',
+  'edits',
   'clock',
   'handle',
   'stopwatch',

@@ -10,7 +10,8 @@
 
   // `drawing` has view(settings, width), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence; and take(x, y),
   // if a pointer in the picture sets something, which returns what. Where the code is lit, lit(now, lines) returns the first and
-  // last line and what it finds; when(now) is a time that is not in seconds. One that is
+  // last line and what it finds; edits(values) lists words of the code that a click changes, as Live.Edits has them; when(now) is a
+  // time that is not in seconds. One that is
   // "timed" also has chart(pen, run, settings) and answer(stage, run, settings), which comes before all drawing and returns a method.
   Live.figure = function (name, drawing) {
     if (!globalThis.WebAssembly || !globalThis.DecompressionStream) return; // a browser that is too old keeps the still picture
@@ -43,7 +44,7 @@
       this.settings = new Live.Settings(this.stage, description.controls);
       this.pen = new Live.Pen(find('canvas.scene'));
       if (drawing.chart)
-        this.chart = new Live.Plot(find('.chart'), drawing, description.shape, values => this.choose(values));
+        this.chart = new Live.Plot(find('.chart'), drawing, description.chart.shape, values => this.choose(values));
       else if (description.chart)
         this.chart = new Live.Chart(find('.chart'), description.chart, this.methods, description.seconds);
       this.stage.setAttribute('aria-label', element.querySelector('figcaption b').textContent);
@@ -79,6 +80,8 @@
         pen.canvas.classList.add('taken');
         Live.drag(pen.canvas, (x, y) => this.take(drawing.take(pen.fromX(x), pen.fromY(y)) ?? {}));
       }
+      if (drawing.edits)
+        this.edits = new Live.Edits(this.stage, drawing.edits, this.settings, values => this.choose(values));
       this.listen(find);
       this.showWhole();
       this.startWhenSeen();
@@ -146,6 +149,7 @@
     // What the controls and the methods say of the settings.
     tell() {
       this.settings.tell(this.run.now);
+      this.edits?.show();
       this.answer();
     }
     // What the figure says of its methods, where it has times of them.

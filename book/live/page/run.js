@@ -51,8 +51,9 @@
       this.module.set(this.frames, length);
       this.step();
     }
-    // Goes to the end at once, or to some time.
-    finish(until = this.seconds) {
+    // Goes to the end at once, or to some time; with other settings, the end may lie before it.
+    finish(wanted = this.seconds) {
+      const until = Math.min(wanted, this.seconds);
       while (!this.isDone(until)) {
         const left = Math.floor((until * (1 + 1e-9) - this.now.t) / this.now.h);
         const steps = Math.max(1, Math.min(this.stride - (this.taken % this.stride), left));
@@ -64,7 +65,7 @@
     // To a moment within the run, on or back.
     goTo(values, t) {
       if (t < this.now.t) this.start(values);
-      this.finish(Math.max(0, Math.min(t, this.seconds)));
+      this.finish(Math.max(0, t));
     }
     // One without an end keeps its last seconds.
     note() {

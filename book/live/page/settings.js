@@ -60,6 +60,11 @@
       const radio = this.radios.find(({ value }) => value === wanted);
       if (radio) radio.checked = true;
     }
+    // The choice behind the one that is made, and behind the last the first.
+    get next() {
+      const all = Object.keys(this.choices);
+      return all[(all.indexOf(this.value) + 1) % all.length];
+    }
     words() {
       return this.wordsOf(this.value);
     }
@@ -80,6 +85,9 @@
         const made = control.choices ? new Choice(element, control) : new Slider(element, control);
         return Object.assign(made, { element });
       });
+    }
+    of(wanted) {
+      return this.controls.find(({ name }) => name === wanted);
     }
     get values() {
       return Object.fromEntries(this.controls.map(({ name, value }) => [name, value]));
