@@ -23,7 +23,6 @@ double error_across(Step step, double rate) {
 inline std::array<double, 2> burnout_errors(double rate) {
   const double step = 1 / rate, stop = off_beat_rocket.burn_time;
   // [cut]
-  const scenes::Rocket<> engine_on{.burn_time = INFINITY};
   const auto engine_off = [](double, double, double) { return -off_beat_rocket.g; };
   const auto steps = long(std::floor(stop * rate));
   auto s = measure::after(measure::rk4, engine_on, engine_on.start(), step, steps);

@@ -39,7 +39,6 @@ using wrong::old_velocity;
 namespace {
 
 const auto drone_energy = [](const auto& x, const auto& v) { return drone.energy(x, v); };
-const scenes::Rocket<> engine_on{.burn_time = INFINITY};
 
 double distance_after_ten_turns(auto step, double step_size) {
   return measure::after(step, drone, drone.start(), step_size, std::lround(80 / step_size))
@@ -599,6 +598,21 @@ TEST_CASE("With its third stage a repeat of the second RK4 has order two") {
   const auto bug = wrong::method_of(wrong::third_is_second.stages);
   check_order(bug, drone, 1.0 / 8, 8, 2);
   CHECK(error_in_one_turn(bug, 60) < 1e-3);
+}
+
+TEST_CASE("With all slopes counting the same RK4 has order two") {
+  const auto bug = wrong::method_of(wrong::equal_weights.stages);
+  check_order(bug, drone, 1.0 / 8, 8, 2);
+  check_order(bug, parachute, 1.0 / 64, 2, 2);
+  check_order(bug, engine_on, 1.0 / 8, 3.5, 2);
+  CHECK(error_in_one_turn(bug, 60) < 1e-3);
+}
+
+TEST_CASE(
+    "With one step a second the wrong index puts the drone a metre off, six times as far as RK4") {
+  const double off = error_in_one_turn(wrong::method_of(wrong::fourth_looks_too_soon.stages), 1);
+  CHECK_THAT(off, WithinAbs(1.2, 0.05));
+  CHECK_THAT(off / error_in_one_turn(rk4, 1), WithinAbs(6.1, 0.1));
 }
 
 TEST_CASE("Of the three scenes only the drone finds stages that move with the old velocity") {

@@ -180,7 +180,6 @@ void bugs(Record& record) {
   const auto order = [](const auto& method, const auto& scene, double coarse, double duration) {
     return measure::halvings(method, scene, coarse, duration, 4).back().position_order;
   };
-  const scenes::Rocket<> engine_on{.burn_time = INFINITY};
   for (const wrong::Bug& bug :
        {wrong::Bug{"none", {}}, wrong::fourth_looks_too_soon, wrong::third_is_second,
         wrong::stale_velocities, wrong::equal_weights, wrong::stopped_clock}) {

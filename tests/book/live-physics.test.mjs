@@ -1,8 +1,9 @@
 // What the live figures show is what the chapters say. Each row opens a figure with the settings of a link, lets it run to
-// its end, and looks at what is shown there.
+// its end, and looks at what is shown there:  node live-physics.test.mjs BUILD [COMPILER]
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { build } from './book.mjs';
@@ -153,6 +154,110 @@ test('on sixteen evaluations a second the ellipse is lost by Euler, and kept nea
     distance('euler') > 10 * 16 && distance('symplectic_euler') < 1.1 * 16,
     `${distance('euler')} ${distance('symplectic_euler')}`,
   );
+});
+
+const FAULTS = [
+  'none',
+  'fourth stage along the second slope',
+  'third stage repeats the second',
+  'stages with the old velocity',
+  'all slopes count the same',
+  'clock stands still',
+];
+const RIGHT = { third: 'second', fourth: 'third', moving: 'new', clock: 'runs', weights: 'right' };
+const ONE_FAULT = [
+  {},
+  { fourth: 'second' },
+  { third: 'first' },
+  { moving: 'old' },
+  { weights: 'equal' },
+  { clock: 'stands' },
+];
+
+// What is shown with these faults; the page is that of the figure.
+const withFaults = (faults, scene) =>
+  tab.evaluate(
+    values => {
+      const figure = globalThis.Live.opened['stage-bug'];
+      figure.choose(values);
+      return { ...figure.run.now };
+    },
+    { ...RIGHT, ...faults, scene },
+  );
+
+test('RK4 with one fault has the orders of the table, and is as far off in a turn', async () => {
+  const [, ...rows] = readFileSync(join(build, 'chapters/3-runge-kutta/data/bugs.csv'), 'utf8').trim().split('\n');
+  assert.deepEqual(
+    rows.map(row => row.split(',')[0]),
+    FAULTS,
+  );
+  await end('stage-bug', 'rate=60');
+  for (const [i, row] of rows.entries()) {
+    const [, off, ...orders] = row.split(',').map(Number);
+    for (const [k, scene] of ['drone', 'parachute', 'rocket'].entries()) {
+      const now = await withFaults(ONE_FAULT[i], scene);
+      assert.ok(Math.abs(now['your order'] - orders[k]) < 1e-3, `${row}: ${now['your order']} on the ${scene}`);
+      if (k === 0) assert.ok(Math.abs(1e6 * now['your off'] - off) < 1e-4 * off, `${row}: ${now['your off']}`);
+    }
+  }
+});
+
+// Runs the lines beside the figure on both scenes for so long as it shows them, and prints where they end.
+const program = bodies => `#include <complex>
+#include <cstdio>
+using Real = double;
+using C = std::complex<double>;
+${bodies
+  .map(
+    (body, i) => `template <class Vec> void step${i}(Vec& x, Vec& v, double t, double h, auto acceleration) {
+  using Position = Vec;
+  const double t_middle = t + h / 2, t_end = t + h;
+  ${body}
+}
+void run${i}() {
+  C x = 10, v = C(0, 10 * M_PI / 4);
+  for (int n = 0; n < 480; ++n) step${i}(x, v, n / 60.0, 1 / 60.0, [](C x, C, double) { return -M_PI * M_PI / 16 * x; });
+  double up = 0, speed = 0;
+  for (int n = 0; n < 240; ++n) step${i}(up, speed, n / 60.0, 1 / 60.0, [](double, double, double t) { return 35 / (2 - 0.25 * t) - 9.81; });
+  std::printf("%.17g %.17g %.17g\\n", x.real(), x.imag(), up);
+}
+`,
+  )
+  .join('')}int main() {
+${bodies.map((_, i) => `  run${i}();\n`).join('')}}
+`;
+
+test('the lines of RK4 that are shown with a fault, compiled, go where it is drawn', async () => {
+  const made = [
+    ...ONE_FAULT,
+    { third: 'first', fourth: 'first', moving: 'old', clock: 'stands', weights: 'equal' },
+    { third: 'first', moving: 'old' },
+  ];
+  const bodies = [],
+    ends = [];
+  await end('stage-bug', 'rate=60');
+  for (const faults of made) {
+    const at = async scene => {
+      const now = await withFaults(faults, scene);
+      return ['your x', 'your y'].map(of => Object.values(now[of]).at(-1));
+    };
+    ends.push([...(await at('drone')), (await at('rocket'))[1]]);
+    bodies.push(await tab.locator('[data-live=stage-bug] .listing pre').textContent());
+  }
+  const folder = mkdtempSync(join(tmpdir(), 'edits-'));
+  try {
+    writeFileSync(join(folder, 'edits.cpp'), program(bodies));
+    execFileSync(process.argv[3] ?? 'c++', ['-std=c++20', 'edits.cpp', '-o', 'edits'], { cwd: folder });
+    const lines = execFileSync(join(folder, 'edits'), { encoding: 'utf8' }).trim().split('\n');
+    lines.forEach((line, i) =>
+      line.split(' ').forEach((number, k) => {
+        assert.ok(Math.abs(Number(number) - ends[i][k]) < 1e-10, `${JSON.stringify(made[i])}: ${line}, not ${ends[i]}`);
+      }),
+    );
+    assert.equal(new Set(bodies).size, made.length);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 });
 
 test('a rope is lost in one substep less than the minimum, and the solved one loses energy at every stiffness', async () => {
