@@ -128,7 +128,7 @@
       const held = Object.entries(this.handle?.values ?? {});
       return [
         this.settings.query,
-        ...held.map(([name, value]) => `${encodeURIComponent(name)}=${Number(value.toPrecision(4))}`),
+        ...held.map(([name, value]) => `${encodeURIComponent(name)}=${Number(value.toPrecision(6))}`),
       ].join('&');
     }
     read(query) {
