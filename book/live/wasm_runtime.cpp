@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 // For the module alone: what the C++ library calls when memory runs out or something breaks. Its
 // own versions print to a terminal, which a page has not got; with these the module needs nothing
-// from outside.
+// from outside. And two logarithms without the tables of the C library's, a tenth of what a page
+// would have to load: nothing here rests on their last bit, which is no machine's promise anyway.
+#include <cmath>
 #include <cstdlib>
 #include <new>
 
@@ -36,4 +38,23 @@ extern "C" void __cxa_pure_virtual() {
 }
 extern "C" _Noreturn void abort() {
   __builtin_trap();
+}
+
+namespace {
+
+double natural_log(double x) {
+  int power;
+  const double part = std::frexp(x, &power);
+  return power * 0.6931471805599453 + std::log1p(part - 1);
+}
+
+}  // namespace
+
+extern "C" double log2(double x) {
+  return natural_log(x) / 0.6931471805599453;
+}
+// For x above zero; elsewhere it stops the figure.
+extern "C" double pow(double x, double y) {
+  if (!(x > 0)) __builtin_trap();
+  return std::exp(y * natural_log(x));
 }

@@ -139,8 +139,18 @@
       context.fill();
       context.restore();
     }
-    dots(xs, ys, pixels, colour) {
-      for (let i = 0; i < xs.length; ++i) this.dot(xs[i], ys[i], pixels, colour);
+    // Many dots at once, which takes far less time than one after the other.
+    dots(xs, ys, pixels, colour = 'ink') {
+      const { context } = this;
+      Object.assign(context, { fillStyle: this.colour(colour), globalAlpha: this.faint });
+      context.beginPath();
+      for (let i = 0; i < xs.length; ++i) {
+        const [x, y] = [this.x(xs[i]), this.y(ys[i])];
+        context.moveTo(x + pixels, y);
+        context.arc(x, y, pixels, 0, 2 * Math.PI);
+      }
+      context.fill();
+      context.globalAlpha = 1;
     }
     // What lies within a line that closes on itself.
     area(xs, ys, { colour = 'area', faint = 1 } = {}) {

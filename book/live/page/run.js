@@ -2,13 +2,13 @@
 (function () {
   'use strict';
   const Live = (globalThis.Live ??= {});
-  const MOST = 2000; // points of a trace: more than a chart has pixels
+  const MOST = 2000; // points of a trace, where no figure asks for more: more than a chart has pixels
 
   Live.Run = class {
     // `frames` is the setting that takes the length of a frame, where each step is a frame of the reader's own screen.
-    constructor(module, { seconds, endless, frames, controls }) {
+    constructor(module, { seconds, endless, frames, controls, points = MOST }) {
       const inThePage = controls.filter(({ page }) => page).map(({ name }) => name);
-      Object.assign(this, { module, seconds, endless, frames, inThePage });
+      Object.assign(this, { module, seconds, endless, frames, points, inThePage });
     }
     // What concerns the page alone stays there.
     set(values) {
@@ -19,7 +19,7 @@
       this.set(values);
       this.now = this.before = this.module.start();
       this.seconds = this.now.seconds ?? this.seconds;
-      this.stride = Math.ceil(this.seconds / this.now.h / MOST);
+      this.stride = Math.ceil(this.seconds / this.now.h / this.points);
       this.taken = 0;
       this.trace = Object.fromEntries(
         Object.entries(this.now)
