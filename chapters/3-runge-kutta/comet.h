@@ -9,18 +9,24 @@
 #include "../cast.h"
 #include "integrate/dopri5.h"
 #include "measure/evaluations.h"
-#include "measure/methods.h"
+#include "measure/methods/runge_kutta.h"
 #include "measure/run.h"
 #include "shelf/fixed_step.h"
 
-inline constexpr double tolerance = 1e-6;  ///< largest estimate of a step's error [m] or [m/s]
+inline constexpr double micrometre = 1e-6;  ///< the tolerance, if no other is named [m] or [m/s]
+
+inline constexpr double millisecond = 1e-3;  ///< the length of equal steps [s]
+
+using CometState = scenes::State<scenes::Orbit<>::Vec>;  ///< where it is, and its velocity
+using CountedComet = measure::Counted<scenes::Orbit<>>;  ///< one that counts its evaluations
 
 /// What a passage of the comet took.
 struct Passage {
-  std::vector<long> evaluations;              ///< of each frame
-  scenes::State<scenes::Orbit<>::Vec> end{};  ///< where it was one year after the start
-  double error = 0;                           ///< its distance from where it should be [m]
-  double farthest = 0;                        ///< the same in the worst of the frames [m]
+  std::vector<long> evaluations;   ///< of each frame
+  std::vector<CometState> frames;  ///< where it was at the end of each
+  CometState end{};                ///< where it was one year after the start
+  double error = 0;                ///< its distance from where it should be [m]
+  double farthest = 0;             ///< the same in the worst of the frames [m]
 
   /// Evaluations of the acceleration in all frames.
   long total() const {
@@ -37,9 +43,11 @@ struct Passage {
 /// Follows the comet for a year, from its far end past the sun and back, in equal frames.
 /// @param frames  how many; in each, Dormand-Prince takes the steps that it needs
 /// @param s  where the comet starts
-inline Passage pass(long frames,
-                    scenes::State<scenes::Orbit<>::Vec> s = comet.exact(-comet_year / 2)) {
-  const measure::Counted counted{comet};
+/// @param tolerance  largest estimate of a step's error [m] or [m/s]
+/// @param counted  the comet, which may note more than how often it is asked
+template <class Comet = CountedComet>
+Passage pass(long frames, CometState s = comet.exact(-comet_year / 2),
+             double tolerance = micrometre, const Comet& counted = Comet{comet}) {
   const double length = comet_year / double(frames);
   Passage passage;
   double next = length;
@@ -52,6 +60,7 @@ inline Passage pass(long frames,
         integrate::dopri5_adaptive(s.x, s.v, t, length, next, counted, size, tolerance);
     // [frame]
     passage.evaluations.push_back(there ? counted.evaluations - before : -1);
+    passage.frames.push_back(s);
   }
   passage.end = s;
   passage.error = (s.x - comet.exact(comet_year / 2).x).norm();
@@ -60,8 +69,10 @@ inline Passage pass(long frames,
 
 /// Follows the comet for the same year along a path that runs ahead of the frames.
 /// @param frames  how many; they are read out of the path, and cut none of its steps
-inline Passage read(long frames) {
-  const measure::Counted counted{comet};
+/// @param tolerance  largest estimate of a step's error [m] or [m/s]
+/// @param counted  the comet, which may note more than how often it is asked
+template <class Comet = CountedComet>
+Passage read(long frames, double tolerance = micrometre, const Comet& counted = Comet{comet}) {
   auto s = comet.exact(-comet_year / 2);
   auto path = integrate::dopri5_path(s.x, s.v, 0.0, comet_year, counted);
   Passage passage;
@@ -74,6 +85,7 @@ inline Passage read(long frames) {
     s = {path.position(t), path.velocity(t)};
     // [ahead]
     passage.evaluations.push_back(there ? counted.evaluations - before : -1);
+    passage.frames.push_back(s);
     passage.error = (s.x - comet.exact(t - comet_year / 2).x).norm();
     passage.farthest = std::max(passage.farthest, passage.error);
   }
@@ -89,19 +101,30 @@ inline double error_of_equal_steps(long rate) {
   return (end.x - comet.exact(comet_year / 2).x).norm();
 }
 
-/// Where RK4 leaves the comet after the same year, in steps of a thousandth of a second out of
-/// equal frames.
-/// @param frames  frames per second
-inline scenes::State<scenes::Orbit<>::Vec> end_of_fixed_steps(long frames) {
+/// Follows the comet for the same year by RK4, in steps of a thousandth of a second out of equal
+/// frames.
+/// @param frames  how many
+/// @param counted  the comet, which may note more than how often it is asked
+template <class Comet = CountedComet>
+Passage step_equally(long frames, const Comet& counted = Comet{comet}) {
   auto s = comet.exact(-comet_year / 2);
-  shelf::FixedStep<> clock{.h = 1.0 / 1000};
+  const double length = comet_year / double(frames);
+  shelf::FixedStep<> clock{.h = millisecond};
   const long steps = std::lround(comet_year / clock.h);
+  Passage passage;
   while (clock.steps < steps) {
-    clock.frame(1.0 / double(frames), [&](double t) {
-      if (clock.steps <= steps) measure::rk4(s.x, s.v, t, clock.h, comet);
+    const long before = counted.evaluations;
+    // [equal]
+    clock.frame(length, [&](double t) {
+      if (clock.steps <= steps) measure::rk4(s.x, s.v, t, clock.h, counted);
     });
+    // [equal]
+    passage.evaluations.push_back(counted.evaluations - before);
+    passage.frames.push_back(s);
   }
-  return s;
+  passage.end = s;
+  passage.error = (s.x - comet.exact(comet_year / 2).x).norm();
+  return passage;
 }
 
 /// The longest step at the comet's far end that stays within the tolerance [s].
@@ -113,35 +136,7 @@ inline double longest_step() {
     auto s = far;
     auto a = integrate::dopri5_start(s.x, s.v, 0.0, comet);
     const auto error = integrate::dopri5(s.x, s.v, a, 0.0, step, comet);
-    (std::max(error.x.norm(), error.v.norm()) <= tolerance ? good : too_long) = step;
+    (std::max(error.x.norm(), error.v.norm()) <= micrometre ? good : too_long) = step;
   }
   return good;
-}
-
-/// What the passage costs, in one go and in frames, and what equal steps would have cost.
-inline void comet_passes(measure::Record& record) {
-  const Passage smooth = pass(1), framed = pass(1200);
-  record.number("comet-free", double(smooth.total()), measure::whole);
-  record.number("comet-framed", double(framed.total()), measure::whole);
-  record.number("comet-dearest", double(framed.dearest()), measure::whole);
-  record.number("comet-cheapest", double(framed.cheapest()), measure::whole);
-  record.number("comet-error", 1e6 * smooth.error, 2, "µm");
-  record.number("comet-read", 1e6 * read(1200).farthest, 2, "µm");
-  record.number("comet-longest", longest_step(), 2, "s");
-  long rate = 60;
-  while (error_of_equal_steps(rate) > smooth.error) rate += 60;
-  record.number("comet-rk4", double(4 * rate) * comet_year, 2);
-  record.number("comet-rk4-rate", double(rate), measure::whole);
-  record.number("comet-rk4-60", error_of_equal_steps(60), 2, "m");
-  const auto fixed = end_of_fixed_steps(60);
-  record.number("comet-fixed-frame", 4 * 1000.0 / 60, 2);
-  record.number("comet-fixed", 4 * 1000 * comet_year, measure::whole);
-  record.number("comet-fixed-error", 1000 * (fixed.x - comet.exact(comet_year / 2).x).norm(), 2,
-                "mm");
-  record.number("comet-apart", 1e6 * (framed.end.x - pass(2880).end.x).norm(), 2, "µm");
-
-  auto& table = record.table("comet", {{"t", "s"}, {"evaluations", "", measure::whole}});
-  for (std::size_t n = 0; n < framed.evaluations.size(); ++n) {
-    table.add({double(n) / 60, double(framed.evaluations[n])});
-  }
 }

@@ -199,6 +199,34 @@ void bugs(Record& record) {
   }
 }
 
+/// What the passage costs, in one go and in frames, and what equal steps would have cost.
+void comet_passes(Record& record) {
+  const Passage smooth = pass(1), framed = pass(1200), ahead = read(1200);
+  record.number("comet-free", double(smooth.total()), whole);
+  record.number("comet-framed", double(framed.total()), whole);
+  record.number("comet-dearest", double(framed.dearest()), whole);
+  record.number("comet-cheapest", double(framed.cheapest()), whole);
+  record.number("comet-error", 1e6 * smooth.error, 2, "µm");
+  record.number("comet-read", 1e6 * ahead.farthest, 2, "µm");
+  record.number("comet-read-dearest", double(ahead.dearest()), whole);
+  record.number("comet-longest", longest_step(), 2, "s");
+  long rate = 60;
+  while (error_of_equal_steps(rate) > smooth.error) rate += 60;
+  record.number("comet-rk4", double(4 * rate) * comet_year, 2);
+  record.number("comet-rk4-rate", double(rate), whole);
+  record.number("comet-rk4-60", error_of_equal_steps(60), 2, "m");
+  const Passage fixed = step_equally(1200);
+  record.number("comet-fixed-frame", double(fixed.total()) / 1200, 2);
+  record.number("comet-fixed", double(fixed.total()), whole);
+  record.number("comet-fixed-error", 1000 * fixed.error, 2, "mm");
+  record.number("comet-apart", 1e6 * (framed.end.x - pass(2880).end.x).norm(), 2, "µm");
+
+  auto& table = record.table("comet", {{"t", "s"}, {"evaluations", "", whole}});
+  for (std::size_t n = 0; n < framed.evaluations.size(); ++n) {
+    table.add({double(n) / 60, double(framed.evaluations[n])});
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {

@@ -260,6 +260,45 @@ test('the lines of RK4 that are shown with a fault, compiled, go where it is dra
   }
 });
 
+test('each frame of the comet costs what the chapter has recorded, cut up by frames, run ahead of them and in equal steps', async () => {
+  const data = file =>
+    readFileSync(join(build, `chapters/3-runge-kutta/data/${file}.csv`), 'utf8')
+      .trim()
+      .split('\n');
+  const recorded = name =>
+    Number(
+      data('numbers')
+        .find(line => line.startsWith(`${name},`))
+        .split(',')[1],
+    );
+  const numbers = list => Object.values(list);
+  const cut = await end('comet-cost', 'method=cut&rate=60');
+  const costs = data('comet')
+    .slice(1)
+    .map(row => Number(row.split(',')[1]));
+  assert.deepEqual(numbers(cut.costs), costs);
+  assert.equal(cut.sum, recorded('comet-framed'));
+  assert.equal(cut.dearest, recorded('comet-dearest'));
+  // A frame asks once at its start, and six times for each try.
+  assert.equal(cut.sum, 1200 + 6 * (cut.steps + cut.missed));
+  assert.ok(cut.missed > 5 && numbers(cut['missed x']).length === cut.missed, `${cut.missed}`);
+  const fast = await end('comet-cost', 'rate=144');
+  const apart = Math.hypot(cut.x - fast.x, cut.y - fast.y);
+  assert.ok(Math.abs(1e6 * apart - recorded('comet-apart')) < 0.01, `${apart}`);
+  const [ahead, read] = [
+    await end('comet-cost', 'method=ahead&rate=60'),
+    await end('comet-cost', 'method=ahead&rate=144'),
+  ];
+  assert.equal(ahead.sum, recorded('comet-free'));
+  assert.equal(ahead.dearest, recorded('comet-read-dearest'));
+  assert.equal(ahead.sum, 1 + 6 * (ahead.steps + ahead.missed));
+  assert.deepEqual([ahead.x, ahead.y, ahead.steps, ahead.missed], [read.x, read.y, read.steps, read.missed]);
+  const equal = await end('comet-cost', 'method=equal&rate=60');
+  // The last of the steps may be left to one frame more.
+  assert.ok(recorded('comet-fixed') - equal.sum <= 4 && equal.sum === 4 * equal.steps, `${equal.sum}`);
+  assert.ok(Math.abs(1e3 * equal.error - recorded('comet-fixed-error')) < 1e-3, `${equal.error}`);
+});
+
 test('a rope is lost in one substep less than the minimum, and the solved one loses energy at every stiffness', async () => {
   for (const k of [1e3, 1e4, 1e5]) {
     const { minimum } = await end('hanging-rope', `k=${k}`);
