@@ -29,6 +29,7 @@ export const LIVE_SCRIPTS = [
   'stopwatch',
   'links',
   'sight',
+  'shown',
   'figure',
   'one-step',
   'plane',

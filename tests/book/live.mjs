@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { build } from './book.mjs';
 import { visit } from './browser.mjs';
+import { figures } from './live-list.mjs';
 
 export { figures, firstOfEachKind } from './live-list.mjs';
 
@@ -13,6 +14,16 @@ export const module = readFileSync(MODULE);
 export async function open(tab, figure, query = '') {
   await visit(tab, figure.page + (query && `#figure-${figure.name}?${query}`));
   return hold(tab, figure);
+}
+
+// What a figure with the settings of a link shows at its end.
+export async function endOf(tab, name, query) {
+  const live = await open(
+    tab,
+    figures.find(figure => figure.name === name),
+    query,
+  );
+  return live.now();
 }
 
 // What there is to do with a figure of the page that is open.

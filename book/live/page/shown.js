@@ -1,0 +1,62 @@
+// What a live figure shows and says of its run, at the moment where it stands.
+(function () {
+  'use strict';
+  const Live = (globalThis.Live ??= {});
+
+  // A figure has all that is used here; it draws when something has moved or been set.
+  Live.Shown = class {
+    draw(part = 1) {
+      const { values, run, pen, drawing } = this;
+      pen.begin(drawing.view(values, pen.canvas.clientWidth));
+      if (this.changing && this.whole) pen.faintly(0.35, () => drawing.draw(pen, this.whole, values, 1));
+      drawing.draw(pen, run, values, part);
+      this.handle?.place(pen);
+      if (!this.stopwatch || !this.playing) this.drawChart(); // an answer stays while it is played
+      if (drawing.lit) this.light();
+      this.readout.textContent = this.sentence + (this.playing && this.clock.slow ? ' Runs slower than time.' : '');
+    }
+    // The lines of the code that are at work, and what the last of them finds.
+    light() {
+      const lines = [...this.stage.querySelectorAll(`[data-method="${this.codeShown}"] .line`)];
+      const [from, to, found = ''] = this.drawing.lit(
+        this.run.now,
+        lines.map(line => line.textContent),
+      );
+      lines.forEach((line, i) => {
+        line.classList.toggle('lit', i >= from && i <= to);
+        line.dataset.found = i === to ? found : '';
+      });
+    }
+    // What the run that is shown will come to.
+    get whole() {
+      return this.ahead && (this.run.full ? this.run : this.ahead.of(this.values));
+    }
+    drawChart() {
+      const { run, values, before } = this;
+      const words = before && ['before', this.settings.wordsSince(before.values)].filter(Boolean).join(': ');
+      this.chart?.draw(run, values, this.whole?.trace, before && { trace: before.trace, words });
+      this.scrubber?.place(run.now.t, this.when);
+    }
+    get when() {
+      const { now } = this.run;
+      return this.drawing.when?.(now) ?? `${now.t.toFixed(2)}\u202fs`;
+    }
+    get sentence() {
+      return `${this.when}: ${this.drawing.tell(this.run.now, this.values)}`;
+    }
+    // For those who do not see it: once things have come to rest, not in every frame.
+    speak() {
+      clearTimeout(this.speaking);
+      this.speaking = setTimeout(() => {
+        this.status.textContent = this.sentence;
+      }, 400);
+      this.label();
+    }
+    label() {
+      for (const picture of this.stage.querySelectorAll('[role=img]')) {
+        const axis = picture.parentElement.querySelector('.axis').textContent;
+        picture.setAttribute('aria-label', `${axis}. ${this.settings.words}. ${this.sentence}`);
+      }
+    }
+  };
+})();
