@@ -1,11 +1,13 @@
 // The runs whose bits are compared: every combination of a figure's choices, with its sliders where they stand at first, all
-// at their low ends, and all at their high ends. What concerns the page alone is left out.
+// at their low ends, and all at their high ends; of many combinations, those with one choice changed. What concerns the page
+// alone is left out.
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 
 const CHAPTERS = new URL('../../chapters/', import.meta.url);
 // Steps of a run, with each build, and where there is time.
 export const STEPS = 2_000;
 export const MANY_STEPS = 20_000;
+const MOST = 48; // combinations of a figure that are all tried
 
 export function readFigures() {
   const folders = readdirSync(CHAPTERS)
@@ -35,13 +37,26 @@ export function cases() {
 }
 
 function combinations(controls) {
-  return controls
-    .filter(control => control.choices)
-    .reduce(
-      (found, { name, choices }) =>
-        found.flatMap(chosen => Object.keys(choices).map(choice => ({ ...chosen, [name]: choice }))),
-      [{}],
-    );
+  const choosing = controls.filter(control => control.choices);
+  const all = choosing.reduce((count, { choices }) => count * Object.keys(choices).length, 1);
+  return all > MOST ? oneByOne(choosing) : product(choosing);
+}
+
+const product = controls =>
+  controls.reduce(
+    (found, { name, choices }) =>
+      found.flatMap(chosen => Object.keys(choices).map(choice => ({ ...chosen, [name]: choice }))),
+    [{}],
+  );
+
+function oneByOne(controls) {
+  const first = Object.fromEntries(controls.map(({ name, start }) => [name, start]));
+  const others = controls.flatMap(({ name, choices, start }) =>
+    Object.keys(choices)
+      .filter(choice => choice !== start)
+      .map(choice => ({ ...first, [name]: choice })),
+  );
+  return [first, ...others];
 }
 
 function sliders(controls, end) {

@@ -27,7 +27,10 @@ const faults = [];
 tab.on('console', message => faults.push(message.text()));
 tab.on('pageerror', error => faults.push(error.message));
 
+let open; // the page that is
 async function visit(page) {
+  if (page === open) return;
+  open = page;
   faults.length = 0;
   await tab.goto(pathToFileURL(join(folder, page)).href);
   await tab.waitForFunction(() =>
