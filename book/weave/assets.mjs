@@ -58,7 +58,7 @@ export function copyAssets(book, out) {
 }
 
 // The module stands in a script, compressed and in Base64, since a page on disk can load a script and nothing else.
-function copyLive({ config, live }, folder) {
+function copyLive({ config, live, labels }, folder) {
   mkdirSync(folder, { recursive: true });
   const uplot = dirname(require.resolve('uplot'));
   joinScripts(
@@ -74,16 +74,32 @@ function copyLive({ config, live }, folder) {
     join(folder, 'compiled.js'),
     `(globalThis.Live ??= {}).compiled = "${gzipSync(readFileSync(config.live)).toString('base64')}";\n`,
   );
-  for (const description of live.values())
-    copyFigure(config.source, description, join(folder, `${description.name}.js`));
+  const brought = new Map(); // a page and a table -> the figure that brings it
+  for (const description of live.values()) {
+    const { name, tables = {} } = description;
+    const page = labels.get(`figure:${name}`).page.name;
+    const bringers = Object.keys(tables).map(table => {
+      const key = `${page} ${table}`;
+      if (!brought.has(key)) brought.set(key, name);
+      return [table, brought.get(key)];
+    });
+    copyFigure(config.source, description, join(folder, `${name}.js`), bringers);
+  }
 }
 
-// A figure brings its own description, so that no page has those of all.
-function copyFigure(source, description, to) {
+// A figure brings its own description, so that no page has those of all, and a table unless another figure of its page does.
+function copyFigure(source, description, to, bringers) {
   const { name, folder } = description;
   joinScripts([join(source, folder, `${name}.js`)], to);
-  const described = `(globalThis.Live.descriptions ??= {})['${name}'] = ${JSON.stringify(description)};\n`;
-  writeFileSync(to, described + readFileSync(to, 'utf8'));
+  const one = figure => `globalThis.Live.descriptions['${figure}']`;
+  const [own, lent] = [true, false].map(mine => bringers.filter(([, bringer]) => (bringer === name) === mine));
+  const tables = Object.fromEntries(own.map(([table]) => [table, description.tables[table]]));
+  const described = `(globalThis.Live.descriptions ??= {})['${name}'] = ${JSON.stringify({ ...description, tables })};\n`;
+  const borrowed = lent.map(
+    ([table, bringer]) =>
+      `Object.defineProperty(${one(name)}.tables, '${table}', { get: () => ${one(bringer)}.tables['${table}'] });\n`,
+  );
+  writeFileSync(to, described + borrowed.join('') + readFileSync(to, 'utf8'));
 }
 
 function copyFonts(folder) {

@@ -10,8 +10,8 @@ set label 2 sprintf("at %d Hz", rates[2]) at 0.25,2.7 left tc ls SECOND
 set label 3 sprintf("at %d Hz", rates[3]) at 0.1,1 right tc ls THIRD
 of(i, name) = val("rate") == rates[i] ? val(name) : NaN
 # Where symbols would hide each other one in six is drawn.
-seldom(i) = i < 3 || int(round(val("t")*rates[3]))%6 == 0 ? of(i, "exact") : NaN
-round(x) = floor(x + 0.5)
+seldom(i) = i < 3 || int(nearest(val("t")*rates[3]))%6 == 0 ? of(i, "exact") : NaN
+nearest(x) = floor(x + 0.5)
 plot for [i=1:3] file("machines") using col("t"):(of(i, "lerp")) with linespoints ls lines[i] lw 1.4, \
      file("machines") using col("t"):(seldom(1)) with points ls FIRST pt 6 lw 1.6 ps 1.1, \
      file("machines") using col("t"):(seldom(3)) with points ls THIRD pt 8 lw 1.6 ps 1.2, \

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "3-runge-kutta/comet.h"
@@ -105,8 +106,7 @@ class CometCost final : public Figure {
     const auto gone = costs.begin() + std::ptrdiff_t(frame_);
     const double cost = begun ? double(costs[last]) : 0;
     const double none = std::numeric_limits<double>::quiet_NaN();
-    long sum = 0;
-    std::for_each(costs.begin(), gone, [&](long asked) { sum += asked; });
+    const long sum = std::accumulate(costs.begin(), gone, 0L);
     show("t", t);
     show("h", 1 / rate_);
     show_reference("x", s.x.x());

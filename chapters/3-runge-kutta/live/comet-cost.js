@@ -87,6 +87,6 @@
       pen.text(middle, bottom - 10, `frames within ${seconds}\u202fs`);
     },
     tell: now =>
-      `this frame asked ${now.cost} times, the dearest so far ${now.dearest}, all so far ${Live.fixed(now.sum, 0)} times; the comet is ${Live.metres(now.error)} off.`,
+      `this frame asked ${now.cost} times, the dearest so far ${now.dearest}, all so far ${Live.fixed(now.sum, 0)} times; the comet is ${now.error < 1e-9 ? 'less than a nanometre' : Live.metres(now.error)} off.`,
   });
 })();
