@@ -12,10 +12,10 @@
 
 /// Two metres in twenty links, and at the end what weighs more than the points between them.
 struct RopeWithWeight {
-  static constexpr int links = 20;
-  static constexpr double length = 2.0 / links;  // of a link [m]
-  Vec peg = {0, -0.3};                           ///< [m]
-  double radius = 0.12;                          ///< of the peg [m]
+  static constexpr std::size_t links = 20;
+  static constexpr double length = 2.0 / double(links);  // of a link [m]
+  Vec peg = {0, -0.3};                                   ///< [m]
+  double radius = 0.12;                                  ///< of the peg [m]
   std::array<Vec, links + 1> x, before;
   std::array<double, links> tension{};
   std::array<double, links + 1> w;  ///< 1 over the weight, in points
@@ -23,7 +23,8 @@ struct RopeWithWeight {
   /// At rest.
   /// @param weight  how many points its last one weighs
   RopeWithWeight(const Vec& hand, const Vec& direction, double weight) {
-    for (int i = 0; i <= links; ++i) x[i] = before[i] = hand + (i * length) * direction;
+    for (std::size_t i = 0; i <= links; ++i)
+      x[i] = before[i] = hand + (double(i) * length) * direction;
     w.fill(1);
     w.front() = 0;
     w.back() = 1 / weight;
@@ -51,8 +52,8 @@ struct RopeWithWeight {
   /// How much longer than it should be [share].
   double stretch() const {
     double sum = 0;
-    for (int i = 1; i <= links; ++i) sum += (x[i] - x[i - 1]).norm();
-    return sum / (links * length) - 1;
+    for (std::size_t i = 1; i <= links; ++i) sum += (x[i] - x[i - 1]).norm();
+    return sum / (double(links) * length) - 1;
   }
 
  private:

@@ -711,7 +711,7 @@ TEST_CASE("On springs ten times as stiff one solve gives a hanging cloth energy 
     soft.frame();
     stiff.frame();
   }
-  for (const int method : {0, 1}) {
+  for (const std::size_t method : {0u, 1u}) {
     CHECK(soft.energies()[method] < 1);
     CHECK(stiff.energies()[method] > 1.1);
   }
