@@ -37,7 +37,8 @@ export function checkSet({ book, page, piece, report }) {
 }
 
 // What is dragged in the picture can be set by words, too.
-const axesOf = handle => [handle?.x, handle?.y].filter(Boolean).map(({ set, from, to }) => ({ name: set, from, to }));
+const axesOf = handle =>
+  [handle?.x, handle?.y].filter(axis => axis?.set).map(({ set, from, to }) => ({ name: set, from, to }));
 
 // A choice by its key; a number in seconds and the like, as a link to settings has it.
 function checkValue({ name, choices, values, from, to, scale = 1 }, value, report) {

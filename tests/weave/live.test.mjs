@@ -212,3 +212,20 @@ for (const [what, mark, told] of [
   ['a value beyond its slider', 'spiral?h=2, words', '"h" cannot be 2: it goes from 0 to 1'],
 ])
   test(`words that set ${what}`, () => refuses(says(`\\set{${mark}}`), [CHAPTER, 'Try', told]));
+
+test('words that set what is dragged in the picture, up and down alone', () => {
+  const handle = { name: 'Ledge', x: { at: 1 }, y: { set: 'ledge', from: 0, to: 2, start: 1 }, by: 0.1, unit: 'm' };
+  const held = mark => [
+    ...other,
+    described({ handle }),
+    method,
+    methodEnd,
+    module,
+    [CHAPTER, SENTENCE, `Try ${mark}. ${SENTENCE}`],
+  ];
+  const page = weaves(...held('\\set{spiral?ledge=1.5, higher}')).read('built/book/2-euler.html');
+  assert.match(page, /data-set="ledge=1\.5">higher<\/a>/);
+  const wrong = [CHAPTER, 'Try', /has no control "hedge"\. .*"ledge"/];
+  refuses(held('\\set{spiral?hedge=1, x}'), wrong);
+  refuses(held('\\set{spiral?ledge=3, x}'), [CHAPTER, 'Try', '"ledge" cannot be 3: it goes from 0 to 2']);
+});
