@@ -22,21 +22,17 @@ class DotOnThePlane final : public Figure {
   static constexpr double far = 10;  // a spring that was stretched so much is lost
 
   std::tuple<Method<Steps>...> methods_;
-  double method_ = 0, zeta_, homega_, widest_;
-  std::vector<std::string> edge_names_;
+  double method_ = 0, zeta_ = 0.3, homega_ = 0.5, widest_;
+  const std::vector<std::string> edge_names_;
   scenes::Spring<> spring_;
   std::unique_ptr<Run<double>> run_;
   bool lost_ = false;
 
  public:
   /// @param methods  to choose from
-  /// @param zeta  where the dot stands at first
-  /// @param homega  where the dot stands at first
   /// @param widest  the largest damping ratio on the plane
-  DotOnThePlane(std::tuple<Method<Steps>...> methods, double zeta, double homega, double widest)
-      : methods_(methods), zeta_(zeta), homega_(homega), widest_(widest) {
-    for (const char* name : names(methods_)) edge_names_.push_back(std::string(name) + " edge");
-  }
+  DotOnThePlane(std::tuple<Method<Steps>...> methods, double widest)
+      : methods_(methods), widest_(widest), edge_names_(names(methods, "edge")) {}
 
  private:
   std::vector<Setting> settings() override {
@@ -51,7 +47,7 @@ class DotOnThePlane final : public Figure {
     lost_ = false;
     run_ = start_run(methods_, method_, spring_, spring_.start(), h);
     show_step();
-    show_path();
+    show_reference("path", true_path(spring_, seconds));
     show_state();
   }
 
@@ -95,24 +91,14 @@ class DotOnThePlane final : public Figure {
     };
     std::apply([&](const auto&... method) { (find(method), ...); }, methods_);
   }
-
-  // The true motion at equal times.
-  void show_path() {
-    std::vector<double> path;
-    for (int i = 0; i <= 300; ++i) path.push_back(spring_.exact(seconds * i / 300).x);
-    show_reference("path", path);
-  }
 };
 
 /// The figure of some methods.
 /// @param methods  to choose from
-/// @param zeta  where the dot stands at first
-/// @param homega  where the dot stands at first
 /// @param widest  the largest damping ratio on the plane
 template <class... Steps>
-std::unique_ptr<Figure> make_dot_on_the_plane(std::tuple<Method<Steps>...> methods, double zeta,
-                                              double homega, double widest) {
-  return std::make_unique<DotOnThePlane<Steps...>>(methods, zeta, homega, widest);
+std::unique_ptr<Figure> make_dot_on_the_plane(std::tuple<Method<Steps>...> methods, double widest) {
+  return std::make_unique<DotOnThePlane<Steps...>>(methods, widest);
 }
 
 }  // namespace live

@@ -4,6 +4,7 @@
 #pragma once
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -23,6 +24,14 @@ struct Method {
 template <class... Steps>
 std::vector<const char*> names(const std::tuple<Method<Steps>...>& methods) {
   return std::apply([](const auto&... method) { return std::vector{method.name...}; }, methods);
+}
+
+/// The same, each with what of the method it names: "rk4 speed".
+template <class... Steps>
+std::vector<std::string> names(const std::tuple<Method<Steps>...>& methods, const std::string& of) {
+  std::vector<std::string> all;
+  for (const char* name : names(methods)) all.push_back(name + (" " + of));
+  return all;
 }
 
 /// A run of some method on some scene, one step at a time.
@@ -84,6 +93,31 @@ std::unique_ptr<Run<Vec>> start_run(const std::tuple<Method<Steps>...>& methods,
   };
   std::apply([&](const auto&... method) { (start_if_chosen(method), ...); }, methods);
   return run;
+}
+
+/// Starts a run with each of several methods, in their order.
+/// @param methods  all of them
+/// @param scene  the acceleration; each run keeps a copy
+/// @param start  where they begin, at time zero
+/// @param h  step size [s]
+template <class Vec, class Scene, class... Steps>
+std::vector<std::unique_ptr<Run<Vec>>> start_runs(const std::tuple<Method<Steps>...>& methods,
+                                                  const Scene& scene,
+                                                  const scenes::State<Vec>& start, double h) {
+  std::vector<std::unique_ptr<Run<Vec>>> runs;
+  for (std::size_t i = 0; i < sizeof...(Steps); ++i)
+    runs.push_back(start_run(methods, double(i), scene, start, h));
+  return runs;
+}
+
+/// Where a thing should be, at 301 equal times from the start on.
+/// @param scene  has `exact()`; its places are numbers
+/// @param seconds  until when [s]
+template <class Scene>
+std::vector<double> true_path(const Scene& scene, double seconds) {
+  std::vector<double> path;
+  for (int i = 0; i <= 300; ++i) path.push_back(scene.exact(seconds * i / 300).x);
+  return path;
 }
 
 }  // namespace live

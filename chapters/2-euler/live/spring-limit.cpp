@@ -7,7 +7,7 @@ namespace live {
 
 std::unique_ptr<Figure> make_spring_limit() {
   constexpr std::tuple methods{Method{"euler", measure::euler}};
-  return make_dot_on_the_plane(methods, 0.3, 0.5, 3.1);
+  return make_dot_on_the_plane(methods, 3.1);
 }
 
 }  // namespace live

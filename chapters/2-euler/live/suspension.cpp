@@ -30,7 +30,7 @@ class Suspension final : public Figure {
     spring_.x0 = pulled_;
     run_ = start_run(methods, method_, spring_, spring_.start(), h_);
     show_limit();
-    show_path();
+    show_reference("path", true_path(spring_, shown_time));
     show_state();
   }
 
@@ -55,13 +55,6 @@ class Suspension final : public Figure {
         },
         methods);
     show("limit", limits[static_cast<std::size_t>(method_)]);
-  }
-
-  // The true motion at equal times.
-  void show_path() {
-    std::vector<double> path;
-    for (int i = 0; i <= 300; ++i) path.push_back(spring_.exact(shown_time * i / 300).x);
-    show_reference("path", path);
   }
 };
 

@@ -9,7 +9,7 @@ namespace live {
 std::unique_ptr<Figure> make_rk4_limits() {
   constexpr std::tuple methods{Method{"euler", measure::euler},
                                Method{"midpoint", measure::midpoint}, Method{"rk4", measure::rk4}};
-  return make_dot_on_the_plane(methods, 0.3, 0.5, 3.1);
+  return make_dot_on_the_plane(methods, 3.1);
 }
 
 }  // namespace live

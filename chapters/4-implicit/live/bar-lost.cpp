@@ -21,15 +21,9 @@ class BarLost final : public Figure {
   double omega_ = bar.omega, zeta_ = bar.zeta, rate_ = 1 / frame;
   scenes::Spring<> spring_ = bar;
   std::vector<std::unique_ptr<Run<double>>> runs_;
-  std::vector<double> torn_;            // 1 for each that has been
-  std::vector<std::string> distances_;  // what they are called
+  std::vector<double> torn_;  // 1 for each that has been
+  const std::vector<std::string> distances_ = names(methods, "distance");
 
- public:
-  BarLost() {
-    for (const std::string name : names(methods)) distances_.push_back(name + " distance");
-  }
-
- private:
   std::vector<Setting> settings() override {
     return {{"omega", &omega_}, {"zeta", &zeta_}, {"rate", &rate_}};
   }
@@ -37,10 +31,8 @@ class BarLost final : public Figure {
   void start() override {
     spring_.omega = omega_;
     spring_.zeta = zeta_;
-    runs_.clear();
-    torn_.assign(distances_.size(), 0);
-    for (std::size_t i = 0; i < distances_.size(); ++i)
-      runs_.push_back(start_run(methods, double(i), spring_, spring_.start(), 1 / rate_));
+    runs_ = start_runs(methods, spring_, spring_.start(), 1 / rate_);
+    torn_.assign(runs_.size(), 0);
     show_state();
   }
 

@@ -13,24 +13,17 @@ namespace {
 constexpr std::tuple methods{Method{"once", soft_step}, Method{"twice", soft_step_twice}};
 
 class SoftDamping final : public Figure {
-  double hertz_ = 5, zeta_ = 0, rate_ = 60;
-  double pulled_ = 1, aside_ = 0;
+  double hertz_ = 5, zeta_ = 0, rate_ = 60, pulled_ = 1;
   scenes::Spring<> spring_;
   std::vector<std::unique_ptr<Run<double>>> runs_;
 
   std::vector<Setting> settings() override {
-    return {{"hertz", &hertz_},
-            {"zeta", &zeta_},
-            {"rate", &rate_},
-            {"aside", &aside_},
-            {"pulled", &pulled_}};
+    return {{"hertz", &hertz_}, {"zeta", &zeta_}, {"rate", &rate_}, {"pulled", &pulled_}};
   }
 
   void start() override {
     spring_ = {.omega = 2 * std::numbers::pi * hertz_, .zeta = zeta_, .x0 = pulled_};
-    runs_.clear();
-    for (std::size_t i = 0; i < std::tuple_size_v<decltype(methods)>; ++i)
-      runs_.push_back(start_run(methods, double(i), spring_, spring_.start(), 1 / rate_));
+    runs_ = start_runs(methods, spring_, spring_.start(), 1 / rate_);
     const auto got = one_step(soft_step, spring_, 1 / rate_).effective(1 / rate_);
     show_reference("got zeta", got.zeta);
     show_reference("got hertz",

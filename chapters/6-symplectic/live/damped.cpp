@@ -16,7 +16,7 @@ constexpr std::tuple methods{
 }  // namespace
 
 std::unique_ptr<Figure> make_damped() {
-  return make_dot_on_the_plane(methods, 1, 1, 2);
+  return make_dot_on_the_plane(methods, 2);
 }
 
 }  // namespace live

@@ -51,7 +51,6 @@ class Opening final : public Figure {
     show("energy", spring_.energy(now_.x, now_.v) / energy);
     // Far out it is the difference of terms that have no digits left for it.
     show("shadow", farthest_ < 1e4 ? shadow(now_.x, now_.v) / kept : NAN);
-    show("one", 1);
   }
 
   // Where the shadow energy is that of the start: so far out in each direction, or nowhere.

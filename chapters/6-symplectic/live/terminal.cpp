@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // The leaf of chapter 6 under six ways to brake, beside the true one.
 #include <string>
+#include <string_view>
 
 #include "cast.h"
 #include "live/figure.h"
@@ -22,21 +23,13 @@ class Terminal final : public Figure {
   double c_ = leaf.c, rate_ = 20;
   scenes::LinearDrag<> leaf_ = leaf;
   std::vector<std::unique_ptr<Run<double>>> runs_;
-  std::vector<std::string> speeds_;  // what they are called
+  const std::vector<std::string> speeds_ = names(methods, "speed");
 
- public:
-  Terminal() {
-    for (const std::string name : names(methods)) speeds_.push_back(name + " speed");
-  }
-
- private:
   std::vector<Setting> settings() override { return {{"c", &c_}, {"rate", &rate_}}; }
 
   void start() override {
     leaf_.c = c_;
-    runs_.clear();
-    for (std::size_t i = 0; i < speeds_.size(); ++i)
-      runs_.push_back(start_run(methods, double(i), leaf_, leaf_.start(), 1 / rate_));
+    runs_ = start_runs(methods, leaf_, leaf_.start(), 1 / rate_);
     show("end", leaf_.terminal_speed());
     show_state();
   }
@@ -45,7 +38,6 @@ class Terminal final : public Figure {
     for (const auto& run : runs_) run->step();
   }
 
-  // The first four are made of nothing that the C library computes.
   void show_state() override {
     const double t = runs_.front()->t();
     show("t", t);
@@ -53,9 +45,12 @@ class Terminal final : public Figure {
     const auto all = names(methods);
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       const auto& [x, v] = runs_[i]->now;
-      const double part = -v / leaf_.terminal_speed();
-      i < 4 ? show(all[i], x) : show_reference(all[i], x);
-      i < 4 ? show(speeds_[i].c_str(), part) : show_reference(speeds_[i].c_str(), part);
+      const auto show_one = [&](const char* name, double value) {
+        const bool by_the_library = std::string_view(all[i]).starts_with("exponential");
+        by_the_library ? show_reference(name, value) : show(name, value);
+      };
+      show_one(all[i], x);
+      show_one(speeds_[i].c_str(), -v / leaf_.terminal_speed());
     }
     const auto truth = leaf_.exact(t);
     show_reference("true", truth.x);

@@ -15,7 +15,9 @@ class SpeedAgainstAccuracy final : public Figure {
   double thing_ = 2, omega_ = 20, zeta_ = 0.1, eccentricity_ = 0.6, turn_ = 4, drag_ = 2;
   std::vector<double> tried_with_;
   std::unique_ptr<Trial> trial_;
-  std::vector<std::string> paths_, errors_, evaluations_;  // what they are called
+  const std::vector<std::string> paths_ = names(methods, "paths");
+  const std::vector<std::string> errors_ = names(methods, "errors");
+  const std::vector<std::string> evaluations_ = names(methods, "evaluations");
   long steps_ = 0;
 
   std::vector<Setting> settings() override {
@@ -73,13 +75,6 @@ class SpeedAgainstAccuracy final : public Figure {
   }
 
   void show_trial() {
-    const auto all = names(methods);
-    for (const char* name : all) {
-      if (paths_.size() == all.size()) break;
-      paths_.push_back(std::string(name) + " paths");
-      errors_.push_back(std::string(name) + " errors");
-      evaluations_.push_back(std::string(name) + " evaluations");
-    }
     show("seconds", trial_->seconds);
     show("omega", trial_->omega);
     show("zeta", trial_->zeta);
@@ -88,7 +83,7 @@ class SpeedAgainstAccuracy final : public Figure {
     show("drag", trial_->drag);
     show("tried", std::vector<double>(tried_in_a_frame.begin(), tried_in_a_frame.end()));
     show("truth", trial_->truth);
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
       const Outcome& outcome = trial_->outcomes[i];
       const auto show_list = [&](const std::string& called, const std::vector<double>& list) {
         outcome.reproducible ? show(called.c_str(), list) : show_reference(called.c_str(), list);

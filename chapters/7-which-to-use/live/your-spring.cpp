@@ -48,12 +48,9 @@ class YourSpring final : public Figure {
 
   void start() override {
     spring_ = {.omega = omega_, .zeta = zeta_};
-    runs_.clear();
+    runs_ = start_runs(methods, spring_, spring_.start(), 1 / rate_);
     lost_ = false;
-    for (std::size_t i = 0; i < std::tuple_size_v<decltype(methods)>; ++i) {
-      runs_.push_back(start_run(methods, double(i), spring_, spring_.start(), 1 / rate_));
-    }
-    show_path();
+    show_reference("path", true_path(spring_, shown_time));
     show_state();
   }
 
@@ -78,13 +75,6 @@ class YourSpring final : public Figure {
   // The exact step is made of the C library's sines.
   void show_run(const char* name, const Run<double>& run, double x) {
     &run == runs_.back().get() ? show_reference(name, x) : show(name, x);
-  }
-
-  // The true motion at equal times.
-  void show_path() {
-    std::vector<double> path;
-    for (int i = 0; i <= 300; ++i) path.push_back(spring_.exact(shown_time * i / 300).x);
-    show_reference("path", path);
   }
 };
 
