@@ -29,21 +29,18 @@ const SCRIPTS = ['book', 'values', 'marks', 'search'];
 
 // One file of several scripts, without the lines that only explain and without indents; in words over several lines, an indent
 // would be part of the words.
-function joinScripts(files, to) {
+function joinScripts(files) {
   const lines = files.flatMap(file => readFileSync(file, 'utf8').split('\n'));
   const open = lines.find(line => line.split('`').length % 2 === 0);
   if (open) throw new Error(`a script of the page has words over several lines: ${open.slice(0, 200)}`);
   const code = lines.map(line => line.trimStart()).filter(line => line && !line.startsWith('//'));
-  writeFileSync(to, code.join('\n'));
+  return code.join('\n');
 }
 
 export function copyAssets(book, out) {
   for (const file of ['book.css', 'print.css', 'whole.css', 'find.js', 'exercises.js', 'pick-a-method.js', 'wall.html'])
     copyFileSync(join(theme, file), join(out, file));
-  joinScripts(
-    SCRIPTS.map(name => join(theme, `${name}.js`)),
-    join(out, 'book.js'),
-  );
+  writeFileSync(join(out, 'book.js'), joinScripts(SCRIPTS.map(name => join(theme, `${name}.js`))));
   const minisearch = join(dirname(require.resolve('minisearch')), '../..');
   copyFileSync(join(minisearch, 'dist/umd/index.js'), join(out, 'minisearch.js'));
   copyFileSync(join(minisearch, 'LICENSE.txt'), join(out, 'minisearch-LICENSE.txt'));
@@ -61,10 +58,8 @@ export function copyAssets(book, out) {
 function copyLive({ config, live, labels }, folder) {
   mkdirSync(folder, { recursive: true });
   const uplot = dirname(require.resolve('uplot'));
-  joinScripts(
-    [join(uplot, 'uPlot.iife.min.js'), ...LIVE_SCRIPTS.map(script => join(livePage, `${script}.js`))],
-    join(folder, 'live.js'),
-  );
+  const scripts = [join(uplot, 'uPlot.iife.min.js'), ...LIVE_SCRIPTS.map(name => join(livePage, `${name}.js`))];
+  writeFileSync(join(folder, 'live.js'), joinScripts(scripts));
   copyFileSync(join(uplot, '../LICENSE'), join(folder, 'uplot-LICENSE.txt'));
   const script = readFileSync(join(theme, 'figure.gp'), 'utf8');
   const colours = colourRules(readLooks(join(config.methods, 'methods.csv')), script);
@@ -90,7 +85,6 @@ function copyLive({ config, live, labels }, folder) {
 // A figure brings its own description, so that no page has those of all, and a table unless another figure of its page does.
 function copyFigure(source, description, to, bringers) {
   const { name, folder } = description;
-  joinScripts([join(source, folder, `${name}.js`)], to);
   const one = figure => `globalThis.Live.descriptions['${figure}']`;
   const [own, lent] = [true, false].map(mine => bringers.filter(([, bringer]) => (bringer === name) === mine));
   const tables = Object.fromEntries(own.map(([table]) => [table, description.tables[table]]));
@@ -99,7 +93,7 @@ function copyFigure(source, description, to, bringers) {
     ([table, bringer]) =>
       `Object.defineProperty(${one(name)}.tables, '${table}', { get: () => ${one(bringer)}.tables['${table}'] });\n`,
   );
-  writeFileSync(to, described + borrowed.join('') + readFileSync(to, 'utf8'));
+  writeFileSync(to, described + borrowed.join('') + joinScripts([join(source, folder, `${name}.js`)]));
 }
 
 function copyFonts(folder) {

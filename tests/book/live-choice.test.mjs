@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { openTab } from './browser.mjs';
-import { figures, hold, open } from './live.mjs';
+import { figureOf, hold, open } from './live.mjs';
 
-const figure = figures.find(({ name }) => name === 'speed-against-accuracy');
+const figure = figureOf('speed-against-accuracy');
 const tab = await openTab();
 
 // The list as the reader sees it.

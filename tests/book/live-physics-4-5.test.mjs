@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { openTab } from './browser.mjs';
-import { endOf, figures, open } from './live.mjs';
+import { endOf, figureOf, open } from './live.mjs';
 
 const tab = await openTab();
 const end = (name, query) => endOf(tab, name, query);
@@ -143,11 +143,7 @@ test('a soft constraint gives what the chapter says, and the one of Box2D gives 
     assert.ok(Math.abs(now['got hertz'] - swings) < 0.05, `${now['got hertz']}`);
     assert.ok(Math.abs(now['got zeta'] - damping) < 0.01, `${now['got zeta']}`);
   }
-  const { trace } = await open(
-    tab,
-    figures.find(({ name }) => name === 'soft-damping'),
-    'rate=60',
-  );
+  const { trace } = await open(tab, figureOf('soft-damping'), 'rate=60');
   const { once, twice } = await trace();
   const most = xs => Math.max(...xs.slice(6).map(Math.abs));
   assert.ok(most(twice) < most(once), `${most(twice)} ${most(once)}`);

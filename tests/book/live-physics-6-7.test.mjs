@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { build } from './book.mjs';
 import { openTab } from './browser.mjs';
-import { endOf, figures, open } from './live.mjs';
+import { endOf, figureOf, open } from './live.mjs';
 
 const tab = await openTab();
 const end = (name, query) => endOf(tab, name, query);
@@ -16,7 +16,7 @@ const end = (name, query) => endOf(tab, name, query);
 // of the cat it was at most 0.022 off, with 50 a sixth of that, as it should be when what is missed goes with their length squared.
 const POLYGON = 0.05;
 const LEVEL = ['jump', 'leaf', 'suspension', 'hatch', 'lamp', 'shuttle'];
-const labels = figures.find(({ name }) => name === 'speed-against-accuracy').methods;
+const labels = figureOf('speed-against-accuracy').methods;
 
 test('symplectic methods keep the area of the cat at any step, Euler lets it grow, backward Euler shrink', async () => {
   const area = async (method, h) => (await end('cats', `method=${method}&h=${h}`)).area;
@@ -166,11 +166,7 @@ test('the line of choose asks for the thing that is shown', async () => {
 
 test('a kick and a drift keep the area of the cat at every moment, to what its straight edges cost, and both at once do not', async () => {
   const area = async query => {
-    const shears = await open(
-      tab,
-      figures.find(({ name }) => name === 'shears'),
-      query,
-    );
+    const shears = await open(tab, figureOf('shears'), query);
     return (await shears.trace()).area;
   };
   assert.ok((await area('method=symplectic_euler')).every(value => Math.abs(value - 100) < 0.05));
@@ -200,11 +196,7 @@ test('six leaves end at the speeds of the chapter, and two of them at the right 
 });
 
 test('the crate keeps the energies that the film prints', async () => {
-  const crate = await open(
-    tab,
-    figures.find(({ name }) => name === 'thrown-crate'),
-    '',
-  );
+  const crate = await open(tab, figureOf('thrown-crate'), '');
   const { t, ...trace } = await crate.trace();
   const after = t.findIndex(one => one > 5 - 1e-6);
   const printed = [1.99516, 0.560593, 0.999998];
@@ -217,7 +209,7 @@ test('the cells of the level are those of the chapter, and the cheapest ways kee
   const now = await end('level', '');
   const lines = readFileSync(join(build, 'chapters/7-which-to-use/data/level.csv'), 'utf8').trim().split('\n');
   const [head, ...rows] = lines.map(line => line.split(','));
-  const { controls } = figures.find(({ name }) => name === 'level');
+  const { controls } = figureOf('level');
   const [things, methods] = ['thing', 'method'].map(of =>
     Object.keys(controls.find(({ name }) => name === of).choices),
   );

@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { frames, openTab } from './browser.mjs';
-import { figures, open } from './live.mjs';
+import { figureOf, open } from './live.mjs';
 
-const figure = figures.find(({ name }) => name === 'drone-spiral');
+const figure = figureOf('drone-spiral');
 const tab = await openTab();
 const live = await open(tab, figure);
 const moment = live.stage.locator('.moment');
@@ -83,7 +83,7 @@ test('words in the prose set it, as often as they are clicked, and the figure co
 });
 
 test('what is held in the picture of a run with an end is a setting: the time stays, and a link has it', async () => {
-  const ball = figures.find(({ name }) => name === 'thrown-ball');
+  const ball = figureOf('thrown-ball');
   const thrown = await open(tab, ball, 'throw%20x=5&throw%20y=8&rate=60');
   const { x } = await thrown.now();
   assert.ok(Math.abs(x - 10) < 1e-9, `${x}`);
@@ -109,10 +109,7 @@ test('what is held in the picture of a run with an end is a setting: the time st
 });
 
 test("where a step is a frame of the reader's screen, it is as long as the frame was", async () => {
-  await open(
-    tab,
-    figures.find(({ name }) => name === 'runner'),
-  );
+  await open(tab, figureOf('runner'));
   const lengths = await tab.evaluate(() => {
     const { clock, run, values } = globalThis.Live.opened.runner;
     run.start(values);
@@ -128,10 +125,7 @@ test("where a step is a frame of the reader's screen, it is as long as the frame
 });
 
 test('a machine that is clicked while it jumps has its late frame now, and the ledge is held up and down alone', async () => {
-  const machines = await open(
-    tab,
-    figures.find(({ name }) => name === 'four-machines'),
-  );
+  const machines = await open(tab, figureOf('four-machines'));
   const values = () => tab.evaluate(() => globalThis.Live.opened['four-machines'].values);
   const handle = machines.stage.locator('.handle');
   const middle = async () => {

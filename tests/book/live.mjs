@@ -18,13 +18,10 @@ export async function open(tab, figure, query = '') {
 
 // What a figure with the settings of a link shows at its end.
 export async function endOf(tab, name, query) {
-  const live = await open(
-    tab,
-    figures.find(figure => figure.name === name),
-    query,
-  );
-  return live.now();
+  return (await open(tab, figureOf(name), query)).now();
 }
+
+export const figureOf = wanted => figures.find(({ name }) => name === wanted);
 
 // What there is to do with a figure of the page that is open.
 export async function hold(tab, { name }) {

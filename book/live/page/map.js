@@ -7,7 +7,7 @@
 
   // From parts of a frame to the picture.
   Live.frame = function (pen, { left, low, width, high }, chosen = false) {
-    pen.line([left, left + width, left + width, left, left], [low, low, low + high, low + high, low], {
+    pen.frame([left, left + width], [low, low + high], {
       colour: chosen ? 'ink' : 'context',
       width: chosen ? 1.6 : 0.8,
     });

@@ -3,6 +3,9 @@
   'use strict';
   const Live = (globalThis.Live ??= {});
 
+  // What is shown, as a list: one of a single value comes as a number.
+  Live.list = value => (typeof value === 'number' ? [value] : value);
+
   // Base64, since a page on disk can load a script and nothing else; compressed, since pages that nobody sent are not.
   Live.compile = function (base64) {
     const packed = new Blob([Uint8Array.from(atob(base64), c => c.charCodeAt(0))]);

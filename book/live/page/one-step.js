@@ -6,7 +6,7 @@
 
   Live.oneStep = name => {
     const [method] = Object.keys(Live.descriptions[name].methods);
-    const list = value => (typeof value === 'number' ? [value] : value); // as a list of one comes
+    const { list } = Live;
     const count = now => list(now['look x']).length;
     const isDone = now => now.t > count(now);
     let omega, start;

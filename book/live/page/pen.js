@@ -161,6 +161,13 @@
       context.fill();
       context.globalAlpha = 1;
     }
+    // A rectangle, filled, and its outline.
+    box([left, right], [low, high], look) {
+      this.area([left, right, right, left], [low, low, high, high], look);
+    }
+    frame([left, right], [low, high], look) {
+      this.line([left, right, right, left, left], [low, low, high, high, low], look);
+    }
     text(x, y, words, { colour = 'soft', align = 'center', size = 13 } = {}) {
       const { context } = this;
       if (this.faint < 1) return; // what is faint has no words

@@ -30,20 +30,16 @@ globalThis.Live.figure('four-machines', {
   bucket(pen, now, { method }, i, left) {
     const { tall, deep, t } = this,
       right = left + 0.16;
-    const box = (from, to, low, high) => [
-      [from, from, to, to],
-      [high, low, low, high],
-    ];
     const passed = t - now.shown[i],
       fill = Math.min(deep, now.saved[i] + passed) * tall;
-    pen.area(...box(left, right, 0, fill), { colour: 'first', faint: 0.5 });
+    pen.box([left, right], [0, fill], { colour: 'first', faint: 0.5 });
     if (method === 'fixed')
       for (let n = 1; n < 7; ++n)
         pen.line([left, right], [(n * tall) / 60, (n * tall) / 60], { colour: 'grid', width: 1 });
-    pen.line(...box(left, right, 0, deep * tall), { colour: 'context', width: 1.4 });
+    pen.line([left, left, right, right], [deep * tall, 0, 0, deep * tall], { colour: 'context', width: 1.4 });
     for (let n = 0; n < now.spent[i]; ++n) {
       const step = now['step length'][i] * tall;
-      pen.area(...box(right + 0.05, right + 0.16, n * step + 0.012, (n + 1) * step), { colour: 'euler', faint: 0.7 });
+      pen.box([right + 0.05, right + 0.16], [n * step + 0.012, (n + 1) * step], { colour: 'euler', faint: 0.7 });
     }
   },
   // A late frame begins now, or where it was while nothing moves.

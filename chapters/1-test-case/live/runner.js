@@ -13,7 +13,7 @@ globalThis.Live.figure('runner', {
       [-1, -this.half],
       [wall + this.half, wall + 1],
     ];
-    for (const [from, to] of walls) pen.area([from, to, to, from], [0, 0, 3, 3], { colour: 'grid' });
+    for (const wall of walls) pen.box(wall, [0, 3], { colour: 'grid' });
     for (const [name, label, colour, floor] of this.lanes) this.lane(pen, run, name, label, colour, floor);
   },
   lane(pen, { now, trace }, name, label, colour, floor) {
@@ -31,7 +31,7 @@ globalThis.Live.figure('runner', {
     );
     for (let stripe = -2; stripe <= 2; ++stripe) {
       const [from, to] = [x + (stripe - 0.3) * 0.083, x + (stripe + 0.3) * 0.083];
-      pen.area([from, to, to, from], [up(22), up(22), top, top], { colour });
+      pen.box([from, to], [up(22), top], { colour });
     }
   },
   tell({ frames, still, behind, beyond }) {

@@ -25,10 +25,7 @@ globalThis.Live.figure('two-cameras', {
   look(pen, x, y, i, colour) {
     const wide = 1.5 - (4 * i) / pen.metre,
       high = 0.9 - (4 * i) / pen.metre;
-    pen.line([x - wide, x + wide, x + wide, x - wide, x - wide], [y - high, y - high, y + high, y + high, y - high], {
-      colour,
-      width: 2.4,
-    });
+    pen.frame([x - wide, x + wide], [y - high, y + high], { colour, width: 2.4 });
   },
   take(x, y) {
     const [, , middle] = this.fields[y > -0.6 ? 0 : 1];

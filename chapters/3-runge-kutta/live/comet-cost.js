@@ -1,12 +1,12 @@
 // The comet's whole way, what is next to its sun, and what the frames around this one cost.
 (function () {
   'use strict';
-  const { Live } = globalThis;
+  const { Live } = globalThis,
+    { list } = Live;
   const VIEW = { x: [0, 300], y: [0, 250] };
   const WHOLE = { scale: 1.42, x: 287, y: 212 }; // where the sun stands, and a metre
   const NEAR = { left: 200, right: 298, bottom: 3, top: 165, scale: 8, x: 258, y: 84 };
   const COSTS = { left: 27, right: 190, bottom: 18, top: 165, seconds: 0.4, most: 220 };
-  const list = value => (typeof value === 'number' ? [value] : value); // as a list of one comes
   const colourOf = ({ method }) => (method === 'equal' ? 'rk4' : 'dopri5');
 
   Live.figure('comet-cost', {

@@ -20,7 +20,7 @@ globalThis.Live.figure('bar-lost', {
   },
   // Two metres long, on two wheels.
   wagon(pen, x, low, colour) {
-    pen.area([x - 1, x + 1, x + 1, x - 1], [low + 0.3, low + 0.3, low + 1, low + 1], { colour, faint: 0.8 });
+    pen.box([x - 1, x + 1], [low + 0.3, low + 1], { colour, faint: 0.8 });
     for (const wheel of [x - 0.6, x + 0.6]) pen.dot(wheel, low + 0.2, 0.2 * pen.metre, colour);
   },
   // Beyond the Sun the chart has names.

@@ -9,7 +9,7 @@ globalThis.Live.figure('soft-damping', {
       const x = 2 * (i - 1),
         y = -run.blend(value, part);
       Live.coil(pen, x, 2, y, 0.16);
-      pen.area([x - 0.3, x + 0.3, x + 0.3, x - 0.3], [y - 0.2, y - 0.2, y + 0.2, y + 0.2], { colour });
+      pen.box([x - 0.3, x + 0.3], [y - 0.2, y + 0.2], { colour });
       pen.text(x, 2.25, label, { colour });
     });
   },

@@ -11,8 +11,7 @@ globalThis.Live.figure('thrown-crate', {
         ys = run.blend(`${name} y`, part);
       this.box(pen, xs, ys, colour);
       pen.text(at, -1.95, label, { colour });
-      const bar = (width, look) =>
-        pen.area([at - 0.5, at - 0.5 + width, at - 0.5 + width, at - 0.5], [-2.5, -2.5, -2.25, -2.25], look);
+      const bar = (width, look) => pen.box([at - 0.5, at - 0.5 + width], [-2.5, -2.25], look);
       bar(1, { colour: 'context', faint: 0.3 });
       bar(Math.min(2, run.now[value]), { colour });
     });

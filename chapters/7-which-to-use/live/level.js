@@ -27,7 +27,10 @@ globalThis.Live.figure('level', {
   table(pen, { errors, bills, tolerance }, chosen, size) {
     const things = Object.entries(this.choices('thing'));
     const row = i => 11 + this.low - i - 0.5;
-    const cell = (x, y, look) => pen.area([x, x + 1, x + 1, x], [y - 0.5, y - 0.5, y + 0.5, y + 0.5], look);
+    const cell = (i, j) => [
+      [this.left + j, this.left + j + 1],
+      [row(i) - 0.5, row(i) + 0.5],
+    ];
     things.forEach(([, label], j) =>
       pen.text(this.left + j + 0.5, row(-1) + (size < 13 && j % 2 ? 0.6 : 0), label, { size }),
     );
@@ -36,8 +39,8 @@ globalThis.Live.figure('level', {
       things.forEach(([thing], j) => {
         const error = errors[10 * j + i];
         const misses = !(error <= tolerance);
-        if (misses) cell(this.left + j, row(i), { colour: 'area' });
-        if (thing === chosen.thing && method === chosen.method) this.frame(pen, this.left + j, row(i), method);
+        if (misses) pen.box(...cell(i, j), { colour: 'area' });
+        if (thing === chosen.thing && method === chosen.method) pen.frame(...cell(i, j), { colour: method, width: 2 });
         pen.text(this.left + j + 0.5, row(i), this.amount(error), { colour: misses ? 'limit' : 'ink', size });
       });
     });
@@ -46,8 +49,6 @@ globalThis.Live.figure('level', {
       pen.text(this.left + j + 0.5, row(10), bills[j] < 1000 ? String(bills[j]) : 'none', { size }),
     );
   },
-  frame: (pen, x, y, colour) =>
-    pen.line([x, x + 1, x + 1, x, x], [y - 0.5, y - 0.5, y + 0.5, y + 0.5, y - 0.5], { colour, width: 2 }),
   amount(error) {
     if (!(error < 1000)) return 'gone';
     return error < 1e-5 ? '< 10\u202fµm' : globalThis.Live.metres(error);

@@ -160,7 +160,7 @@
       const price = Math.log10(values.price),
         tolerance = Math.log10(values.tolerance);
       const height = error => Math.min(Math.log10(error), y[1] + 1);
-      pen.area([x[0], price, price, x[0]], [y[0], y[0], tolerance, tolerance]);
+      pen.box([x[0], price], [y[0], tolerance]);
       pen.grid([0, 1, 2, 3], [-9, -6, -3, 0], {
         x: power => (power < 3 ? `${10 ** power}\u202fµs` : '1\u202fms'),
         y: power => Live.metres(10 ** power).replace('.0', ''),
