@@ -89,12 +89,14 @@
   }
 
   // A formula that is too wide is set smaller. What scrolls sideways all the same fades out where it is cut, and can be
-  // reached by keyboard. A page has hundreds of these: some at a time, and all of them read before one is changed, so that nobody waits.
+  // reached by keyboard. A page has hundreds of these: some at a time, and all of them read before one is changed, so that nobody waits;
+  // and what is folded, when it is opened.
   const scrollers = 'pre, .math-block, .tablescroll';
   const SOME = 24;
   const breath = () => new Promise(done => setTimeout(done));
   const markCut = e => e.classList.toggle('cut', e.scrollWidth - e.clientWidth - e.scrollLeft > 1);
   const tooWide = e => e.scrollWidth > e.clientWidth + 1;
+  const scrollersIn = part => all(scrollers, part).filter(e => !e.closest('details:not([open])'));
   function markSome(some) {
     for (const e of some) e.classList.remove('tight');
     for (const e of some.filter(tooWide)) e.classList.add('tight');
@@ -109,15 +111,18 @@
   let round = 0;
   async function markScrollers() {
     const mine = ++round,
-      list = all(scrollers);
+      list = scrollersIn(document);
     for (let i = 0; i < list.length && mine === round; i += SOME) {
       await breath();
       markSome(list.slice(i, i + SOME));
     }
   }
-  const marked = document.fonts.ready.then(markScrollers);
-  addEventListener('resize', markScrollers);
-  document.addEventListener('toggle', ({ target }) => markSome(all(scrollers, target)), true);
+  let marked = document.fonts.ready.then(markScrollers);
+  addEventListener('resize', () => {
+    marked = markScrollers();
+  });
+  for (const event of ['toggle', 'shown'])
+    document.addEventListener(event, ({ target }) => markSome(scrollersIn(target)), true);
   document.addEventListener(
     'scroll',
     event => {

@@ -82,4 +82,6 @@ names_if(table, name, condition) = system(sprintf("awk -F, 'NR > 1 && %s && !see
 entry(name, field) = system(sprintf("awk -F '\t' '$1 == \"%s\" { print $%d }' '%s'", name, field, NUMBERS))
 recorded(text, name) = strlen(text) ? text : refuse("the program records no number \"".name."\"")
 number(name) = recorded(entry(name, 3), name)
-exact(name) = real(recorded(entry(name, 2), name))
+# A formula asks for the same one at each of its points: the last one is kept.
+LAST = ""
+exact(name) = (name eq LAST ? 0 : (VALUE = real(recorded(entry(name, 2), name)), LAST = name), VALUE)

@@ -5,10 +5,12 @@
   const marks = [...document.querySelectorAll('main :is(p, li) .claim')];
   if (!marks.length) return;
 
+  // What is folded is placed when it is opened.
   function place() {
     const counts = new Map();
-    const boxes = marks.map(mark => mark.getBoundingClientRect()); // all, before one is moved
-    marks.forEach((mark, i) => {
+    const seen = marks.filter(mark => !mark.closest('details:not([open])'));
+    const boxes = seen.map(mark => mark.getBoundingClientRect()); // all, before one is moved
+    seen.forEach((mark, i) => {
       const { top, height } = boxes[i];
       const line = height ? Math.round((top + scrollY) / 6) : null;
       mark.style.setProperty('--of-line', counts.get(line) ?? 0);

@@ -2,8 +2,10 @@
 /// @file
 /// A rope with a weight, in a hand above a peg, whose pulls are spent on iterations or on substeps.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "../cast.h"
@@ -18,16 +20,40 @@ struct RopeWithWeight {
   double radius = 0.12;                                  ///< of the peg [m]
   std::array<Vec, links + 1> x, before;
   std::array<double, links> tension{};
-  std::array<double, links + 1> w;  ///< 1 over the weight, in points
+  std::array<double, links + 1> w;  ///< 1 over the weight, in points; of the one in the hand 0
+  std::size_t held = 0;             ///< the point in the hand
+  std::size_t whole = links + 1;    ///< how many points hang together before the link that is cut
 
   /// At rest.
   /// @param weight  how many points its last one weighs
   RopeWithWeight(const Vec& hand, const Vec& direction, double weight) {
     for (std::size_t i = 0; i <= links; ++i)
       x[i] = before[i] = hand + (double(i) * length) * direction;
+    hold(0, weight);
+  }
+
+  /// Takes another point in the hand, or hangs another weight on the last one.
+  void hold(std::size_t point, double weight) {
     w.fill(1);
-    w.front() = 0;
     w.back() = 1 / weight;
+    held = point;
+    w[held] = 0;
+  }
+
+  /// What hangs together.
+  struct Part {
+    std::span<Vec> x, before;
+    std::span<double> tension;
+    std::span<const double> w;
+  };
+
+  std::array<Part, 2> parts() {
+    const auto part = [this](std::size_t from, std::size_t count) -> Part {
+      const std::size_t first_link = std::min(from, links);
+      return {std::span(x).subspan(from, count), std::span(before).subspan(from, count),
+              std::span(tension).subspan(first_link), std::span(w).subspan(from, count)};
+    };
+    return {part(0, whole), part(whole, links + 1 - whole)};
   }
 
   /// A frame, in which every link is pulled as many times as substeps and iterations say together.
@@ -40,20 +66,27 @@ struct RopeWithWeight {
     };
     // [frame]
     const double h = frame / substeps;
-    const Vec way = hand - x[0];
+    const Vec way = hand - x[held];
     const shelf::Rope<double> rope{.length = length, .passes = iterations};
     for (int n = 0; n < substeps; ++n) {
-      x[0] += way / substeps;
-      shelf::rope_step(x, before, tension, w, links + 1, rope, g, h, norm, outside);
+      x[held] += way / substeps;
+      for (Part part : parts())
+        shelf::rope_step(part.x, part.before, part.tension, part.w, part.x.size(), rope, g, h, norm,
+                         outside);
     }
     // [frame]
   }
 
-  /// How much longer than it should be [share].
+  /// How much longer its links are than they should be, but for one that is cut [share].
   double stretch() const {
     double sum = 0;
-    for (std::size_t i = 1; i <= links; ++i) sum += (x[i] - x[i - 1]).norm();
-    return sum / (double(links) * length) - 1;
+    std::size_t count = 0;
+    for (std::size_t i = 1; i <= links; ++i) {
+      if (i == whole) continue;
+      sum += (x[i] - x[i - 1]).norm();
+      ++count;
+    }
+    return sum / (double(count) * length) - 1;
   }
 
  private:

@@ -164,8 +164,11 @@ onresize = () => {
   canvas.height = canvas.width * (top_ - bottom) / (right - left);
   draw();
 };
-onresize();
-if (!still.matches) play(true);
+// In a task of its own, since a long film takes a while to be read.
+setTimeout(() => {
+  onresize();
+  if (!still.matches) play(true);
+});
 // Begins, and begins again, where half of it is in sight, and waits where less than a third is.
 new IntersectionObserver(seen => {
   const { intersectionRatio } = seen.at(-1);

@@ -76,7 +76,7 @@ test('the list has all methods for the thing, nearest first, within the price, a
   }
 });
 
-test('the price is taken hold of in the chart, by mouse and by finger', async () => {
+test('price and tolerance are taken hold of in the chart, and a method is picked there and in the list', async () => {
   const phone = await openTab('dark');
   for (const reader of [tab, phone]) {
     const live = await open(reader, figure);
@@ -84,7 +84,7 @@ test('the price is taken hold of in the chart, by mouse and by finger', async ()
     const canvas = live.stage.locator('canvas.plot');
     const { width, height } = await canvas.boundingBox();
     const first = await price();
-    await canvas.click({ position: { x: 0.6 * width, y: height / 2 } });
+    await canvas.click({ position: { x: 0.6 * width, y: 0.98 * height } }); // below all dots
     const dearer = await price();
     assert.ok(dearer > first, `${dearer}`);
     const box = await canvas.boundingBox();
@@ -93,6 +93,32 @@ test('the price is taken hold of in the chart, by mouse and by finger', async ()
     await reader.mouse.move(box.x + 0.3 * width, box.y + height / 2, { steps: 4 });
     await reader.mouse.up();
     assert.ok((await price()) < dearer);
+    const chart = () =>
+      reader.evaluate(name => {
+        const { chart, drawing, values } = globalThis.Live.opened[name];
+        const { picked, found, lines } = drawing;
+        const last = found.all.find(({ name }) => name === 'euler').rungs[0];
+        const { pen } = chart;
+        return {
+          picked,
+          tolerance: values.tolerance,
+          shown: found.three.map(({ name }) => name),
+          line: pen.y(lines.tolerance),
+          euler: { x: pen.x(Math.log10(last.time)), y: pen.y(Math.log10(last.error)) },
+        };
+      }, figure.name);
+    const before = await chart();
+    await reader.mouse.move(box.x + 0.1 * width, box.y + before.line);
+    await reader.mouse.down();
+    await reader.mouse.move(box.x + 0.2 * width, box.y + before.line + 0.2 * height, { steps: 4 });
+    await reader.mouse.up();
+    const tighter = await chart();
+    assert.ok(tighter.tolerance < before.tolerance, `${tighter.tolerance}`);
+    await canvas.click({ position: before.euler });
+    assert.equal((await chart()).picked, 'euler');
+    assert.ok((await chart()).shown.includes('euler'));
+    await live.stage.locator('.ranked [data-name=symplectic_euler]').press('Enter');
+    assert.ok((await chart()).shown.includes('symplectic_euler'));
     assert.equal(await canvas.evaluate(element => getComputedStyle(element).touchAction), 'pan-y');
     assert.deepEqual(reader.faults, []);
   }

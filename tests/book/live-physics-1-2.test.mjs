@@ -47,7 +47,9 @@ test('a tenth of the way in every frame depends on the frame rate and on a late 
     near(now['middle exact'], seconds => 0.9 ** frames(seconds, 60));
     near(now['fast exact'], seconds => 0.9 ** ((60 * frames(seconds, fast)) / fast));
   }
-  const { x, y, width, height } = await tab.locator('[data-live=two-cameras] canvas.scene').boundingBox();
+  const scene = tab.locator('[data-live=two-cameras] canvas.scene');
+  await scene.scrollIntoViewIfNeeded();
+  const { x, y, width, height } = await scene.boundingBox();
   await tab.mouse.click(x + width / 4, y + height / 4);
   const isThere = () => Math.abs(globalThis.Live.opened['two-cameras'].run.now['target x'] + 3.5) < 0.1;
   await tab.waitForFunction(isThere);

@@ -123,6 +123,21 @@ test('of two ropes with a weight the one in substeps is stretched by its formula
   }
 });
 
+test('of two ropes any point is in the hand, and what hangs below a cut falls freely', async () => {
+  for (const rope of ['iterated', 'stepped']) {
+    const at = (now, i) => [now[`${rope} x`][i], now[`${rope} y`][i]];
+    const turned = await end('two-ropes', 'held=20');
+    const [[x, y], [, below]] = [at(turned, 20), at(turned, 0)];
+    assert.ok(Math.hypot(x + 0.6, y - 0.1) < 1e-9, `the weight is at ${x}, ${y}`);
+    assert.ok(below < 0.1 - 1.4, `the other end is at ${below}`);
+    const cut = await end('two-ropes', 'cut=10');
+    const left = Math.hypot(at(cut, 9)[0] + 0.6, at(cut, 9)[1] - 0.1);
+    assert.ok(left < 0.95, `nine links of ten centimetres reach ${left}`);
+    const fallen = (9.81 * 8 ** 2) / 2;
+    for (let i = 10; i <= 20; ++i) assert.ok(Math.abs(at(cut, i)[1] + fallen) < 4, `point ${i} is at ${at(cut, i)[1]}`);
+  }
+});
+
 test('the bar is torn and held at the steps of the chapter', async () => {
   const torn = async rate => {
     const now = await end('bar-lost', `rate=${rate}`);

@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { build } from './book.mjs';
-import { visit } from './browser.mjs';
+import { pageOf, visit } from './browser.mjs';
 import { figures } from './live-list.mjs';
 
 export { figures, firstOfEachKind } from './live-list.mjs';
@@ -16,9 +16,22 @@ export async function open(tab, figure, query = '') {
   return hold(tab, figure);
 }
 
-// What a figure with the settings of a link shows at its end.
+// What a figure with the settings of a link shows at its end. Its page is opened once.
 export async function endOf(tab, name, query) {
-  return (await open(tab, figureOf(name), query)).now();
+  const figure = figureOf(name);
+  if (pageOf(tab) !== figure.page) await visit(tab, figure.page);
+  return tab.evaluate(
+    ([of, wanted]) => {
+      const opened = globalThis.Live.opened[of];
+      opened.settings.query = opened.atFirst ??= opened.settings.query;
+      opened.handle?.reset();
+      opened.settings.tell();
+      opened.choose(opened.read(wanted));
+      opened.showWhole();
+      return { ...opened.run.now };
+    },
+    [name, query],
+  );
 }
 
 export const figureOf = wanted => figures.find(({ name }) => name === wanted);

@@ -35,7 +35,7 @@ export async function typesetting() {
     if (svg.getBoundingClientRect().width > svg.viewBox.baseVal.width + 1)
       found.push(`${svg.closest('figure').id} is drawn larger than it is`);
   }
-  for (const box of all('pre, .tablescroll, .math-block')) {
+  for (const box of all('pre, .tablescroll, .math-block').filter(e => e.checkVisibility())) {
     const cut = box.scrollWidth > box.clientWidth + 1;
     if (cut !== (getComputedStyle(box).maskImage !== 'none'))
       found.push(

@@ -4,14 +4,16 @@
   const Live = (globalThis.Live ??= {});
   const still = matchMedia('(prefers-reduced-motion: reduce)');
   let compiled;
-  let turn = Promise.resolve(); // of the figure that is next: each opens in a task of its own, between which the page answers
+  const PIECES = 8; // in which a figure makes its first run
+  const breath = () => new Promise(next => setTimeout(next)); // between two pieces the page answers
+  let turn = Promise.resolve(); // of the figure that is next
   Live.opened = {};
   Live.started = []; // a promise for each figure, kept once it runs or never will
 
-  // `drawing` has view(settings, width), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence; and take(x, y),
-  // if a pointer in the picture sets something, which returns what. Where the code is lit, lit(now, lines) returns the first and
-  // last line and what it finds; edits(values) lists words of the code that a click changes, as Live.Edits has them; when(now) is a
-  // time that is not in seconds. One that is
+  // `drawing` has view(settings, width), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence; and, if a
+  // pointer in the picture sets something, take(x, y, settings), which returns what, and press(x, y, run, settings) for where it came
+  // down. Where the code is lit, lit(now, lines) returns the first and last line and what it finds; edits(values) lists words of the
+  // code that a click changes, as Live.Edits has them; when(now) is a time that is not in seconds. One that is
   // "timed" also has chart(pen, run, settings) and answer(stage, run, settings), which comes before all drawing and returns a method.
   Live.figure = function (name, drawing) {
     if (!globalThis.WebAssembly || !globalThis.DecompressionStream) return; // a browser that is too old keeps the still picture
@@ -24,8 +26,9 @@
     const figure = new Figure(element, Live.descriptions[name], drawing);
     try {
       const [code] = await Promise.all([(compiled ??= Live.compile(Live.compiled)), document.fonts.ready]);
-      await (turn = turn.then(() => new Promise(next => setTimeout(next))));
-      await figure.open(code, name);
+      const opened = turn.then(() => figure.open(code, name));
+      turn = opened.catch(() => {});
+      await opened;
       Live.opened[name] = figure;
     } catch (fault) {
       figure.stage.remove();
@@ -79,12 +82,18 @@
       const { pen, drawing } = this;
       if (drawing.take) {
         pen.canvas.classList.add('taken');
-        Live.drag(pen.canvas, (x, y) => this.take(drawing.take(pen.fromX(x), pen.fromY(y)) ?? {}));
+        const at = (x, y) => [pen.fromX(x), pen.fromY(y)];
+        Live.drag(
+          pen.canvas,
+          (x, y) => this.take(drawing.take(...at(x, y), this.values) ?? {}),
+          (x, y) => drawing.press && this.set(drawing.press(...at(x, y), this.run, this.values)),
+        );
       }
       if (drawing.edits)
         this.edits = new Live.Edits(this.stage, drawing.edits, this.settings, values => this.choose(values));
+      this.fit();
+      await this.showAll();
       this.listen(find);
-      this.showWhole();
       this.startWhenSeen();
       element.classList.add('live');
     }
@@ -193,7 +202,22 @@
       if (method === this.codeShown) return;
       this.codeShown = method;
       for (const code of this.stage.querySelectorAll('[data-method]')) code.hidden = code.dataset.method !== method;
-      dispatchEvent(new Event('resize')); // the page looks whether the code fits
+      if (this.run) this.fit();
+    }
+    // The page looks whether the code that is shown fits.
+    fit() {
+      this.stage.dispatchEvent(new Event('shown'));
+    }
+    // The whole run in small pieces, while the page goes on: nobody holds the figure yet.
+    async showAll() {
+      this.begin();
+      for (let share = 1; share <= PIECES; ++share) {
+        await breath();
+        this.run.finish((share / PIECES) * this.run.seconds);
+      }
+      await breath();
+      this.draw();
+      this.speak();
     }
     // To the end, or to where it was held.
     showWhole(until) {

@@ -4,13 +4,19 @@
   const Live = (globalThis.Live ??= {});
 
   Live.Plot = class {
-    // `drawing` has chart(pen, run, settings), and held(x), which says where a setting stands when the pointer is at x.
+    // `drawing` has chart(pen, run, settings), and held(x, y, clicked), which says where a setting stands when the pointer is there;
+    // and grip(x, y, pen), if it is to know where a pointer came down.
     constructor(box, drawing, shape, moved) {
       const canvas = box.appendChild(document.createElement('canvas'));
       canvas.className = 'plot';
       canvas.style.aspectRatio = shape.join('/');
       Object.assign(this, { canvas, drawing, pen: new Live.Pen(canvas) });
-      Live.drag(canvas, x => moved(drawing.held(this.pen.fromX(x))));
+      const at = (x, y) => [this.pen.fromX(x), this.pen.fromY(y)];
+      Live.drag(
+        canvas,
+        (x, y, clicked) => moved(drawing.held(...at(x, y), clicked)),
+        (x, y) => drawing.grip?.(...at(x, y), this.pen),
+      );
     }
     resize() {} // as the style sheet says
     draw(run, settings) {

@@ -5,24 +5,26 @@
   const SLACK = 8; // pixels that a finger moves before it means it
   const KEYS = { ArrowLeft: -0.01, ArrowRight: 0.01, PageDown: -0.1, PageUp: 0.1, Home: -Infinity, End: Infinity };
 
-  // Calls `hold` with where the pointer is, from the left and from the top; a finger that goes up or down scrolls the page, and holds nothing.
-  Live.drag = function (element, hold) {
+  // Calls `press` with where a pointer comes down, from the left and from the top, and `hold` with where it is from then on, and with
+  // whether it only clicked; a finger that goes up or down scrolls the page, and holds nothing.
+  Live.drag = function (element, hold, press = () => {}) {
     let from = null;
-    const tell = ({ clientX, clientY }) => {
+    const tell = (of, { clientX, clientY }, clicked = false) => {
       const { left, top } = element.getBoundingClientRect();
-      hold(clientX - left, clientY - top);
+      of(clientX - left, clientY - top, clicked);
     };
     element.addEventListener('pointerdown', event => {
       from = event.clientX;
       element.setPointerCapture(event.pointerId);
+      tell(press, event);
     });
     element.addEventListener('pointermove', event => {
       if (!element.hasPointerCapture(event.pointerId)) return;
       if (Math.abs(event.clientX - from) < SLACK && event.pointerType === 'touch') return;
       from = Infinity;
-      tell(event);
+      tell(hold, event);
     });
-    element.addEventListener('click', tell);
+    element.addEventListener('click', event => tell(hold, event, from !== Infinity));
   };
 
   Live.Scrubber = class {

@@ -11,29 +11,48 @@ namespace {
 class TwoRopes final : public Figure {
   static constexpr double fastest = 0.1;  // of the hand [m a frame]
 
-  double pulls_ = 8, weight_ = 10, hand_x_ = -0.6, hand_y_ = 0.1;
+  double pulls_ = 8, weight_ = 10, hand_x_ = -0.6, hand_y_ = 0.1, held_ = 0, cut_ = 0;
   long frames_ = 0;
   RopeWithWeight iterated_ = level_rope(weight_), stepped_ = iterated_;
 
   std::vector<Setting> settings() override {
-    return {{"pulls", &pulls_}, {"weight", &weight_}, {"hand x", &hand_x_}, {"hand y", &hand_y_}};
+    return {{"pulls", &pulls_},   {"weight", &weight_}, {"hand x", &hand_x_},
+            {"hand y", &hand_y_}, {"held", &held_},     {"cut", &cut_}};
   }
 
   void start() override {
     frames_ = 0;
-    iterated_ = stepped_ = RopeWithWeight(hand(), {1, 0}, weight_);
+    lay();
     show_state();
   }
+
+  // Level, with the point that is held in the hand.
+  void lay() {
+    const Vec level(1, 0);
+    iterated_ = RopeWithWeight(hand() - held_ * RopeWithWeight::length * level, level, weight_);
+    iterated_.hold(std::size_t(held_), weight_);
+    iterated_.whole = whole();
+    stepped_ = iterated_;
+  }
+
+  std::size_t whole() const { return cut_ > 0 ? std::size_t(cut_) : RopeWithWeight::links + 1; }
 
   Vec hand() const { return {hand_x_, hand_y_}; }
 
   void step() override {
     ++frames_;
-    const Vec from = iterated_.x[0], way = hand() - from;
+    const bool is_cut = iterated_.whole <= RopeWithWeight::links;
+    if (is_cut && iterated_.whole != whole()) lay();  // what has fallen is not tied on again
+    advance(iterated_, 1, int(pulls_));
+    advance(stepped_, int(pulls_), 1);
+  }
+
+  void advance(RopeWithWeight& rope, int substeps, int iterations) const {
+    rope.hold(std::size_t(held_), weight_);
+    rope.whole = whole();
+    const Vec from = rope.x[rope.held], way = hand() - from;
     const Vec to = from + std::min(1.0, fastest / way.norm()) * way;
-    iterated_.w.back() = stepped_.w.back() = 1 / weight_;
-    iterated_.frame_of(to, 1, int(pulls_));
-    stepped_.frame_of(to, int(pulls_), 1);
+    rope.frame_of(to, substeps, iterations);
   }
 
   void show_state() override {

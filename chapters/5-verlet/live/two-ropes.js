@@ -5,7 +5,8 @@ globalThis.Live.figure('two-ropes', {
     ['stepped', 'second', 'substeps'],
   ],
   view: () => ({ x: [-2, 2], y: [-2.55, 0.95] }),
-  draw(pen, run, { weight, pulls }, part) {
+  reach: 0.15, // of a press on a rope [m]
+  draw(pen, run, { weight, pulls, held, cut, press }, part) {
     const [pegX, pegY, radius] = run.now.peg;
     const around = Array.from({ length: 49 }, (_, i) => (i * Math.PI) / 24);
     pen.area(
@@ -13,15 +14,18 @@ globalThis.Live.figure('two-ropes', {
       around.map(angle => pegY + radius * Math.sin(angle)),
       { colour: 'context' },
     );
-    pen.circle(run.blend('iterated x', part)[0], run.blend('iterated y', part)[0], 2, {
-      colour: 'exact',
-      width: 1.2,
-      dash: [7, 5],
+    const at = ['x', 'y'].map(axis => run.blend(`iterated ${axis}`, part)[held]);
+    if (!cut) pen.circle(...at, (20 - held) / 10, { colour: 'exact', width: 1.2, dash: [7, 5] });
+    pen.text(-1.97, -2.45, press === 'cut' ? 'press a link: it is cut' : 'press a point of a rope: it is in the hand', {
+      align: 'left',
     });
     this.ropes.forEach(([rope, colour, spent], i) => {
       const x = run.blend(`${rope} x`, part),
         y = run.blend(`${rope} y`, part);
-      pen.line(x, y, { colour, width: 2.2 });
+      for (const from of [0, cut]) {
+        const to = from < cut ? cut : x.length;
+        pen.line(x.slice(from, to), y.slice(from, to), { colour, width: 2.2 });
+      }
       pen.dots(x, y, 2.4, colour);
       pen.body(x.at(-1), y.at(-1), 4 + 1.5 * Math.sqrt(weight), colour);
       pen.text(-1.97, 0.8 - (18 * i) / pen.metre, `${pulls} ${pulls === 1 ? spent.slice(0, -1) : spent}`, {
@@ -30,7 +34,18 @@ globalThis.Live.figure('two-ropes', {
       });
     });
   },
-  take: (x, y) => ({ 'hand x': x, 'hand y': y }),
+  // Where somebody presses on a rope, the nearest point is taken, or the nearest link is cut.
+  press(x, y, { now }, { press }) {
+    const cuts = press === 'cut';
+    const near = this.ropes.flatMap(([rope]) => {
+      const points = [...now[`${rope} x`]].map((px, i) => [px, now[`${rope} y`][i]]);
+      const middles = points.slice(1).map(([px, py], i) => [(px + points[i][0]) / 2, (py + points[i][1]) / 2]);
+      return (cuts ? middles : points).map(([px, py], i) => [Math.hypot(px - x, py - y), i]);
+    });
+    const [off, i] = near.reduce((best, one) => (one[0] < best[0] ? one : best));
+    return off > this.reach ? {} : cuts ? { cut: i + 1 } : { held: i };
+  },
+  take: (x, y, { press }) => (press === 'cut' ? {} : { 'hand x': x, 'hand y': y }),
   tell(now, { pulls }) {
     const [iterated, stepped] = this.ropes.map(([rope]) => globalThis.Live.fixed(now[`${rope} stretch`], 1));
     const times = pulls === 1 ? '' : 's';

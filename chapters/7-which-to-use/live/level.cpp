@@ -12,6 +12,9 @@ namespace {
 /// How many of the methods are for every thing.
 constexpr std::size_t for_all = 10;
 
+/// How many frames lie between the trials of two things.
+constexpr long apart = 8;
+
 class Level final : public Figure {
   double thing_ = 5, method_ = 5, steps_in_a_frame_ = 1, tolerance_ = 0.01;
   std::vector<std::unique_ptr<Trial>> trials_;
@@ -28,21 +31,34 @@ class Level final : public Figure {
             {"tolerance", &tolerance_}};
   }
 
-  // What the methods make of the things depends on nothing that the reader sets.
+  // What the methods make of the things depends on nothing that the reader sets. All of them at
+  // once would keep the page waiting: the thing that is chosen comes at the start, and the others
+  // one by one while the first run goes on.
   void start() override {
-    if (trials_.empty()) {
-      for_each_thing([&](const char*, const auto& scene, double seconds) {
-        using Scene = std::decay_t<decltype(scene)>;
-        trials_.push_back(std::make_unique<TrialOf<Scene>>(scene, seconds));
-      });
-    }
     frames_ = 0;
+    try_out(std::size_t(thing_));
     show_table();
     show_run();
     show_state();
   }
 
-  void step() override { ++frames_; }
+  void step() override {
+    if (++frames_ % apart != 0) return;
+    const auto next = std::find(trials_.begin(), trials_.end(), nullptr);
+    if (next == trials_.end()) return;
+    try_out(std::size_t(next - trials_.begin()));
+    show_table();
+  }
+
+  void try_out(std::size_t wanted) {
+    std::size_t place = 0;
+    for_each_thing([&](const char*, const auto& scene, double seconds) {
+      using Scene = std::decay_t<decltype(scene)>;
+      if (place == trials_.size()) trials_.emplace_back();
+      auto& trial = trials_[place];
+      if (place++ == wanted && !trial) trial = std::make_unique<TrialOf<Scene>>(scene, seconds);
+    });
+  }
 
   const Trial& trial() const { return *trials_[std::size_t(thing_)]; }
   const Outcome& outcome() const { return trial().outcomes[std::size_t(method_)]; }
@@ -56,8 +72,12 @@ class Level final : public Figure {
   void show_table() {
     std::vector<double> errors, bills;
     for (const auto& trial : trials_) {
-      double least = INFINITY;
+      double least = trial ? INFINITY : NAN;
       for (std::size_t i = 0; i < for_all; ++i) {
+        if (!trial) {
+          errors.push_back(NAN);
+          continue;
+        }
         const Outcome& outcome = trial->outcomes[i];
         errors.push_back(outcome.errors[place_of_steps()]);
         for (std::size_t k = 0; k < tried_in_a_frame.size(); ++k) {

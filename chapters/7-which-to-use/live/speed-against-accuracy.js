@@ -7,6 +7,7 @@
   const LIKE = { spring: 'suspension', orbit: 'shuttle', air: 'leaf' }; // whose recorded times stand for the reader's own thing
   const KIN = ['dopri5', 'trapezoid', 'linear_damping_implicit_last', 'backward_euler_spring']; // share a colour, and are dashed
   const FRAME = 1e6 / FRAMES; // [µs]
+  const GRIP = 10; // how near to a line or a dot a pointer takes it [px]
   const NOTHING = 1e-9; // of an error: what is less is rounding, or as good as that [m]
   const description = () => Live.descriptions[NAME];
   const metres = error => (error === Infinity ? 'gone' : error > NOTHING ? Live.metres(error) : '<\u202f1\u202fnm');
@@ -97,10 +98,10 @@
       three.forEach((offer, i) => this.row(pen, run, offer, i, part));
       if (!three.length) pen.text(0.5, 2, `none holds it for ${micro(values.price)}`);
     },
-    row(pen, run, { name, label, bought }, i, part) {
+    row(pen, run, { name, label, bought, rank }, i, part) {
       const low = 2 - i + 0.05,
         high = 0.74;
-      pen.text(0.01, low + high + 0.1, `${i + 1}. ${label}`, { colour: name, align: 'left' });
+      pen.text(0.01, low + high + 0.1, `${rank}. ${label}`, { colour: name, align: 'left' });
       pen.text(0.99, low + high + 0.1, `${inSteps(bought)}, ${metres(bought.error)}`, { align: 'right' });
       const { omega, zeta } = run.now,
         swings = !Number.isNaN(omega);
@@ -186,32 +187,51 @@
       pen.line(x, [tolerance, tolerance], { colour: 'limit', width: 1.6, dash: [3, 4] });
       const beside = price < 2.5 ? [price + 0.06, 'left'] : [price - 0.06, 'right'];
       pen.text(beside[0], y[1] - 0.8, micro(values.price), { colour: 'ink', align: beside[1] });
-      three.forEach(({ name, bought }, i) => {
+      for (const { name, bought, rank } of three) {
         const at = [Math.log10(bought.time), height(bought.error)];
         pen.dot(...at, 9, name);
-        pen.text(...at, `${i + 1}`, { colour: 'paper' });
-      });
+        pen.text(...at, `${rank}`, { colour: 'paper' });
+      }
+      this.lines = { price, tolerance };
     },
-    held: power => {
-      const { values } = description().controls.find(({ name }) => name === 'price');
-      const off = value => Math.abs(Math.log10(value) - power);
-      return { price: values.reduce((near, value) => (off(value) < off(near) ? value : near)) };
+    // A pointer takes hold of the line of the tolerance where it comes down on it, else of that of the price; a click on a dot picks a method.
+    grip(x, y, pen) {
+      const across = to => Math.abs(x - to) * pen.metre,
+        up = to => Math.abs(y - to) * pen.metreUp;
+      const dots = this.found.all.flatMap(({ name, rungs }) =>
+        rungs.map(({ time, error }) => ({ name, off: Math.hypot(across(Math.log10(time)), up(Math.log10(error))) })),
+      );
+      const dot = dots.reduce((near, one) => (one.off < near.off ? one : near));
+      this.pressed = dot.off < GRIP ? dot.name : null;
+      const isTolerance = up(this.lines.tolerance) < GRIP && across(this.lines.price) > GRIP;
+      this.gripped = isTolerance ? 'tolerance' : 'price';
     },
+    held(right, up, clicked) {
+      if (clicked && this.pressed) {
+        this.picked = this.pressed;
+        return {};
+      }
+      const { values, scale = 1 } = description().controls.find(({ name }) => name === this.gripped);
+      const power = this.gripped === 'price' ? right : up;
+      const off = value => Math.abs(Math.log10(value * scale) - power);
+      return { [this.gripped]: scale * values.reduce((near, value) => (off(value) < off(near) ? value : near)) };
+    },
+    gripped: 'price',
 
     // Finds what is drawn and told until something is set anew. Returns the method to take: the cheapest that is near enough;
     // without one, the nearest.
     answer(stage, run, values) {
       const all = offers(run, values),
-        ranked = rank(all, values),
+        ranked = rank(all, values).map((offer, i) => ({ ...offer, rank: i + 1 })),
         cheap = cheapest(
           all.filter(({ name }) => !isExact(name)),
           values,
         );
       const exact = all.find(({ name }) => isExact(name));
-      // The exact step would move as the truth does, which is drawn anyway.
-      const three = ranked
-        .filter(({ name, bought }) => bought && bought.error < Infinity && !isExact(name))
-        .slice(0, 3);
+      // The exact step would move as the truth does, which is drawn anyway. What the reader picked is one of three.
+      const shown = ranked.filter(({ name, bought }) => bought && bought.error < Infinity && !isExact(name));
+      const picked = shown.slice(2).find(({ name }) => name === this.picked) ?? shown[2];
+      const three = [...shown.slice(0, 2), ...(picked ? [picked] : [])];
       this.found = { all, three, cheap, exact };
       const rows = ranked.map(({ name, label, bought, rungs }, i) => {
         const near = bought && bought.error <= values.tolerance;
@@ -219,7 +239,7 @@
         const { steps, time } = bought ?? rungs[0];
         const cells = [steps, off, micro(time)];
         const key = `<span class="key${KIN.includes(name) ? ' dashed' : ''}" style="--key:var(--${name.replace(/_/g, '-')})"></span>`;
-        return `<tr${three.some(one => one.name === name) ? ' class="shown"' : ''}><td>${bought ? i + 1 : ''}</td><th scope="row">${key}${label}</th>${cells.map(cell => `<td>${cell}</td>`).join('')}</tr>`;
+        return `<tr${three.some(one => one.name === name) ? ' class="shown"' : ''}><td>${bought ? i + 1 : ''}</td><th scope="row"><button type="button" data-name="${name}">${key}${label}</button></th>${cells.map(cell => `<td>${cell}</td>`).join('')}</tr>`;
       });
       const whose = { undefined: 'as recorded', null: 'being taken …' }[run.times] ?? 'taken in your browser';
       const { name } = cheap ?? ranked.find(one => !isExact(one.name));
@@ -228,13 +248,22 @@
       const take = exact
         ? `This thing has an exact step: take ${link(exact.name)}. If other forces act as well, take ${link(name)}`
         : `Take ${link(name)}`;
-      stage.querySelector('.ranked').innerHTML =
+      const list = stage.querySelector('.ranked'),
+        focused = list.contains(document.activeElement) && document.activeElement.dataset.name;
+      list.innerHTML =
         `<table><caption class="unseen">The methods, nearest first</caption><thead><tr><th scope="col"><span class="unseen">Rank</span></th><th scope="col">Method</th><th scope="col">Steps</th><th scope="col">Off by</th><th scope="col">Time</th></tr></thead>` +
         `<tbody>${rows.join('')}</tbody></table><p>Times: ${whose}. ✓: within ${millimetres(values.tolerance)}.</p>`;
+      list.onclick = ({ target }) => this.pick(target.closest('button')?.dataset.name);
+      if (focused) list.querySelector(`[data-name="${focused}"]`)?.focus();
       stage.querySelector('.advice').innerHTML =
         `<p>${take}, ${why}. Or have all methods tried, from 1 step to 1024:</p>` +
         `<pre><code>${question(run, values)}</code></pre>`;
       return exact?.name ?? name;
+    },
+    pick(name) {
+      if (!name) return;
+      this.picked = name;
+      Live.opened[NAME].choose({});
     },
     tell(now, values) {
       const {
