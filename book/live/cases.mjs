@@ -6,7 +6,7 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 const CHAPTERS = new URL('../../chapters/', import.meta.url);
 // Steps of a run, with each build, and where there is time.
 export const STEPS = 2_000;
-export const MANY_STEPS = 20_000;
+export const MANY_STEPS = 20_000; // with the sliders where they stand at first
 const MOST = 48; // combinations of a figure that are all tried
 
 export function readFigures() {
@@ -22,12 +22,15 @@ export function readFigures() {
   );
 }
 
+const ENDS = ['start', 'from', 'to'];
+
 // [{ figure, choices, settings: { name: value } }]
-export function cases() {
+export const casesOfManySteps = () => cases(ENDS.slice(0, 1));
+export function cases(ends = ENDS) {
   return readFigures().flatMap(({ name, controls }) => {
     const computed = controls.filter(({ page }) => !page);
     return combinations(computed).flatMap(choices =>
-      ['start', 'from', 'to'].map(end => ({
+      ends.map(end => ({
         figure: name,
         choices,
         settings: { ...choices, ...sliders(computed, end) },

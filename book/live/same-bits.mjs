@@ -4,11 +4,11 @@ import { execFile } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { promisify } from 'node:util';
 import './page/module.js';
-import { MANY_STEPS, STEPS, cases, question } from './cases.mjs';
+import { MANY_STEPS, STEPS, cases, casesOfManySteps, question } from './cases.mjs';
 
 const [program, module, table, many] = process.argv.slice(2);
 const steps = many ? MANY_STEPS : STEPS;
-const runs = cases();
+const runs = many ? casesOfManySteps() : cases();
 const natively = promisify(execFile)(program); // beside this process
 natively.child.stdin.end(runs.map(run => question(run, steps)).join('\n'));
 const compiled = await WebAssembly.compile(readFileSync(module));

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import playwright from 'playwright-core';
-import { MANY_STEPS, cases, question } from '../../book/live/cases.mjs';
+import { MANY_STEPS, casesOfManySteps, question } from '../../book/live/cases.mjs';
 import { build, folder } from './book.mjs';
 import { figures, firstOfEachKind } from './live-list.mjs';
 
@@ -64,7 +64,7 @@ for (const { name, page, controls } of firstOfEachKind) {
 }
 
 test(`${MANY_STEPS} steps of every figure have the same bits as in the native program`, async () => {
-  const runs = cases();
+  const runs = casesOfManySteps();
   const native = execFileSync(join(build, 'weave/live/live.fingerprints'), {
     input: runs.map(run => question(run, MANY_STEPS)).join('\n'),
     encoding: 'utf8',
