@@ -100,19 +100,13 @@ function candidatesFor(parameters, sources) {
   return [...all.values()];
 }
 
-// clang++ goes first, for names that it does not know. g++ looks a millisecond long for what each of them was meant to
-// be, and after thousands of errors it stops, so that what comes behind would seem to compile.
-const compilers = [
-  {
-    compiler: 'clang++-19',
-    flags: ['-ferror-limit=0', '-fno-spell-checking', '-fno-caret-diagnostics'],
-    error: 'error: (?:use of undeclared identifier|unknown type name)',
-  },
-  { compiler: 'g++', flags: ['-fmax-errors=0'], error: '(?:fatal )?error' },
-];
+// clang++ says which compile. g++ looks a millisecond long for what each unknown name was meant to be, and after thousands of
+// errors it stops, so that what comes behind would seem to compile.
+const compiler = 'clang++-19';
+const flags = ['-ferror-limit=0', '-fno-spell-checking', '-fno-caret-diagnostics'];
 
 // All in one go, each in a file of its own name, so that each error tells whose it is.
-function notRefused(candidates, { source, headers }, { compiler, flags, error }) {
+function notRefused(candidates, { source, headers }) {
   const parts = candidates.map(({ text }, i) => {
     const only = text.replace(/^#.*$/gm, '');
     return `namespace c${i} {\n#line 1 "c${i}"\n${only}\n}`;
@@ -129,16 +123,14 @@ function notRefused(candidates, { source, headers }, { compiler, flags, error })
   if (status === null) throw new Error(`nothing can be tried: ${compiler} does not come to its end`);
   const ours = stderr.match(/^(?!c\d+:)\S+:\d+:\d+: fatal error.*$/m);
   if (ours) throw new Error(`nothing can be tried: ${ours[0]}`);
-  const bad = new Set([...stderr.matchAll(new RegExp(`^c(\\d+):\\d+:\\d+: ${error}`, 'gm'))].map(([, i]) => Number(i)));
-  const left = candidates.filter((_, i) => !bad.has(i));
-  const stopped = bad.size > 0 && /confused by earlier errors/.test(stderr); // before it had read all
-  return stopped ? notRefused(left, { source, headers }, { compiler, flags, error }) : left;
+  const bad = new Set([...stderr.matchAll(/^c(\d+):\d+:\d+: (?:fatal )?error/gm)].map(([, i]) => Number(i)));
+  return candidates.filter((_, i) => !bad.has(i));
 }
 
 // The solution goes with them: if that is refused, so would be what is right.
 function thatCompile(solution, candidates, context) {
   const own = { text: solution };
-  const good = compilers.reduce((left, one) => notRefused(left, context, one), [own, ...candidates]);
+  const good = notRefused([own, ...candidates], context);
   if (good[0] !== own) throw new Error('nothing can be tried: the solution does not compile');
   return good.slice(1);
 }
