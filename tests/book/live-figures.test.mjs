@@ -206,7 +206,7 @@ function withMotion() {
     });
 
     about('it says so when it runs slower than time', async () => {
-      const slow = 'Runs slower than time.';
+      const slow = 'Slower than real time on this machine.';
       await live.press('reset');
       assert.ok(!(await live.stage.locator('.readout').textContent()).includes(slow));
       const { h } = await live.now();

@@ -49,7 +49,7 @@
             drawClear: [plot => this.drawFaint(plot)],
             draw: [
               plot => this.drawPaths(plot),
-              plot => this.exits.forEach((exit, i) => this.markExit(plot, exit, i === 0)),
+              plot => this.exits.forEach((exit, i) => this.markExit(plot, exit, i === 0 && this.exitsInWords)),
               plot => Live.nameLines(plot, this.ends(plot), this.box),
             ],
           },
@@ -130,6 +130,13 @@
         curve,
       };
     }
+    // Of all that leave, in one sentence.
+    get exitsInWords() {
+      const names = [...new Set(this.exits.map(({ curve }) => this.nameOf(curve)).filter(Boolean))];
+      const last = names.pop();
+      if (!last) return 'leaves the chart';
+      return names.length ? `${names.join(', ')} and ${last} leave the chart` : `${last} leaves the chart`;
+    }
     // When the line between two points, as it is drawn, crosses an edge of the chart.
     crossing(times, values, edge) {
       const [a, b, e] = [...values, edge].map(value => (this.log ? Math.log(value) : value));
@@ -204,7 +211,7 @@
       ctx.restore();
     }
 
-    markExit(plot, { t, up, curve }, inWords) {
+    markExit(plot, { t, up, curve }, words) {
       const { ctx, bbox } = plot,
         size = 6 * devicePixelRatio;
       const x = plot.valToPos(t, 'x', true),
@@ -217,18 +224,14 @@
       ctx.lineTo(x - size, tip + inwards * 1.6 * size);
       ctx.lineTo(x + size, tip + inwards * 1.6 * size);
       ctx.fill();
-      if (inWords) {
+      if (words) {
         const left = x > bbox.left + bbox.width / 2;
         Object.assign(ctx, {
           font: `500 ${12 * devicePixelRatio}px "Book Sans", sans-serif`,
           textAlign: left ? 'right' : 'left',
           textBaseline: 'middle',
         });
-        ctx.fillText(
-          `${this.nameOf(curve) ?? ''} leaves the chart`.trim(),
-          x + (left ? -2 : 2) * size,
-          tip + inwards * 1.2 * size,
-        );
+        ctx.fillText(words, x + (left ? -2 : 2) * size, tip + inwards * 1.2 * size);
       }
       ctx.restore();
     }

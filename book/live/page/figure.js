@@ -85,8 +85,8 @@
         const at = (x, y) => [pen.fromX(x), pen.fromY(y)];
         Live.drag(
           pen.canvas,
-          (x, y) => this.take(drawing.take(...at(x, y), this.values) ?? {}),
-          (x, y) => drawing.press && this.set(drawing.press(...at(x, y), this.run, this.values)),
+          (x, y) => this.take(drawing.take(...at(x, y), this.values)),
+          (x, y) => this.press(...at(x, y)),
         );
       }
       if (drawing.edits)
@@ -185,14 +185,21 @@
     // Something that the reader set by another way than its control: in a chart, by a link, by words in the prose.
     choose(values) {
       this.set(values);
+      if (this.anew) return this.hold();
       this.change();
       this.release();
     }
     // By a pointer in the picture. In a run without an end it takes hold of what is held there.
     take(values) {
+      if (!values) return;
       if (!this.description.endless && !this.anew) return this.choose(values);
       this.set(values);
       this.hold();
+    }
+    press(x, y) {
+      if (!this.drawing.press) return;
+      this.set(this.drawing.press(x, y, this.run, this.values));
+      this.tell();
     }
     // Whether what is struck in the picture is to be seen from its start.
     get anew() {

@@ -12,6 +12,13 @@
       { colour: 'context', width: 1.4 },
     );
 
+  // What is 1 but for rounding is 1, and what only looks so is not.
+  function words(factor) {
+    if (factor < 1e-6) return '0';
+    if (Math.abs(factor - 1) < 1e-12 || Math.abs(factor - 1) > 5e-3) return Live.digits(factor, 3);
+    return `a little ${factor > 1 ? 'more' : 'less'} than 1`;
+  }
+
   // The plane goes to `right` and `top`; `lost` and `held` are where the words stand, and `names` where those of the lines do.
   Live.dotOnThePlane = function (name, { right, top, lost, held, names }) {
     const { methods, controls, chart } = Live.descriptions[name];
@@ -45,7 +52,7 @@
         pen.body(thing, x, 9, colour(method));
       },
       tell({ factor, area }) {
-        const [long, any] = [factor, Math.abs(area)].map(value => Live.digits(value, 3));
+        const [long, any] = [factor, Math.abs(area)].map(words);
         return `in the long run a step multiplies what is left by ${long}, and any area by ${any}.`;
       },
     });

@@ -5,7 +5,8 @@
 
   Live.Plot = class {
     // `drawing` has chart(pen, run, settings), and held(x, y, clicked), which says where a setting stands when the pointer is there;
-    // and grip(x, y, pen), if it is to know where a pointer came down.
+    // and grip(x, y, pen), if it is to know where a pointer came down; `upright` while what it took moves up and down, so that a
+    // finger does not scroll the page.
     constructor(box, drawing, shape, moved) {
       const canvas = box.appendChild(document.createElement('canvas'));
       canvas.className = 'plot';
@@ -17,6 +18,7 @@
         (x, y, clicked) => moved(drawing.held(...at(x, y), clicked)),
         (x, y) => drawing.grip?.(...at(x, y), this.pen),
       );
+      canvas.addEventListener('touchstart', event => drawing.upright && event.preventDefault(), { passive: false });
     }
     resize() {} // as the style sheet says
     draw(run, settings) {

@@ -13,7 +13,8 @@
       this.handle?.place(pen);
       if (!this.stopwatch || !this.playing) this.drawChart(); // an answer stays while it is played
       if (drawing.lit) this.light();
-      this.readout.textContent = this.sentence + (this.playing && this.clock.slow ? ' Runs slower than time.' : '');
+      this.readout.textContent =
+        this.sentence + (this.playing && this.clock.slow ? ' Slower than real time on this machine.' : '');
     }
     // The lines of the code that are at work, and what the last of them finds.
     light() {

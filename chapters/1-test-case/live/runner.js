@@ -36,7 +36,8 @@ globalThis.Live.figure('runner', {
   },
   tell({ frames, still, behind, beyond }) {
     const { Live } = globalThis;
+    if (frames === 0) return 'nothing has been drawn yet.';
     const size = value => (value > 0.0005 ? `up to ${Live.metres(value)}` : 'never');
-    return `newest: still in ${still} of ${frames} frames; blended: ${size(behind)} behind; extrapolated: ${size(beyond)} in a wall.`;
+    return `newest: still in ${still} of ${frames} frame${frames === 1 ? '' : 's'}; blended: ${size(behind)} behind; extrapolated: ${size(beyond)} in a wall.`;
   },
 });

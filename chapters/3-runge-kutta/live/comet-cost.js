@@ -32,7 +32,7 @@
       const half = 9 / pen.metre;
       pen.text(150, WHOLE.y + half, 'each dot a step', { colour });
       if (list(run.now['missed x']).length)
-        pen.text(150, WHOLE.y - half, 'each of these a rejected try', { colour: 'limit' });
+        pen.text(150, WHOLE.y - half, 'each red dot a rejected try', { colour: 'limit' });
       this.costs(pen, run, colour);
     },
     field(pen, now, { scale, x, y }, colour, comet, size) {
@@ -87,6 +87,6 @@
       pen.text(middle, bottom - 10, `frames within ${seconds}\u202fs`);
     },
     tell: now =>
-      `this frame asked ${now.cost} times, the dearest so far ${now.dearest}, all so far ${Live.fixed(now.sum, 0)} times; the comet is ${now.error < 1e-9 ? 'less than a nanometre' : Live.metres(now.error)} off.`,
+      `this frame asked ${now.cost} times, at most so far ${now.dearest}, all so far ${Live.fixed(now.sum, 0)} times; the comet is ${now.error < 1e-9 ? 'less than a nanometre' : Live.metres(now.error)} off.`,
   });
 })();

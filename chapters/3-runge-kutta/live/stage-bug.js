@@ -47,7 +47,12 @@
         pen.body(x.at(-1), y.at(-1), whose === 'your' ? 7 : 4, colour);
       }
       BOTH.forEach(([, colour], i) =>
-        pen.text(names[0], names[1] - (18 * i) / pen.metreUp, i ? 'RK4' : yours(values), { colour, align: 'left' }),
+        pen.text(
+          names[0],
+          names[1] - (18 * i) / pen.metreUp,
+          i ? 'RK4' : pen.canvas.clientWidth < 420 ? 'yours' : yours(values),
+          { colour, align: 'left' },
+        ),
       );
       this.lens(pen, now, values, until);
     },

@@ -61,9 +61,9 @@ globalThis.Live.figure('three-cloths', {
   },
   tell(now) {
     const left = this.cloths.map(([method, name]) => {
-      const share = now[`${method} energy`];
-      return `${name} ${Math.abs(share) < 100 ? `${globalThis.Live.fixed(100 * share, 0)}\u202f%` : 'is lost'}`;
+      const share = Math.max(0, now[`${method} energy`]); // bulged, a cloth hangs a little lower than flat
+      return `${name} ${share < 100 ? `${globalThis.Live.fixed(100 * share, 0)}\u202f%` : 'more than all'}`;
     });
-    return `of the energy of the blow there is left: ${left.join(', ')}.`;
+    return `of the energy of the blow they have: ${left.join(', ')}.`;
   },
 });

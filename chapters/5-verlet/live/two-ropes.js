@@ -15,8 +15,10 @@ globalThis.Live.figure('two-ropes', {
       { colour: 'context' },
     );
     const at = ['x', 'y'].map(axis => run.blend(`iterated ${axis}`, part)[held]);
-    if (!cut) pen.circle(...at, (20 - held) / 10, { colour: 'exact', width: 1.2, dash: [7, 5] });
-    pen.text(-1.97, -2.45, press === 'cut' ? 'press a link: it is cut' : 'press a point of a rope: it is in the hand', {
+    const [first, last] = cut === 0 ? [0, 20] : held < cut ? [0, cut - 1] : [cut, 20]; // of the part in the hand
+    const reach = Math.max(held - first, last - held) / 10;
+    pen.circle(...at, reach, { colour: 'exact', width: 1.2, dash: [7, 5] });
+    pen.text(-1.97, 0.8 - 36 / pen.metre, press === 'cut' ? 'press a link to cut it' : 'press a point to take it', {
       align: 'left',
     });
     this.ropes.forEach(([rope, colour, spent], i) => {

@@ -29,6 +29,6 @@ globalThis.Live.figure('opening', {
   when: ({ t }) => `Point ${t + 1}`,
   tell({ farthest, size, energy }) {
     if (size === 0) return 'the spring is at rest.';
-    return `the spring has been ${globalThis.Live.fixed(farthest / size, 2)} times as far out as it should, and its energy is ${globalThis.Live.fixed(energy, 2)} times what it was.`;
+    return `the spring has been as far out as ${globalThis.Live.fixed(farthest / size, 2)} of its true swing, and its energy is ${globalThis.Live.fixed(energy, 2)} times what it was.`;
   },
 });

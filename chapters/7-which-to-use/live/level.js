@@ -14,7 +14,7 @@ globalThis.Live.figure('level', {
   take(x, y) {
     const thing = Object.keys(this.choices('thing'))[Math.floor(x - this.left)];
     const method = Object.keys(this.choices('method'))[Math.floor(11 + this.low - y)];
-    return { ...(thing && { thing }), ...(method && { method }) };
+    return thing && method && { thing, method };
   },
   draw(pen, run, chosen, part) {
     const size = this.narrow ? 10 : 13;
@@ -51,7 +51,8 @@ globalThis.Live.figure('level', {
   },
   amount(error) {
     if (!(error < 1000)) return 'gone';
-    return error < 1e-5 ? '< 10\u202fµm' : globalThis.Live.metres(error);
+    if (error < 1e-5) return this.narrow ? '0' : '< 10\u202fµm';
+    return globalThis.Live.metres(error);
   },
   // A place in the plane is drawn there, and a height or a stretch against time.
   play(pen, { now, seconds }, method, part, { right, top }) {

@@ -96,13 +96,22 @@
     draw(pen, run, values, part) {
       const { three } = this.found;
       three.forEach((offer, i) => this.row(pen, run, offer, i, part));
-      if (!three.length) pen.text(0.5, 2, `none holds it for ${micro(values.price)}`);
+      if (!three.length) pen.text(0.5, 2, this.noneFor(values));
+    },
+    noneFor({ price }) {
+      const bought = this.found.all.some(({ rungs }) => rungs.some(({ time }) => time <= price));
+      return bought ? `none holds it for ${micro(price)}` : `none is to be had for ${micro(price)}`;
     },
     row(pen, run, { name, label, bought, rank }, i, part) {
       const low = 2 - i + 0.05,
         high = 0.74;
       pen.text(0.01, low + high + 0.1, `${rank}. ${label}`, { colour: name, align: 'left' });
-      pen.text(0.99, low + high + 0.1, `${inSteps(bought)}, ${metres(bought.error)}`, { align: 'right' });
+      pen.text(
+        0.99,
+        low + high + 0.1,
+        `${bought.dear ? 'too dear: ' : ''}${inSteps(bought)}, ${metres(bought.error)}`,
+        { align: 'right' },
+      );
       const { omega, zeta } = run.now,
         swings = !Number.isNaN(omega);
       if (swings) {
@@ -206,6 +215,9 @@
       const isTolerance = up(this.lines.tolerance) < GRIP && across(this.lines.price) > GRIP;
       this.gripped = isTolerance ? 'tolerance' : 'price';
     },
+    get upright() {
+      return this.gripped === 'tolerance';
+    },
     held(right, up, clicked) {
       if (clicked && this.pressed) {
         this.picked = this.pressed;
@@ -229,9 +241,13 @@
         );
       const exact = all.find(({ name }) => isExact(name));
       // The exact step would move as the truth does, which is drawn anyway. What the reader picked is one of three.
-      const shown = ranked.filter(({ name, bought }) => bought && bought.error < Infinity && !isExact(name));
-      const picked = shown.slice(2).find(({ name }) => name === this.picked) ?? shown[2];
-      const three = [...shown.slice(0, 2), ...(picked ? [picked] : [])];
+      const inexact = ranked.filter(({ name }) => !isExact(name));
+      const shown = inexact.filter(({ bought }) => bought && bought.error < Infinity);
+      const other = inexact.find(
+        ({ name }) => name === this.picked && !shown.slice(0, 2).some(one => one.name === name),
+      );
+      const third = other ? { ...other, bought: other.bought ?? { ...other.rungs[0], dear: true } } : shown[2];
+      const three = [...shown.slice(0, 2), ...(third ? [third] : [])];
       this.found = { all, three, cheap, exact };
       const rows = ranked.map(({ name, label, bought, rungs }, i) => {
         const near = bought && bought.error <= values.tolerance;
@@ -274,7 +290,7 @@
       const other = exact ? `This thing has an exact step, for ${micro(exact.rungs[0].time)}. Of the others, ` : '';
       const nearest = first
         ? `${other}${first.label} is nearest for ${micro(values.price)}: ${inSteps(first.bought)}, off by ${metres(first.bought.error)}.`
-        : `${exact ? `${other}none` : 'None'} holds it for ${micro(values.price)}.`;
+        : `${other}${exact ? '' : 'Of all methods '}${this.noneFor(values)}.`;
       const near = millimetres(values.tolerance);
       return cheap
         ? `${nearest} Within ${near}, ${cheap.label} is cheapest: ${inSteps(cheap)}, ${micro(cheap.time)}.`
