@@ -26,6 +26,8 @@ const BOXES = {
   takehome: note('takehome', 'To take home'),
   aside: note('aside'),
   remark: note('remark'),
+  rest: (html, { args: [title] }) =>
+    `<details class="rest"><summary>${escapeHtml(smarten(title))}</summary><div>${html}</div></details>`,
   hint: html => `<details class="hint"><summary>Hint</summary><div>${html}</div></details>`,
   choice: choiceHtml,
   paper: html => `<div class="on-paper">${html}</div>`,

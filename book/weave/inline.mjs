@@ -49,7 +49,7 @@ const HTML = {
     `<a class="introduced" href="${target.page.href}${target.section ? `#${target.section.id}` : ''}" aria-label="${escapeHtml(smarten(name))}: ${place(target)}">${target.section?.number ?? target.page.number}</a>`,
   chapterref: ({ target }) =>
     `<a href="${target.href}">Chapter ${target.number}, <em>${escapeHtml(smarten(target.title))}</em></a>`,
-  minutes: ({ target }) => `${target.page.minutes}\u202fmin`,
+  minutes: ({ target }) => `${target.page.minutes()}\u202fmin`,
   sectionref: ({ target, section }, page) =>
     `<a href="${target.page === page ? '' : target.href}#${section.id}">section ${section.number}</a>`,
 };
@@ -59,7 +59,7 @@ const label = ({ piece }) => `${NUMBERED[piece.name]} ${piece.number}`;
 
 export function inlineText(piece) {
   if (piece.name === 'number') return quantityText(piece.value);
-  if (piece.name === 'minutes') return `${piece.target.page.minutes}\u202fmin`;
+  if (piece.name === 'minutes') return `${piece.target.page.minutes()}\u202fmin`;
   if (piece.name === 'set') return piece.args[1];
   if (piece.name === 'code') return piece.code;
   if (piece.name === 'math') return mathText(piece.html);

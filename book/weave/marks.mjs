@@ -39,6 +39,7 @@ export const MARKS = {
   choice: { takes: [2, 2], kind: 'box', usage: '\\choice{name, What the reader answers}' },
   goals: { takes: [0, 0], kind: 'box', usage: '\\goals' },
   lead: { takes: [0, 0], kind: 'box', usage: '\\lead' },
+  rest: { takes: [1, 1], kind: 'box', usage: '\\rest{The whole program}' },
   aside: { takes: [0, 0], kind: 'box', usage: '\\aside' },
   remark: { takes: [0, 0], kind: 'box', usage: '\\remark' },
   takehome: { takes: [0, 0], kind: 'box', usage: '\\takehome' },

@@ -29,7 +29,7 @@ export function readPage(path, { file, order, name, owner, number, href, exercis
   if (number) takeInTasks(page, exercises, problems);
   page.tokens = parseProse(page.source, (line, message) => problems.add(file, line, message));
   const all = allTokens(page.tokens);
-  page.minutes = minutesToRead(all);
+  page.minutes = () => minutesToRead(all);
   page.pieces = all.map(token => token.meta).filter(Boolean);
   page.pieces.forEach((piece, i) => {
     piece.token = i;

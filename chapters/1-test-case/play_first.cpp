@@ -11,9 +11,11 @@ struct Jumper {
 
   void frame() {
     const Vec gravity{0, -9.81};
+    // [step]
     const double h = 1.0 / rate;
     x = x + h * v;
     v = v + h * gravity;
+    // [step]
     highest = x.y > highest ? x.y : highest;
   }
 

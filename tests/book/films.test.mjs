@@ -168,7 +168,7 @@ test('a film by itself has the title of its figure, and nothing that axe finds',
 
 test('a film waits while it is out of sight, goes on in sight, and not if it was stopped', async () => {
   tab.faults.length = 0;
-  await come('5-verlet.html');
+  await come('3-runge-kutta.html'); // where it is not in the first screen
   const film = await tab.locator('.film iframe').elementHandle();
   const inside = await film.contentFrame();
   // A fifth of it stays in sight: a browser may stop what is wholly out of it by itself.

@@ -49,7 +49,7 @@ test('dark by the button has the colours of dark by the system', async () => {
 
 test('the copy button copies the lines of the source, and no line numbers', async () => {
   await come(tab, chapter);
-  const listing = tab.locator('figure.listing').first();
+  const listing = tab.locator('figure.listing:visible').first();
   await listing.locator('button').click();
   await listing.locator('button', { hasText: 'Copied' }).waitFor();
   const copied = (await tab.evaluate(() => navigator.clipboard.readText())).replace(/\n$/, '').split('\n');

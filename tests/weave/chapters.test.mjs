@@ -40,12 +40,13 @@ test('references to another chapter', () => {
   assert.equal(read('claims.html').match(/said in chapter 2<\/a>, .*?and in chapter 3<\/a>/g)?.length, 1);
 });
 
-test('how long a chapter takes: 200 words a minute, a minute for each thing to look at, nothing for the exercises', () => {
+test('how long a chapter takes: 200 words a minute, some for each thing to look at or to try, nothing for the exercises', () => {
   const words = count => 'word '.repeat(count);
   const minutes = text =>
     weaves(...chapter(`${text}\n\nIt takes \\minutes{3-heun}.`))('3-heun.html').match(/It takes (.*?)\./)[1];
   assert.equal(minutes(words(2800)), '15\u202fmin');
   assert.equal(minutes(`${words(2800)}\n\n${'\\f[ a \\f]\n\n'.repeat(5)}`), '20\u202fmin');
+  assert.equal(minutes(`${words(2800)}\n\n\\change{One}\nx\n\\endchange`), '20\u202fmin');
   assert.equal(
     minutes(`${words(2800)}\n\n${'\\f[ a \\f]\n\n'.repeat(5)}## Exercises\n\n${words(9000)}`),
     '20\u202fmin',
