@@ -18,7 +18,7 @@ export function aboutPage(book) {
     ],
     [
       'Report a mistake',
-      `<p>${report ? `<a href="${escapeHtml(report)}">Here</a>` : 'Write to whoever gave you this copy'}, with the page, the sentence, and what you found instead. Of a number, say what it should be and how you know: a test is the best report, and <a href="preface.html">the preface</a> says how they are run.</p>`,
+      `<p>${report ? `<a href="${escapeHtml(report)}">Here</a>` : 'Write to whoever gave you this copy'}, with the page, the sentence, and what you found instead. Of a number, say what it should be and how you know: a test is the best report, and <a href="checked.html">how the book is checked</a> says how they are run.</p>`,
     ],
     [
       'Licences',

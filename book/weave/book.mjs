@@ -21,7 +21,7 @@ const OPENING = 'front';
 
 // The pages before and after the chapters, book/NAME.md each.
 const BEFORE = ['preface'];
-const AFTER = ['talks', 'teaching', 'glossary', 'references'];
+const AFTER = ['checked', 'talks', 'teaching', 'glossary', 'references'];
 
 // What a chapter has measured, told in short on a page of its own at the book's beginning: a Markdown file beside chapter.md.
 const inShort = (source, folder) =>

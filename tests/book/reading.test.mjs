@@ -83,6 +83,7 @@ const way = [
   'pick-a-method.html',
   'cast.html',
   'engines.html',
+  'checked.html',
   'talks.html',
   'teaching.html',
   'glossary.html',

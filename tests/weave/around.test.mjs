@@ -34,7 +34,7 @@ test('every page says which edition of the book it is from', () => {
 
 test('the pages follow each other, and stand in the menu', () => {
   const read = weaves();
-  const order = ['index', 'preface', '2-euler', 'talks', 'teaching', 'glossary', 'references'];
+  const order = ['index', 'preface', '2-euler', 'checked', 'talks', 'teaching', 'glossary', 'references'];
   order.forEach((name, i) => {
     const page = read(`${name}.html`);
     assert.equal(page.match(/<a rel="next" href="(.*?)\.html"/)?.[1], order[i + 1], name);
@@ -47,6 +47,7 @@ test('the pages follow each other, and stand in the menu', () => {
       '2-euler',
       'snippets',
       'exercises',
+      'checked',
       'talks',
       'teaching',
       'glossary',
@@ -109,7 +110,7 @@ test('a folder of chapters without a number in its name is a page behind the cha
     page,
     /<body class="things">[\s\S]*<h1>Things<\/h1>[\s\S]*<b>Figure 1\. A race\.<\/b> After <data class="number" value="20"/,
   );
-  assert.match(page, /<a rel="prev" href="2-euler\.html"[\s\S]*<a rel="next" href="talks\.html"/);
+  assert.match(page, /<a rel="prev" href="2-euler\.html"[\s\S]*<a rel="next" href="checked\.html"/);
   assert.match(read('claims.html'), /<h2 id="things">Things<\/h2>/);
   assert.doesNotMatch(read('index.html').match(/<ol class="contents">([\s\S]*?)<\/ol>/)[1], /things/);
 });
