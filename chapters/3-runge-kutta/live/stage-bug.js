@@ -46,14 +46,12 @@
         if (values.rate <= 8) pen.dots(x, y, width, colour);
         pen.body(x.at(-1), y.at(-1), whose === 'your' ? 7 : 4, colour);
       }
-      BOTH.forEach(([, colour], i) =>
-        pen.text(
-          names[0],
-          names[1] - (18 * i) / pen.metreUp,
-          i ? 'RK4' : pen.canvas.clientWidth < 420 ? 'yours' : yours(values),
-          { colour, align: 'left' },
-        ),
-      );
+      BOTH.forEach(([, colour], i) => {
+        const label = i ? 'RK4' : yours(values);
+        const fits = pen.x(names[0]) + pen.context.measureText(label).width < pen.canvas.clientWidth;
+        const [x, align] = fits ? [names[0], 'left'] : [pen.view.x[1], 'right'];
+        pen.text(x, names[1] - (18 * i) / pen.metreUp, label, { colour, align });
+      });
       this.lens(pen, now, values, until);
     },
     // How far each was from the truth so far, on a scale on which the larger of the two just fits.
