@@ -25,8 +25,7 @@ export async function endOf(tab, name, query) {
       const opened = globalThis.Live.opened[of];
       opened.settings.query = opened.atFirst ??= opened.settings.query;
       opened.handle?.reset();
-      opened.settings.tell();
-      opened.choose(opened.read(wanted));
+      opened.set(opened.read(wanted));
       opened.showWhole();
       return { ...opened.run.now };
     },

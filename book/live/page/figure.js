@@ -192,7 +192,7 @@
     // By a pointer in the picture. In a run without an end it takes hold of what is held there.
     take(values) {
       if (!values) return;
-      if (!this.description.endless && !this.anew) return this.choose(values);
+      if (!this.description.endless) return this.choose(values);
       this.set(values);
       this.hold();
     }

@@ -34,7 +34,7 @@ globalThis.Live.figure('shears', {
       both: 'both at once, from the old values',
     };
     const area = `area is ${globalThis.Live.fixed(now.area, 1)}\u202f% of what it was.`;
-    if (this.crosses(now)) return 'the outline crosses itself, and has no area any more.';
+    if (method === 'euler' && this.crosses(now)) return 'the outline crosses itself, and has no area any more.';
     return now.t > 4 - 1e-9 ? `its ${area}` : `${what[this.half(now, method)]}. The ${area}`;
   },
 });
