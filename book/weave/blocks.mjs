@@ -9,7 +9,10 @@ import { escapeHtml, smarten } from './text.mjs';
 import { rateHtml, takeHtml } from './pick-a-method.mjs';
 
 export function blockHtml(context, piece) {
-  return { listing, fence, display, rows, card, contents, take: takeHtml, rate: rateHtml }[piece.name](context, piece);
+  return { listing, fence, display, rows, card, contents, pause, take: takeHtml, rate: rateHtml }[piece.name](
+    context,
+    piece,
+  );
 }
 
 export function codeLines(lines, numbers, { id = () => '', gaps = true } = {}) {
@@ -57,6 +60,12 @@ function card({ book, hold }, { card: measured }) {
   const { name } = measured;
   const { href } = book.api.names.get(`integrate::${name}`);
   return hold(cardHtml(measured, book.times, `<b><a href="${href}"><code>${escapeHtml(name)}</code></a></b> measured`));
+}
+
+// The place to stop for whoever doesn't read a chapter in one sitting.
+function pause({ page }, piece) {
+  const [before, all] = [page.minutes(piece), page.minutes()];
+  return `<p class="pause">A good place to stop. So far it took about ${before} minutes; the rest takes ${all - before}, and then come the exercises.</p>`;
 }
 
 function contents({ book }) {

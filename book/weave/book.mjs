@@ -23,8 +23,11 @@ const OPENING = 'front';
 const BEFORE = ['preface'];
 const AFTER = ['checked', 'talks', 'teaching', 'glossary', 'references'];
 
-// What a chapter has measured, told in short on a page of its own at the book's beginning: a Markdown file beside chapter.md.
-const inShort = (source, folder) =>
+// What a chapter has measured, told in short at the book's beginning.
+const IN_SHORT = ['two-minutes'];
+
+// The pages beside a chapter, for whoever wants more of one of its things: each Markdown file that lies beside chapter.md.
+const besideChapter = (source, folder) =>
   (existsSync(join(source, folder)) ? readdirSync(join(source, folder)) : [])
     .filter(file => file.endsWith('.md') && file !== 'chapter.md')
     .map(file => file.slice(0, -3))
@@ -32,6 +35,12 @@ const inShort = (source, folder) =>
 
 // All but what lies beside the way through the book.
 export const onTheWay = ({ isAside }) => !isAside;
+
+// The pages before and after one, on the way.
+export const pagesAround = ({ pages }, { order, isAside, beside }) => ({
+  previous: (!isAside || beside) && pages.slice(0, order).findLast(onTheWay),
+  next: (!isAside || beside) && pages.slice(order + 1).find(onTheWay),
+});
 
 export function readBook(config) {
   const problems = createProblems();
@@ -138,12 +147,17 @@ function readPages(book) {
   };
   const addAround = name => add(`book/${name}.md`, { name, href: `${name}.html` });
   const start = add(`chapters/${OPENING}/chapter.md`, { name: 'index', href: 'index.html', owner: OPENING });
-  for (const { folder, name: owner } of book.programs.values())
-    for (const name of inShort(source, folder)) add(`${folder}/${name}.md`, { name, href: `${name}.html`, owner });
+  const addBeside = ({ folder, name: owner }, wanted) =>
+    besideChapter(source, folder)
+      .filter(wanted)
+      .map(name => add(`${folder}/${name}.md`, { name, href: `${name}.html`, owner }));
+  for (const program of book.programs.values()) addBeside(program, name => IN_SHORT.includes(name));
   BEFORE.forEach(addAround);
   for (const chapter of book.chapters.values()) {
     chapter.page = add(`${chapter.folder}/chapter.md`, { ...chapter, owner: chapter.name });
     chapter.title = chapter.page.title;
+    for (const page of addBeside(chapter, name => !IN_SHORT.includes(name)))
+      Object.assign(page, { isAside: true, beside: chapter });
   }
   for (const program of book.programs.values()) {
     if (program.number) continue;

@@ -46,15 +46,23 @@ const HTML = {
   bibitem: ({ args: [key, name] }) => `<span class="bibkey" id="bib-${slug(key)}">[${escapeHtml(name)}]</span>`,
   term: ({ id, args: [name], target }) =>
     `<dfn id="${id}">${escapeHtml(smarten(name))}</dfn> ` +
-    `<a class="introduced" href="${target.page.href}${target.section ? `#${target.section.id}` : ''}" aria-label="${escapeHtml(smarten(name))}: ${place(target)}">${target.section?.number ?? target.page.number}</a>`,
+    `<a class="introduced" href="${target.page.href}${target.section ? `#${target.section.id}` : ''}" aria-label="${escapeHtml(smarten(name))}: ${place(target)}">${target.section?.number ?? target.page.number ?? `beside\u00a0${target.page.beside.number}`}</a>`,
   chapterref: ({ target }) =>
-    `<a href="${target.href}">Chapter ${target.number}, <em>${escapeHtml(smarten(target.title))}</em></a>`,
+    `<a href="${target.href}">Chapter ${target.number}, <em>${escapeHtml(smarten(beforeColon(target.title)))}</em></a>`,
   minutes: ({ target }) => `${target.page.minutes()}\u202fmin`,
   sectionref: ({ target, section }, page) =>
     `<a href="${target.page === page ? '' : target.href}#${section.id}">section ${section.number}</a>`,
 };
 
-const place = ({ page, section }) => (section ? `section ${section.number}` : `chapter ${page.number}`);
+// A chapter is called "Euler: along the tangent", and "Euler" within a sentence.
+const beforeColon = title => title.split(':')[0];
+
+const place = ({ page, section }) =>
+  page.beside
+    ? `beside chapter ${page.beside.number}`
+    : section
+      ? `section ${section.number}`
+      : `chapter ${page.number}`;
 const label = ({ piece }) => `${NUMBERED[piece.name]} ${piece.number}`;
 
 export function inlineText(piece) {

@@ -37,6 +37,7 @@ export const MARKS = {
   hint: { takes: [0, 0], kind: 'box', within: 'exercise', usage: '\\hint' },
   answer: { takes: [0, 0], kind: 'box', within: 'exercise', usage: '\\answer' },
   choice: { takes: [2, 2], kind: 'box', usage: '\\choice{name, What the reader answers}' },
+  pause: { takes: [0, 0], kind: 'block', usage: '\\pause, near the middle of a chapter' },
   goals: { takes: [0, 0], kind: 'box', usage: '\\goals' },
   lead: { takes: [0, 0], kind: 'box', usage: '\\lead' },
   rest: { takes: [1, 1], kind: 'box', usage: '\\rest{The whole program}' },

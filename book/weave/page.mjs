@@ -29,7 +29,15 @@ export function readPage(path, { file, order, name, owner, number, href, exercis
   if (number) takeInTasks(page, exercises, problems);
   page.tokens = parseProse(page.source, (line, message) => problems.add(file, line, message));
   const all = allTokens(page.tokens);
-  page.minutes = () => minutesToRead(all);
+  page.minutes = until =>
+    minutesToRead(
+      until
+        ? all.slice(
+            0,
+            all.findIndex(({ meta }) => meta === until),
+          )
+        : all,
+    );
   page.pieces = all.map(token => token.meta).filter(Boolean);
   page.pieces.forEach((piece, i) => {
     piece.token = i;

@@ -60,10 +60,11 @@ function headTitle(book, page, name, title) {
 }
 
 function sideNav(book, page, name) {
-  const link = (href, text, number = '') =>
-    `<li><a href="${href}"${current(page, href)}><span class="no">${number}</span><span>${text}</span></a>${page.href === href ? within(page) : ''}</li>`;
-  const prose = ({ href, title, number }) => link(href, escapeHtml(smarten(title)), number);
-  const numbered = book.pages.findLastIndex(p => p.number) + 1;
+  const link = (href, text, number = '', kind = '') =>
+    `<li${kind}><a href="${href}"${current(page, href)}><span class="no">${number}</span><span>${text}</span></a>${page.href === href ? within(page) : ''}</li>`;
+  const prose = ({ href, title, number, beside }) =>
+    link(href, escapeHtml(smarten(title)), number, beside ? ' class="beside"' : '');
+  const numbered = book.pages.findLastIndex(p => p.number || p.beside) + 1;
   const before = book.pages.slice(1, numbered),
     after = book.pages.slice(numbered);
   const isFirst = ({ name: its }) => its === 'pick-a-method'; // whoever has a deadline looks there first

@@ -1,16 +1,17 @@
-// The terms of the book: a chapter that introduces one sets it in italics, and the glossary leads there.
+// The terms of the book: a chapter, or a page beside one, that introduces one sets it in italics, and the glossary leads there.
 const ITALICS = /(?<![\\*])\*(?=[^\s*])([^*]+)(?<=[^\s\\*])\*(?!\*)/g;
 
 const plain = words => words.replace(/\s+/g, ' ').toLowerCase();
 const inItalics = page =>
   [...page.source.matchAll(ITALICS)].map(({ index, 1: words }) => ({ index, words: plain(words) }));
 
-export const italics = book =>
-  [...book.chapters.values()].flatMap(({ page }) => inItalics(page).map(({ words }) => words));
+const teaching = ({ pages }) => pages.filter(({ number, beside }) => number || beside);
 
-// The page and the section in which a chapter first says it in italics, or nothing.
+export const italics = book => teaching(book).flatMap(page => inItalics(page).map(({ words }) => words));
+
+// The page and the section in which one first says it in italics, or nothing.
 export function introduction(book, term) {
-  for (const { page } of book.chapters.values()) {
+  for (const page of teaching(book)) {
     const found = inItalics(page).find(({ words }) => words === plain(term));
     if (!found) continue;
     const line = page.source.slice(0, found.index).split('\n').length;

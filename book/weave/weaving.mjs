@@ -3,7 +3,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, w
 import { join, relative } from 'node:path';
 import { readApi } from './api.mjs';
 import { copyAssets } from './assets.mjs';
-import { onTheWay, readBook } from './book.mjs';
+import { pagesAround, readBook } from './book.mjs';
 import { checkCards } from './cards.mjs';
 import { checkPromises } from './promises.mjs';
 import { checkBook, checkReferencesToCode } from './check.mjs';
@@ -54,6 +54,9 @@ function giveUpOn({ problems, config }) {
   throw new Faults(`${problems.text()}The book is not woven: ${n} ${n === 1 ? 'mistake' : 'mistakes'} to mend. ${old}`);
 }
 
+const kickerOf = ({ number, beside }) =>
+  number ? `Chapter ${number}` : beside ? `Beside chapter ${beside.number}` : '';
+
 function makePages(book) {
   const documents = [];
   const prose = book.pages.map(page => {
@@ -67,9 +70,8 @@ function makePages(book) {
       number: page.number,
       kind: page.number ? 'chapter' : page.name,
       body: html,
-      kicker: page.number ? `Chapter ${page.number}` : '',
-      previous: onTheWay(page) && book.pages[page.order - 1],
-      next: onTheWay(page) && book.pages.slice(page.order + 1).find(onTheWay),
+      kicker: kickerOf(page),
+      ...pagesAround(book, page),
       sections: places.filter(({ level }) => level === 2).map(({ id, title }) => ({ id, title })),
     };
   });

@@ -176,6 +176,19 @@ TEST_CASE("With the velocity moved first a jump is too low by nearly as much") {
   }
 }
 
+TEST_CASE("The corners above the line are what the three lines jump too high") {
+  for (const int rate : {20, 30, 60, 144}) {
+    double corners = 0;
+    auto s = jump.start();
+    for (int n = 0; n < rate / 2; ++n) {
+      const double first = s.v.y();
+      euler(s.x, s.v, 0.0, 1.0 / rate, jump);
+      corners += (first - s.v.y()) / rate / 2;  // a triangle
+    }
+    CHECK_THAT(too_high(euler, rate, 0.5), WithinRel(corners, 1e-12));
+  }
+}
+
 TEST_CASE("A constant velocity is followed exactly by a step of any length") {
   const scenes::ConstantVelocity<> drifting;
   for (const double h : {1.0 / 60, 3600.0, 365.25 * 86400}) {
@@ -388,6 +401,18 @@ TEST_CASE("With a fixed step, uneven frames do not change one bit of a jump") {
   for (std::size_t jumps = 1; jumps < 10; ++jumps) {
     CHECK(states_with_fixed_step(60 * jumps) == first);
   }
+}
+
+TEST_CASE("What is saved up is always less than a step") {
+  shelf::FixedStep<> clock{.h = 1.0 / 60};
+  double most = 0;
+  for (const double length : frames::recorded) {
+    clock.frame(length, [](double) {});
+    REQUIRE(clock.saved >= 0);
+    REQUIRE(clock.saved < clock.h);
+    most = std::max(most, clock.saved);
+  }
+  CHECK(most > 0.9 * clock.h);  // and nearly all of one at times
 }
 
 TEST_CASE("A frame of ten seconds is paid for with a quarter of a second of steps") {

@@ -15,6 +15,14 @@ inline double top_of_jump() {
   return v * v / (2 * jump.g);
 }
 
+/// How far a jump in steps is above the true one after some time [m].
+template <class Step>
+double too_high(Step step, int rate, double time) {
+  const auto steps = long(rate * time + 0.5);
+  const double t = double(steps) / rate;
+  return measure::after(step, jump, jump.start(), 1.0 / rate, steps).x.y() - jump.exact(t).x.y();
+}
+
 /// How high the jump goes when every frame is one step [m].
 template <class Step>
 double apex(Step step, int frames_per_second) {

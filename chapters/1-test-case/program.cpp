@@ -36,6 +36,19 @@ void jumps(Record& record) {
   record.number("top-missed", 1000 * missed, 2, "mm");
 }
 
+/// The velocity of the jump that the three lines take for all of a step of a twentieth of a second.
+void area_of_a_jump(Record& record) {
+  auto& table =
+      record.table("jump-area", {{"t", "s"}, {"ends", "s"}, {"v", "m/s"}, {"v then", "m/s"}});
+  const double h = 1.0 / 20;
+  auto s = jump.start();
+  measure::run(euler, jump, s, h, 9, [&](double t, const auto& now) {
+    table.add({t, t + h, now.v.y(), jump.exact(t + h).v.y()});
+  });
+  for (const int rate : {20, 60})
+    record.number("corners-" + std::to_string(rate), 100 * too_high(euler, rate, 0.5), 3, "cm");
+}
+
 void cannon(Record& record) {
   // [cannon]
   auto s = cannonball.start();
@@ -142,6 +155,30 @@ void uneven_frames(Record& record) {
   record.number("uneven-highest", highest, 4, "m");
 }
 
+/// Some recorded frames about a late one, and the steps that they pay for.
+void time_line(Record& record) {
+  using frames::recorded;
+  auto& shown = record.table("frame-line", {{"begins", "ms"}, {"ends", "ms"}, {"spent", "ms"}});
+  auto& steps = record.table("step-line", {{"begins", "ms"}, {"ends", "ms"}, {"paid", "ms"}});
+  const auto late =
+      std::find_if(recorded.begin(), recorded.end(), [](double length) { return length > 0.06; });
+  frames::Playback recording{.at = std::size_t(late - recorded.begin()) - 4};
+  shelf::FixedStep<> clock{.h = 1.0 / 60};
+  double begins = 0;
+  for (int n = 0; n < 8; ++n) {
+    const double ends = begins + recording.next();
+    const long long before = clock.steps;
+    clock.frame(ends - begins,
+                [&](double t) { steps.add({1000 * t, 1000 * (t + clock.h), 1000 * ends}); });
+    shown.add({1000 * begins, 1000 * ends, 1000 * (ends - clock.saved)});
+    if (n == 4) {
+      record.number("late-frame", 1000 * (ends - begins), 3, "ms");
+      record.number("late-steps", double(clock.steps - before), whole);
+    }
+    begins = ends;
+  }
+}
+
 void display(Record& record) {
   auto& table = record.table(
       "display",
@@ -187,10 +224,12 @@ void far_away(Record& record) {
 int main(int argc, char** argv) {
   return measure::record(argc, argv, [](Record& record) {
     jumps(record);
+    area_of_a_jump(record);
     cannon(record);
     throws(record);
     order(record);
     uneven_frames(record);
+    time_line(record);
     display(record);
     far_away(record);
   });

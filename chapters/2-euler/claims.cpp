@@ -389,6 +389,22 @@ TEST_CASE("After a hitch Euler's camera flies more than a metre past its target"
   CHECK(exact_farthest < 1 + 1e-12);
 }
 
+/// How far a camera is behind the drone after a turn, if in each frame it goes a share of the way.
+double behind_the_drone(int rate, double share) {
+  const auto place = [&](int n) { return drone.exact(double(n) / rate).x; };
+  auto view = place(0);
+  for (int n = 1; n <= 8 * rate; ++n) view += share * (place(n) - view);
+  return (place(8 * rate) - view).norm();
+}
+
+TEST_CASE(
+    "At 20 Hz lerp is nearly three times as far behind the drone as at 60, the exact step about as "
+    "far") {
+  const double c = -60 * std::log(0.9), fast = behind_the_drone(60, 0.1);
+  CHECK_THAT(behind_the_drone(20, 0.1) / fast, WithinAbs(2.8, 0.1));
+  CHECK_THAT(behind_the_drone(20, 1 - std::exp(-c / 20)) / fast, WithinAbs(0.9, 0.02));
+}
+
 TEST_CASE(
     "A tenth of the way in every frame is another motion at every frame rate, smoothing one") {
   CHECK_THAT(left_by_lerp(30), WithinAbs(2.06, 0.01));

@@ -45,7 +45,6 @@ void spiral(Record& record) {
   record.number("swapped-farthest", farthest, 4, "m");
 
   record.number("drone-angle", frame * drone.omega, 3);
-  record.number("step-length", 100 * frame * drone.start().v.norm(), 2, "cm");
   auto& coarse = record.table("tangent", {{"t", "s"}, {"x", "m"}, {"y", "m"}});
   s = drone.start();
   measure::run(euler, drone, s, 1.0, 4,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "blend.h"
+#include "burn_areas.h"
 #include "burnout.h"
 #include "comet.h"
 #include "equal_cost.h"
@@ -213,6 +214,22 @@ TEST_CASE("Only the weights 1, 2, 2, 1 match braking up to the fourth power of t
   CHECK(std::abs(powers.determinant()) > 0.01);
   const Eigen::Vector4d weights = powers.lu().solve(Eigen::Vector4d(1, 1. / 2, 1. / 6, 1. / 24));
   CHECK((weights - Eigen::Vector4d(1, 2, 2, 1) / 6).norm() < 1e-14);
+}
+
+TEST_CASE("What a step adds to a rocket's velocity is the area under what it takes for the push") {
+  double areas[3] = {}, truth = 0;  // under the midpoint of a thousand strips each
+  const int strips = 1000;
+  for (int n = 0; n < strips; ++n) {
+    const double t = burn * (n + 0.5) / strips, width = burn / strips;
+    areas[0] += push(0) * width;
+    areas[1] += push(burn / 2) * width;
+    areas[2] += simpson_parabola(t) * width;
+    truth += push(t) * width;
+  }
+  CHECK_THAT(velocity_after_burn(euler), WithinRel(areas[0], 1e-5));
+  CHECK_THAT(velocity_after_burn(midpoint), WithinRel(areas[1], 1e-5));
+  CHECK_THAT(velocity_after_burn(rk4), WithinRel(areas[2], 1e-5));
+  CHECK_THAT(engine_on.exact(burn).v, WithinRel(truth, 1e-5));
 }
 
 TEST_CASE("RK4 meets all eight conditions of order four") {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "blend.h"
+#include "burn_areas.h"
 #include "burnout.h"
 #include "comet.h"
 #include "equal_cost.h"
@@ -235,6 +236,7 @@ int main(int argc, char** argv) {
     one_step(record);
     work(record);
     equal_cost(record);
+    burn_areas(record);
     burnout(record);
     energy(record);
     large_steps(record);

@@ -52,6 +52,5 @@ inline void limits(measure::Record& record) {
     return std::ceil(1 / measure::stability_limit(step, door, 1e-3, 0.1));
   };
   record.number("door-euler", steps_for_door(measure::euler), measure::whole);
-  record.number("door-rk4", steps_for_door(measure::rk4), measure::whole);
   record.number("door-rk4-evaluations", 4 * steps_for_door(measure::rk4), measure::whole);
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT-0
 // The claims of chapter 4. Each name is a sentence that the chapter says.
-#include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -9,7 +8,6 @@
 #include <limits>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "../cast.h"
 #include "blows.h"
@@ -26,7 +24,6 @@
 #include "shelf/soft_constraint.h"
 #include "slide.h"
 #include "soft.h"
-#include "thrown.h"
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -504,94 +501,6 @@ TEST_CASE(
   CHECK(std::abs(end(0, 10, 0) - v) > 0.1);  // and every pass stiffens
 }
 
-TEST_CASE("The gyroscopic step of Bullet is one solve of backward Euler") {
-  const Thrown body;
-  auto s = body.start();
-  for (int n = 0; n < 600; ++n) {
-    const Eigen::Vector3d theirs = as_in_bullet(body, s.v, frame);
-    backward_euler(s.x, s.v, 0.0, frame, body);
-    CHECK((s.v - theirs).norm() < 1e-13 * theirs.norm());
-  }
-}
-
-TEST_CASE("Euler's gyroscopic torque spins a thrown body up until the numbers overflow") {
-  const Thrown body;
-  auto s = body.start();
-  const double first = body.energy(s.v);
-  double before = first;
-  for (int n = 0; n < 240; ++n) {
-    euler(s.x, s.v, 0.0, frame, body);
-    CHECK(body.energy(s.v) > (1 - 4 * rounding) * before);
-    before = body.energy(s.v);
-  }
-  CHECK(before > 10 * first);
-  s = measure::after(euler, body, s, frame, 60);
-  CHECK_FALSE(std::isfinite(body.energy(s.v)));
-}
-
-TEST_CASE("A thrown body tumbles under backward Euler and loses three tenths in a second") {
-  const Thrown body;
-  auto s = body.start();
-  const double first = body.energy(s.v), spin = body.momentum(s.v);
-  s = measure::after(backward_euler, body, s, frame, 60);
-  CHECK(s.v.y() < -0.8 * body.start().v.y());  // turned over
-  CHECK_THAT(body.energy(s.v) / first, WithinAbs(0.70, 0.01));
-  CHECK(body.momentum(s.v) < 0.9 * spin);
-  const auto truth = measure::after(measure::rk4, body, body.start(), frame / 20, 1200);
-  CHECK_THAT(body.energy(truth.v) / first, WithinAbs(1, 1e-6));
-  CHECK(truth.v.y() < 0);
-}
-
-TEST_CASE(
-    "A thrown body loses nine tenths of its loss within a sixth of a second of turning over") {
-  const Thrown body;
-  auto s = body.start();
-  std::vector<double> energies, sides;
-  measure::run(backward_euler, body, s, frame, 180, [&](double, const auto& now) {
-    energies.push_back(body.energy(now.v));
-    sides.push_back(now.v.y());
-  });
-  double lost = 0, turning = 0;
-  for (std::size_t n = 1; n < energies.size(); ++n) {
-    const double before = sides[n < 10 ? 0 : n - 10];
-    const double after = sides[std::min(n + 10, sides.size() - 1)];
-    if (before * after > 0) continue;
-    lost += energies[n - 1] - energies[n];
-    turning += frame;
-  }
-  CHECK(lost > 0.9 * (energies.front() - energies.back()));
-  CHECK(turning < 1.1);  // of three seconds
-}
-
-TEST_CASE(
-    "A thrown body first turns over after 0.52 s under backward Euler, and the true one after "
-    "0.55") {
-  CHECK_THAT(first_flip_time(backward_euler, 1), WithinAbs(0.517, 0.001));
-  for (const int parts : {10, 40}) {
-    CHECK_THAT(first_flip_time(measure::midpoint, 10 * parts), WithinAbs(0.55, 0.001));
-  }
-}
-
-TEST_CASE("In ten seconds RK4 takes less than a hundredth of a per cent from a thrown body") {
-  const Thrown body;
-  const auto start = body.start();
-  const auto s = measure::after(measure::rk4, body, start, frame, 600);
-  CHECK(body.energy(s.v) < body.energy(start.v));
-  CHECK(body.energy(s.v) > 0.9999 * body.energy(start.v));
-  const auto lost = measure::after(backward_euler, body, start, frame, 600);
-  CHECK_THAT(body.energy(lost.v) / body.energy(start.v), WithinAbs(0.115, 0.005));
-}
-
-TEST_CASE("The trapezoid rule keeps a thrown body's energy within one per cent") {
-  const Thrown body;
-  auto s = body.start();
-  const double first = body.energy(s.v);
-  for (int n = 0; n < 600; ++n) {
-    trapezoid(s.x, s.v, 0.0, frame, body);
-    CHECK_THAT(body.energy(s.v) / first, WithinAbs(1, 0.01));
-  }
-}
-
 TEST_CASE("To keep nine tenths of a spring of two swings for a second takes 1500 steps") {
   const auto left = [](double rate) {
     return std::pow(left_in_a_step(swinging(2).omega / rate), rate);
@@ -648,4 +557,17 @@ TEST_CASE(
     const double apart = std::abs(once.v - with_the_tangent_at_x(pendulum, start, h).v);
     CHECK(apart > 0.1 * h * h * h);
   }
+}
+
+TEST_CASE(
+    "A stiff rope on its nail is gone after three frames, predicted or not, and the solved one "
+    "stays") {
+  const scenes::Rope<> rope{.count = 20, .k = 1e4};
+  const auto largest = [&](auto step, int frames) {
+    return measure::after(step, rope, rope.start(), frame, frames).x.cwiseAbs().maxCoeff();
+  };
+  CHECK(largest(measure::symplectic_euler, 3) > 3);
+  CHECK(largest(measure::PredictedEuler{}, 3) > 3);
+  for (int frames = 1; frames <= 120; ++frames)
+    REQUIRE(largest(measure::backward_euler, frames) < 2.1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-// Chapter 4: implicit methods, from a bar that cannot be held to a body thrown into the air.
+// Chapter 4: implicit methods, from a bar that cannot be held to a soft constraint.
 #include <cmath>
 #include <stdexcept>
 
@@ -21,7 +21,6 @@
 #include "scenes/rope.h"
 #include "slide.h"
 #include "soft.h"
-#include "thrown.h"
 
 using measure::backward_euler;
 using measure::backward_euler_spring;
@@ -174,6 +173,5 @@ int main(int argc, char** argv) {
     cloths(record);
     ringing(record);
     soft_damping(record);
-    record_free_rigid_body(record);
   });
 }

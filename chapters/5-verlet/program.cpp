@@ -176,6 +176,7 @@ int main(int argc, char** argv) {
     drag(record);
     jitter(record);
     ropes(record);
+    links_of_a_rope(record);
     two_ropes(record);
     wheels(record);
   });

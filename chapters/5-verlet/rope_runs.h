@@ -72,6 +72,42 @@ inline void burst(measure::Record& record) {
                });
 }
 
+/// A link of a rope that hangs still: how much too long it is when it is pulled, on average over
+/// the iterations, and after the step [m].
+struct HangingLink {
+  double pulled = 0, after = 0;
+};
+
+/// The links of a hanging rope in one step, the lowest first.
+inline std::vector<HangingLink> hanging_links(int links, double h, int iterations) {
+  const auto size = std::size_t(links);
+  Rope rope = two_metres(links, {0, -1});
+  for (int n = 0; n < 36'000; ++n) rope.step(h, iterations);  // until it hangs still
+  const auto too_long = [&](std::size_t i) {
+    return (rope.x[i] - rope.x[i - 1]).norm() - rope.link;
+  };
+  for (std::size_t i = 1; i <= size; ++i)
+    integrate::stormer_verlet(rope.x[i], rope.x_previous[i], 0.0, h, gravity);
+  std::vector<HangingLink> seen(size);
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    for (std::size_t i = 1; i <= size; ++i) {
+      seen[size - i].pulled += too_long(i) / iterations;
+      rope.pull(i);
+    }
+  }
+  for (std::size_t i = 1; i <= size; ++i) seen[size - i].after = too_long(i);
+  return seen;
+}
+
+/// What is left open of each link of a rope of twenty with one iteration, and how much it closes.
+inline void links_of_a_rope(measure::Record& record) {
+  auto& table = record.table("hanging-links",
+                             {{"link", "", measure::whole}, {"pulled", "cm"}, {"after", "cm"}});
+  double link = 0;
+  for (const auto& [pulled, after] : hanging_links(20, frame, 1))
+    table.add({++link, 100 * pulled, 100 * after});
+}
+
 /// How much longer a rope of stiff links hangs, with one iteration in a step [m].
 inline double stretch_of_stiff_links(int links, double h) {
   return links * (links - 1) * 9.81 * h * h / 2;

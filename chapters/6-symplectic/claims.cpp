@@ -12,6 +12,7 @@
 #include "ball.h"
 #include "cat.h"
 #include "drag.h"
+#include "kicks.h"
 #include "measure/energy.h"
 #include "measure/error.h"
 #include "measure/evaluations.h"
@@ -256,6 +257,26 @@ TEST_CASE("Started half a kick back, symplectic Euler goes through the places of
   CHECK((hopping.v - kicked.v).norm() < 1e-9);
   const auto plain = measure::after(symplectic_euler, shuttle, shuttle.start(), tick, 1000);
   CHECK((plain.x - kicked.x).norm() > 0.1);
+}
+
+TEST_CASE("Between two kicks the velocity is that of the middle of the step, to order two") {
+  const auto off = [](double h, double from_the_tick) {
+    double most = 0;
+    for (const Kick& kick : kicks_of(undamped_suspension, h, int(std::lround(1 / h)))) {
+      const double truth = undamped_suspension.exact(kick.t + from_the_tick * h).v;
+      most = std::max(most, std::abs(kick.after - truth));
+    }
+    return most;
+  };
+  for (const double h : {frame, frame / 2, frame / 4}) {
+    CHECK_THAT(off(h, 0.5) / off(h / 2, 0.5), WithinAbs(4, 0.2));
+    CHECK_THAT(off(h, 1) / off(h / 2, 1), WithinAbs(2, 0.1));  // at the end of the step
+  }
+}
+
+TEST_CASE("In the middle of each kick lies the velocity of velocity Verlet") {
+  for (const Kick& kick : kicks_of(undamped_suspension, 3 * frame, 100))
+    CHECK_THAT(kick.verlet, WithinAbs((kick.before + kick.after) / 2, 1e-12));
 }
 
 TEST_CASE("Symplectic Euler has order one, and two in position when started half a kick back") {

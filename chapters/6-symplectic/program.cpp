@@ -10,6 +10,7 @@
 #include "ball.h"
 #include "cats.h"
 #include "drag.h"
+#include "kicks.h"
 #include "measure/energy.h"
 #include "measure/methods.h"
 #include "measure/order.h"
@@ -19,6 +20,8 @@
 #include "planets.h"
 #include "precession.h"
 #include "shadow.h"
+#include "spin_ball.h"
+#include "thrown.h"
 #include "tumbling.h"
 #include "uneven.h"
 
@@ -98,6 +101,19 @@ void shadow(Record& record) {
                 60 * undamped_suspension.omega * (fast - 1) / (2 * std::numbers::pi), 2);
 }
 
+/// The velocities of leapfrog on the suspension between the kicks, and the true one.
+void kicks(Record& record) {
+  auto& table = record.table(
+      "kicks", {{"t", "s"}, {"before", "m/s"}, {"after", "m/s"}, {"velocity Verlet", "m/s"}});
+  for (const Kick& kick : kicks_of(undamped_suspension, 2 * frame, 10))
+    table.add({kick.t, kick.before, kick.after, kick.verlet});
+  auto& truth = record.table("kicks-exact", {{"t", "s"}, {"v", "m/s"}});
+  for (int n = 0; n <= 110; ++n) {
+    const double t = n * frame / 5;
+    truth.add({t, undamped_suspension.exact(t).v});
+  }
+}
+
 void half_a_kick(Record& record) {
   auto& table = record.table("half", {{"steps per second", "", whole},
                                       {"as it is", "m"},
@@ -154,6 +170,7 @@ int main(int argc, char** argv) {
     cats(record);
     shadow(record);
     uneven_steps(record);
+    kicks(record);
     half_a_kick(record);
     bounces(record);
     orbit(record);
@@ -162,6 +179,8 @@ int main(int argc, char** argv) {
     thrown_pair(record);
     tumbling(record);
     thrown_crate(record);
+    record_free_rigid_body(record);
+    spin_ball(record);
     composition(record);
     planets(record);
   });

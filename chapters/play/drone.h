@@ -2,6 +2,8 @@
 /// @file
 /// A drone on a leash: chapter 2 builds it, and the level keeps it.
 #pragma once
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "../play.h"
@@ -12,12 +14,13 @@ namespace play {
 // [drone]
 /// Circles its tower on an elastic leash, ten metres out, once in eight seconds.
 struct Drone {
-  Vec at{-5, 11};                      // where the tower stands
-  Vec x{10, 0}, v{0, 7.853981633974};  // of the drone, from the tower
+  Vec at{-5, 11};                                            // where the tower stands
+  static constexpr double omega = 2 * std::numbers::pi / 8;  // once in eight seconds
+  Vec x{10, 0}, v{0, 10 * omega};                            // of the drone, from the tower
   std::string method = "Euler";
 
-  /// The leash pulls inwards, by 0.617 m/s^2 for every metre of its length: (2 pi / 8 s)^2.
-  static Vec pull(Vec x, Vec, double) { return -0.616850275068 * x; }
+  /// The leash pulls inwards, by omega squared for every metre of its length.
+  static Vec pull(Vec x, Vec, double) { return -omega * omega * x; }
 
   void step(double h) { integrate::euler(x, v, 0.0, h, pull); }
 
@@ -35,8 +38,8 @@ struct Drone {
 struct Hand {
   Vec tip{1, 0};
 
-  void turn(int frames) {  // a frame of 1/60 s turns it by 0.75 degrees
-    const double cosine = 0.999914327574007, sine = 0.013089595571344;
+  void turn(int frames) {
+    const double cosine = std::cos(Drone::omega / 60), sine = std::sin(Drone::omega / 60);
     for (int n = 0; n < frames; ++n)
       tip = {cosine * tip.x - sine * tip.y, sine * tip.x + cosine * tip.y};
   }

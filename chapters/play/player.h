@@ -47,13 +47,13 @@ inline constexpr char player_tail[] = R"html(
 const colours = {
   light: {
     'Euler': '#ca3e00', 'symplectic Euler': '#0063b2', 'velocity Verlet': '#30613b', 'RK4': '#6e009c',
-    'backward Euler': '#622a00', 'midpoint': '#168a9a', 'Störmer–Verlet': '#30613b', 'leapfrog': '#30613b',
+    'backward Euler': '#622a00', 'predicted Euler': '#622a00', 'midpoint': '#168a9a', 'Störmer–Verlet': '#30613b', 'leapfrog': '#30613b',
     'Yoshida 4': '#748043', 'BDF2': '#6a7adf', 'trapezoid': '#a53065', 'true': '#3a3835',
     'scenery': '#938c81', 'paper': '#fffefb', 'ink': '#22211f',
   },
   dark: {
     'Euler': '#ff5a00', 'symplectic Euler': '#0089d9', 'velocity Verlet': '#00b68a', 'RK4': '#c392f5',
-    'backward Euler': '#c5a872', 'midpoint': '#7adff0', 'Störmer–Verlet': '#00b68a', 'leapfrog': '#00b68a',
+    'backward Euler': '#c5a872', 'predicted Euler': '#c5a872', 'midpoint': '#7adff0', 'Störmer–Verlet': '#00b68a', 'leapfrog': '#00b68a',
     'Yoshida 4': '#c3cc58', 'BDF2': '#7a8db3', 'trapezoid': '#f89fc6', 'true': '#e4e0d8',
     'scenery': '#77747a', 'paper': '#17171a', 'ink': '#dedad2',
   },
@@ -74,7 +74,7 @@ document.documentElement.classList.toggle('framed', self !== top);
 slider.max = length;
 slider.value = still.matches ? length : 0;
 const times = n => `${Number(n.toPrecision(2))} times`;
-if (speed !== 1) pace.textContent = speed < 1 ? `${times(1 / speed)} slower` : speed === 2 ? 'twice as fast' : `${times(speed)} as fast`;
+if (speed !== 1) pace.textContent = speed === 0.5 ? 'half as fast' : speed < 1 ? `${times(1 / speed)} slower` : speed === 2 ? 'twice as fast' : `${times(speed)} as fast`;
 const ended = () => slider.value > length - 0.001;  // the slider rounds
 canvas.style.aspectRatio = (right - left) / (top_ - bottom);
 

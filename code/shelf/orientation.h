@@ -293,6 +293,7 @@ template <class Real>
 void spin_by_rotations(Quaternion<Real>& q, const typename Quaternion<Real>::Vec& L,
                        const typename Quaternion<Real>::Vec& inertia,
                        typename Quaternion<Real>::Number h) {
+  // [rotations]
   const Vec3<Real> all{Real(1) / inertia.x, Real(1) / inertia.y, Real(1) / inertia.z};
   const Real less = all.x < all.y ? all.x : all.y, more = all.x < all.y ? all.y : all.x;
   const Real ball = all.z < less ? less : more < all.z ? more : all.z;
@@ -313,6 +314,7 @@ void spin_by_rotations(Quaternion<Real>& q, const typename Quaternion<Real>::Vec
   about(y, h / Real(2));
   about(x, h / Real(2));
   q = normalised(q);
+  // [rotations]
 }
 
 /// The same step with damping of the spin, L' = -c*L, which costs it no order and no accuracy.

@@ -28,8 +28,11 @@ const SHOWN = {
   '1-test-case-play': [1.1, '4 times slower', '20 Hz, 30 Hz, 60 Hz, 144 Hz'],
   '1-test-case-play_first': [1.1, '4 times slower', '20 Hz, 30 Hz, 60 Hz, 144 Hz'],
   '2-euler-play': [80, '8 times as fast', ''],
+  '2-euler-play_camera': [8, '', 'lerp at 60 Hz, lerp at 20 Hz, exact at 60 Hz, exact at 20 Hz'],
   '3-runge-kutta-play': [16, 'twice as fast', 'Euler, midpoint, RK4'],
+  '3-runge-kutta-play_index': [24, '6 times as fast', 'RK4, one wrong index'],
   '4-implicit-play': [0.517, '7 times slower', 'Euler, symplectic Euler, RK4, backward Euler, true'],
+  '4-implicit-play_rope': [2, 'half as fast', 'symplectic Euler, predicted Euler, backward Euler'],
   '5-verlet-play': [7, '', ''],
   '6-symplectic-play': [30, '3 times as fast', 'Euler, symplectic Euler'],
   '6-symplectic-play_crate': [5, '', 'naive, Bullet, rotations'],
@@ -39,7 +42,7 @@ const SHOWN = {
 const namesIn = film => SHOWN[film.slice(0, -5)][2].split(', ');
 
 const paceOf = words => {
-  const times = words.startsWith('twice') ? 2 : Number(words.split(' ')[0] || 1);
+  const times = { twice: 2, half: 0.5 }[words.split(' ')[0]] ?? Number(words.split(' ')[0] || 1);
   return words.endsWith('slower') ? 1 / times : times;
 };
 
@@ -169,7 +172,7 @@ test('a film by itself has the title of its figure, and nothing that axe finds',
 test('a film waits while it is out of sight, goes on in sight, and not if it was stopped', async () => {
   tab.faults.length = 0;
   await come('3-runge-kutta.html'); // where it is not in the first screen
-  const film = await tab.locator('.film iframe').elementHandle();
+  const film = await tab.locator('.film iframe').first().elementHandle();
   const inside = await film.contentFrame();
   // A fifth of it stays in sight: a browser may stop what is wholly out of it by itself.
   const away = () =>
@@ -223,11 +226,14 @@ test('on paper, and where no scripts run, the still stands for the film', async 
   const plain = await openTab('dark', { javaScriptEnabled: false });
   const seen = reader => reader.locator('.film > :visible').evaluateAll(parts => parts.map(({ tagName }) => tagName));
   await come('5-verlet.html');
-  const inFront = await tab.locator('.film iframe').evaluate(film => {
-    film.scrollIntoView({ block: 'center' });
-    const { left, top, width, height } = film.getBoundingClientRect();
-    return document.elementFromPoint(left + width / 2, top + height / 2) === film;
-  });
+  const inFront = await tab
+    .locator('.film iframe')
+    .first()
+    .evaluate(film => {
+      film.scrollIntoView({ block: 'center' });
+      const { left, top, width, height } = film.getBoundingClientRect();
+      return document.elementFromPoint(left + width / 2, top + height / 2) === film;
+    });
   assert.ok(inFront, 'the still lies before the film');
   await tab.emulateMedia({ media: 'print' });
   assert.deepEqual(await seen(tab), ['svg']);

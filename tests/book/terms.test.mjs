@@ -33,10 +33,12 @@ const EMPHASIS = [
 ];
 
 const fences = /^```[\s\S]*?^```/gm;
-const chapters = readdirSync(join(source, 'chapters'))
+const pages = readdirSync(join(source, 'chapters'))
   .filter(name => /^\d-/.test(name))
-  .map(name => [name, { page: { source: read(`chapters/${name}/chapter.md`).replace(fences, '') } }]);
-const said = new Set(italics({ chapters: new Map(chapters) }));
+  .flatMap(name => readdirSync(join(source, 'chapters', name)).map(file => `chapters/${name}/${file}`))
+  .filter(path => path.endsWith('.md'))
+  .map(path => ({ number: 1, source: read(path).replace(fences, '') }));
+const said = new Set(italics({ pages }));
 const glossary = new Set(
   [...read('book/glossary.md').matchAll(/\\term\{([^}]+)\}/g)].map(([, term]) => term.toLowerCase()),
 );

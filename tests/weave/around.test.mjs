@@ -58,12 +58,24 @@ test('the pages follow each other, and stand in the menu', () => {
   });
 });
 
-test('a Markdown file beside a chapter is a page at the beginning, with the numbers of that chapter', () => {
-  const read = weaves(['chapters/2-euler/short.md', '# In short\n\nA step of \\number{step}.\n']);
-  const page = read('short.html');
+test('the page that says all in short is at the beginning, with the numbers of its chapter', () => {
+  const read = weaves(['chapters/2-euler/two-minutes.md', '# In short\n\nA step of \\number{step}.\n']);
+  const page = read('two-minutes.html');
   assert.match(page, /<a rel="prev" href="index\.html"/);
   assert.match(page, /<a rel="next" href="preface\.html"/);
   assert.match(page, /<data class="number"/);
+});
+
+test('another Markdown file beside a chapter is a page behind it, and who reads on passes it by', () => {
+  const read = weaves(['chapters/2-euler/more.md', '# More of it\n\nA step of \\number{step}.\n']);
+  const page = read('more.html');
+  assert.match(page, /<h1><span class="kicker">Beside chapter 2<\/span> More of it<\/h1>/);
+  assert.match(page, /<a rel="prev" href="2-euler\.html"/);
+  assert.match(page, /<a rel="next" href="checked\.html"/);
+  assert.match(page, /<data class="number"/);
+  const chapter = read('2-euler.html');
+  assert.match(chapter, /<a rel="next" href="checked\.html"/);
+  assert.match(chapter, /<\/li>\n<li class="beside"><a href="more\.html">/);
 });
 
 test('a start page with a program of its own is no chapter', () => {

@@ -20,6 +20,8 @@ const chapter = (text, { figure = 'wheel', test = 'Heun is better', numbers = 'g
   ['built/3-heun/claims.xml', report(test)],
 ];
 
+const words = count => 'word '.repeat(count);
+
 test('references to another chapter', () => {
   const read = weaves(
     ...chapter(
@@ -41,7 +43,6 @@ test('references to another chapter', () => {
 });
 
 test('how long a chapter takes: 200 words a minute, some for each thing to look at or to try, nothing for the exercises', () => {
-  const words = count => 'word '.repeat(count);
   const minutes = text =>
     weaves(...chapter(`${text}\n\nIt takes \\minutes{3-heun}.`))('3-heun.html').match(/It takes (.*?)\./)[1];
   assert.equal(minutes(words(2800)), '15\u202fmin');
@@ -50,6 +51,14 @@ test('how long a chapter takes: 200 words a minute, some for each thing to look 
   assert.equal(
     minutes(`${words(2800)}\n\n${'\\f[ a \\f]\n\n'.repeat(5)}## Exercises\n\n${words(9000)}`),
     '20\u202fmin',
+  );
+});
+
+test('a place to stop says how long it took so far, and how long the rest takes', () => {
+  const read = weaves(...chapter(`${words(4000)}\n\n\\pause\n\n${words(6000)}\n\n## Exercises\n\n${words(9000)}`));
+  assert.match(
+    read('3-heun.html'),
+    /<p class="pause">A good place to stop\. So far it took about 20 minutes; the rest takes 30,/,
   );
 });
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// A thing that spins in the air in chapter 4: gyroscopic torque and nothing else.
+/// A thing that spins in the air in chapter 6: gyroscopic torque and nothing else.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>

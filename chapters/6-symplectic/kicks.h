@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Where the velocities of leapfrog lie between the places.
+#pragma once
+#include <vector>
+
+#include "measure/methods.h"
+#include "measure/run.h"
+#include "scenes/spring.h"
+
+/// The velocities about a kick: with which the place came and with which it goes on, and velocity
+/// Verlet's at the same moment [s, m/s].
+struct Kick {
+  double t, before, after, verlet;
+};
+
+/// The kicks of symplectic Euler when it is started half a kick back.
+inline std::vector<Kick> kicks_of(const scenes::Spring<>& spring, double h, int steps) {
+  std::vector<Kick> seen;
+  const auto start = spring.start();
+  auto s = start;
+  s.v -= h / 2 * spring(s.x, s.v, 0.0);
+  for (int n = 0; n <= steps; ++n) {
+    const double before = s.v;
+    measure::symplectic_euler(s.x, s.v, n * h, h, spring);
+    const double verlet = measure::after(measure::velocity_verlet, spring, start, h, n).v;
+    seen.push_back({n * h, before, s.v, verlet});
+  }
+  return seen;
+}
