@@ -62,6 +62,7 @@ const BOXES = {
       adoptSvg(readFileSync(file, 'utf8'), { id: `${id}-${size}`, title: words, description: description || words });
     const [wide, narrow] = [draw(figure.wide, 'wide'), draw(figure.narrow, 'narrow')];
     const values = valuesHtml({ wide: wide.points, narrow: narrow.points });
+    page.slides.push({ id, number: piece.number, title: escapeHtml(words), picture: wide.html });
     const room = ({ shape }) => `style="aspect-ratio:${shape};max-width:${shape.split('/')[0]}px"`;
     const svgs = `<div class="wide" ${room(wide)}>${wide.html}</div>\n<div class="narrow" ${room(narrow)}><template>${narrow.html}</template></div>\n${values}`;
     const live = book.config.live && piece.live;
@@ -75,8 +76,17 @@ const BOXES = {
   },
 };
 
-const filmBox = (html, piece, { book, page, hold }) =>
-  `<figure class="plot" id="${piece.id}">${hold(filmHtml(page, piece, book))}\n<figcaption>${figureLabel(piece, html)}${filmSources(page, piece)}</figcaption></figure>`;
+const filmBox = (html, piece, { book, page, hold }) => {
+  const {
+    id,
+    number,
+    args: [, title],
+  } = piece;
+  const shown = filmHtml(page, piece, book);
+  const [picture] = shown.match(/<svg class="still"[^]*?<\/svg>/);
+  page.slides.push({ id, number, title: escapeHtml(smarten(title)), picture, film: shown.match(/src="([^"]*)"/)[1] });
+  return `<figure class="plot" id="${piece.id}">${hold(shown)}\n<figcaption>${figureLabel(piece, html)}${filmSources(page, piece)}</figcaption></figure>`;
+};
 
 const figureLabel = ({ number, args: [, title] }, caption) =>
   startWith(`<b>Figure ${number}. ${escapeHtml(smarten(title).replace(/\.$/, ''))}.</b> `, caption);

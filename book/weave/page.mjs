@@ -20,6 +20,7 @@ export function readPage(path, { file, order, name, owner, number, href, exercis
     tokens: [],
     pieces: [],
     tasks: new Map(),
+    slides: [],
   };
   if (!existsSync(path)) {
     problems.add(file, 1, 'there is no such file; each chapter has one, and each page around them');

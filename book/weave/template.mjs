@@ -42,10 +42,10 @@ ${onThisPage(page)}</div>
 const LONGEST_TITLE = 70; // letters that a list of hits shows
 
 // On paper the book's name and the page's stand at the head of each sheet.
-function printHead(book, { number, title }) {
+function printHead(book, { number, title, kind }) {
   const heads = { left: book.title, right: number ? `${number}  ${title}` : title };
   const boxes = Object.entries(heads).map(([side, text]) => `@top-${side} { content: ${cssString(smarten(text))}; }`);
-  return `<style>@page { ${boxes.join(' ')} }</style>\n<link rel="stylesheet" href="print.css" media="print">`;
+  return `<style>@page { ${kind === 'slides' ? 'size: A4 landscape; ' : ''}${boxes.join(' ')} }</style>\n<link rel="stylesheet" href="print.css" media="print">`;
 }
 
 // What a browser's tab and a list of hits say: of what is right the longest that is shown whole.

@@ -17,6 +17,7 @@ import { sitemap } from './head.mjs';
 import { renderPage } from './render.mjs';
 import { claimDocuments, codeDocuments, madeDocuments, proseDocuments, searchScript } from './search.mjs';
 import { snippetsPage } from './snippets-page.mjs';
+import { slidesPages } from './slides-pages.mjs';
 import { sourcePages } from './source-pages.mjs';
 import { stopwatch, summary } from './summary.mjs';
 import { pageHtml } from './template.mjs';
@@ -90,6 +91,7 @@ function makePages(book) {
     about,
     ...referencePages(book),
     ...sourcePages(book),
+    ...slidesPages(book, prose),
     lostPage(book),
   ].map(page => ({
     ...page,
