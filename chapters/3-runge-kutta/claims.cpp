@@ -307,7 +307,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "On four evaluations a second symplectic Euler is off by no more than a tenth more than RK4") {
+    "In ten turns at four evaluations a second symplectic Euler is off by at most a tenth more "
+    "than RK4") {
   const double by_rk4 = measure::largest_error(rk4, drone, 1.0, 80).position;
   const double by_swap =
       measure::largest_error(measure::symplectic_euler, drone, 0.25, 320).position;
