@@ -66,7 +66,15 @@ function withoutMotion(figure, reader, name, onDesktop) {
       if (!choices) assert.notEqual(await said(), first, `${name} does not say where it stands`);
     });
 
-  if (!onDesktop) return;
+  if (!onDesktop) {
+    about('its longest sentence keeps its room, and nothing below moves', async () => {
+      const room = () => live.stage.locator('.readout').evaluate(words => words.offsetHeight);
+      const before = await room();
+      await live.press('reset');
+      assert.equal(await room(), before);
+    });
+    return;
+  }
 
   about('the code beside it is that of the method chosen', async () => {
     const methods = Object.keys(figure.controls.find(({ name }) => name === 'method')?.choices ?? {});

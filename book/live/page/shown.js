@@ -13,8 +13,18 @@
       this.handle?.place(pen);
       if (!this.stopwatch || !this.playing) this.drawChart(); // an answer stays while it is played
       if (drawing.lit) this.light();
-      this.readout.textContent =
-        this.sentence + (this.playing && this.clock.slow ? ' Slower than real time on this machine.' : '');
+      this.say(this.sentence + (this.playing && this.clock.slow ? ' Slower than real time on this machine.' : ''));
+    }
+    // The longest sentence so far keeps its room, or the text below would jump by a line while the figure plays.
+    say(words) {
+      const { readout, pen } = this;
+      const width = pen.canvas.clientWidth; // before the words, which would have the page laid out anew for it
+      readout.textContent = words;
+      if (words.length <= this.longest && width === this.wide) return;
+      if (width !== this.wide) readout.style.minHeight = '';
+      this.longest = words.length;
+      this.wide = width;
+      readout.style.minHeight = `${readout.offsetHeight}px`;
     }
     // The lines of the code that are at work, and what the last of them finds.
     light() {
