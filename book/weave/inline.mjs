@@ -46,7 +46,7 @@ const HTML = {
   bibitem: ({ args: [key, name] }) => `<span class="bibkey" id="bib-${slug(key)}">[${escapeHtml(name)}]</span>`,
   term: ({ id, args: [name], target }) =>
     `<dfn id="${id}">${escapeHtml(smarten(name))}</dfn> ` +
-    `<a class="introduced" href="${target.page.href}${target.section ? `#${target.section.id}` : ''}" aria-label="${escapeHtml(smarten(name))}: ${place(target)}">${target.section?.number ?? target.page.number ?? `beside\u00a0${target.page.beside.number}`}</a>`,
+    `<a class="introduced" href="${target.page.href}${target.section ? `#${target.section.id}` : ''}" aria-label="${escapeHtml(smarten(name))}: ${place(target)}">${target.page.beside ? place(target) : (target.section?.number ?? target.page.number)}</a>`,
   chapterref: ({ target }) =>
     `<a href="${target.href}">Chapter ${target.number}, <em>${escapeHtml(smarten(beforeColon(target.title)))}</em></a>`,
   minutes: ({ target }) => `${target.page.minutes()}\u202fmin`,

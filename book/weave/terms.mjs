@@ -3,7 +3,10 @@ const ITALICS = /(?<![\\*])\*(?=[^\s*])([^*]+)(?<=[^\s\\*])\*(?!\*)/g;
 
 const plain = words => words.replace(/\s+/g, ' ').toLowerCase();
 const inItalics = page =>
-  [...page.source.matchAll(ITALICS)].map(({ index, 1: words }) => ({ index, words: plain(words) }));
+  [...page.source.replaceAll('align*', 'align ').matchAll(ITALICS)].map(({ index, 1: words }) => ({
+    index,
+    words: plain(words),
+  }));
 
 const teaching = ({ pages }) => pages.filter(({ number, beside }) => number || beside);
 
