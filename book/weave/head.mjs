@@ -23,7 +23,7 @@ export function headHtml(book, page, title) {
     `<meta property="og:type" content="${page.href === 'index.html' ? 'book' : 'article'}">`,
     address && `<link rel="canonical" href="${address}">`,
     address && `<meta property="og:url" content="${address}">`,
-    ['source', 'slides'].includes(page.kind) && '<meta name="robots" content="noindex">',
+    page.kind === 'source' && '<meta name="robots" content="noindex">',
     page.href === 'index.html' && `<script type="application/ld+json">${aboutBook(book, address)}</script>`,
   ];
   return lines.filter(Boolean).join('\n');

@@ -2,7 +2,7 @@
 import { NUMBERED } from './marks.mjs';
 import { fullText, quantityHtml, quantityText } from './numbers.mjs';
 import { setHtml } from './set-links.mjs';
-import { escapeHtml, slug, smarten } from './text.mjs';
+import { beforeColon, escapeHtml, slug, smarten } from './text.mjs';
 
 export function inlineHtml({ book, page }, piece) {
   return HTML[piece.name]?.(piece, page, book) ?? '';
@@ -53,9 +53,6 @@ const HTML = {
   sectionref: ({ target, section }, page) =>
     `<a href="${target.page === page ? '' : target.href}#${section.id}">section ${section.number}</a>`,
 };
-
-// A chapter is called "Euler: along the tangent", and "Euler" within a sentence.
-const beforeColon = title => title.split(':')[0];
 
 const place = ({ page, section }) =>
   page.beside

@@ -1,5 +1,5 @@
 // For a lecturer: what each chapter teaches, and its figures as slides, one to a sheet.
-import { escapeHtml, smarten } from './text.mjs';
+import { beforeColon, escapeHtml, smarten } from './text.mjs';
 
 const hrefOf = ({ number }) => `slides-${number}.html`;
 const titleOf = ({ title }) => escapeHtml(smarten(title));
@@ -34,12 +34,12 @@ const overview = chapters => ({
 
 const slidesPage = chapter => ({
   href: hrefOf(chapter),
-  title: `Slides: ${chapter.title.split(':')[0]}`,
+  title: `Slides: ${beforeColon(chapter.title)}`,
   kicker: `Chapter ${chapter.number}`,
   kind: 'slides',
   body:
-    '<p class="lead">Print it, and each figure fills a sheet. Below each is the way back to where it is explained, and can be played with.</p>\n' +
-    (chapter.goals && `<div class="goals">${chapter.goals}</div>\n`) +
+    `<p class="lead">The ${chapter.slides.length} figures of chapter ${chapter.number}. Print them, and each fills a sheet. Below each is the way back to where it is explained, and can be played with.</p>\n` +
+    (chapter.goals && `<section class="slide"><h2>What it teaches</h2>\n${chapter.goals}</section>\n`) +
     chapter.slides.map(slideHtml).join('\n'),
 });
 

@@ -2,7 +2,7 @@
 import { onTheWay } from './book.mjs';
 import { headHtml } from './head.mjs';
 import { liveHead } from './live.mjs';
-import { cssString, escapeHtml, smarten, textOfHtml } from './text.mjs';
+import { beforeColon, cssString, escapeHtml, smarten, textOfHtml } from './text.mjs';
 
 // page: { href, title, kind, body, kicker?, titleHtml?, sections?, previous?, next? }
 export function pageHtml(book, page) {
@@ -109,7 +109,9 @@ function current(page, href) {
 function pager({ previous, next }) {
   if (!previous && !next) return '';
   const link = (rel, label, page) =>
-    page ? `<a rel="${rel}" href="${page.href}"><small>${label}</small>${escapeHtml(smarten(page.title))}</a>` : '';
+    page
+      ? `<a rel="${rel}" href="${page.href}"><small>${label}</small>${escapeHtml(smarten(page.number ? beforeColon(page.title) : page.title))}</a>`
+      : '';
   return `<nav class="pager" aria-label="Previous and next page">${link('prev', 'Previous', previous)}${link('next', 'Next', next)}</nav>\n`;
 }
 

@@ -48,3 +48,6 @@ export function smarten(text, before = ' ') {
 
 // As a style sheet quotes it.
 export const cssString = text => `"${text.replace(/[\\"<]/g, c => `\\${c.codePointAt(0).toString(16)} `)}"`;
+
+// A chapter is called "Euler: along the tangent", and "Euler" within a sentence or where there is little room.
+export const beforeColon = title => title.split(':')[0];
