@@ -503,7 +503,7 @@ TEST_CASE("Eight steps of one iteration stretch a rope an eighth as far as one s
   CHECK_THAT(hanging(20, frame, 8) / hanging(20, frame / 8, 1), WithinAbs(8, 0.3));
 }
 
-TEST_CASE("A weight of w points stretches a hanging rope by (n - 1) (w - 1) g h^2 / q more") {
+TEST_CASE("A weight of p points stretches a hanging rope by (n - 1) (p - 1) g h^2 / q more") {
   const auto stretch = [](double weight, int substeps, int iterations) {
     const double n = double(RopeWithWeight::links), h = frame / substeps;
     return (n * (n - 1) / 2 + (n - 1) * (weight - 1)) * 9.81 * h * h / iterations / 2;  // of 2 m
