@@ -56,10 +56,14 @@ const display = ({ hold }, piece) => `<div class="math-block">${hold(piece.html)
 const rows = ({ book }, piece) =>
   `<div class="tablescroll">${tableHtml(piece.table, book.times, field => headerCalled(book, field)?.href)}</div>`;
 
-function card({ book, hold }, { card: measured }) {
+function card({ book, page, hold }, piece) {
+  const { card: measured } = piece;
+  const isFirst = page.pieces.find(({ name }) => name === 'card') === piece;
   const { name } = measured;
   const { href } = book.api.names.get(`integrate::${name}`);
-  return hold(cardHtml(measured, book.times, `<b><a href="${href}"><code>${escapeHtml(name)}</code></a></b> measured`));
+  return hold(
+    cardHtml(measured, book.times, `<b><a href="${href}"><code>${escapeHtml(name)}</code></a></b> measured`, isFirst),
+  );
 }
 
 // The place to stop for whoever doesn't read a chapter in one sitting.

@@ -67,7 +67,8 @@ function placeOf({ config }, name) {
 }
 
 // `title` is the HTML of the head.
-export function cardHtml(card, times, title) {
+// Of several on a page the first says of its times how they were taken.
+export function cardHtml(card, times, title, isFirst = true) {
   const parts = [...new Set(card.rows.map(row => row.about))].map(
     about =>
       `<div class="part"><p class="label">${variables(about)}</p><dl>${card.rows
@@ -75,15 +76,17 @@ export function cardHtml(card, times, title) {
         .map(row => line(row, times))
         .join('')}</dl></div>`,
   );
-  const timed = aboutTimes(
-    times,
-    card.rows.map(row => row.measured),
-  );
+  const timed =
+    isFirst &&
+    aboutTimes(
+      times,
+      card.rows.map(row => row.measured),
+    );
   const note = card.note ? `<p class="note">${escapeHtml(card.note)}</p>` : '';
   return `<div class="card" role="note" aria-label="Card of ${escapeHtml(card.name)}">
 <div class="cardhead"><p>${title}</p><p class="sources"><a href="data/cards/${card.name}.csv">${card.name}.csv</a>, <a href="${sourceHref(MEASURED_BY)}">every_card.cpp</a></p></div>
 <div class="parts">${parts.join('\n')}</div>
-${note}${timed}</div>`;
+${note}${timed || ''}</div>`;
 }
 
 const line = (row, times) =>

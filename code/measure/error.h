@@ -33,6 +33,7 @@ Error largest_error(Step step, const Scene& scene, Real h, long steps) {
     const auto truth = scene.exact(t);
     const auto position = length(now.x - truth.x);
     const auto velocity = length(now.v - truth.v);
+    // Not >: what is not a number is to count as the largest.
     if (!(position <= largest.position)) largest.position = position;
     if (!(velocity <= largest.velocity)) largest.velocity = velocity;
   });

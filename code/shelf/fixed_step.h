@@ -50,7 +50,7 @@ namespace shelf {
 /// @see G. Fiedler, Fix Your Timestep! (2004)
 template <class Real = double>
 struct FixedStep {
-  Real h = Real(1) / Real(60);       ///< step size [s], above zero; a change throws the time back
+  Real h = Real(1) / Real(60);       ///< step size [s], above zero; the time is steps * h
   Real longest_frame = Real(1) / 4;  ///< time beyond this in one frame is dropped [s]; finite
   Real saved = 0;                    ///< time not yet spent, always under one step [s]
   long long steps = 0;               ///< steps taken so far
