@@ -34,13 +34,11 @@ const besideChapter = (source, folder) =>
     .sort();
 
 // All but what lies beside the way through the book.
-export const onTheWay = ({ isAside }) => !isAside;
+export const onTheWay = ({ isAside, beside }) => !isAside && !beside;
 
 // The pages before and after one, on the way.
-export const pagesAround = ({ pages }, { order, isAside, beside }) => ({
-  previous: (!isAside || beside) && pages.slice(0, order).findLast(onTheWay),
-  next: (!isAside || beside) && pages.slice(order + 1).find(onTheWay),
-});
+export const pagesAround = ({ pages }, { order, isAside }) =>
+  isAside ? {} : { previous: pages.slice(0, order).findLast(onTheWay), next: pages.slice(order + 1).find(onTheWay) };
 
 export function readBook(config) {
   const problems = createProblems();
@@ -156,8 +154,7 @@ function readPages(book) {
   for (const chapter of book.chapters.values()) {
     chapter.page = add(`${chapter.folder}/chapter.md`, { ...chapter, owner: chapter.name });
     chapter.title = chapter.page.title;
-    for (const page of addBeside(chapter, name => !IN_SHORT.includes(name)))
-      Object.assign(page, { isAside: true, beside: chapter });
+    for (const page of addBeside(chapter, name => !IN_SHORT.includes(name))) page.beside = chapter;
   }
   for (const program of book.programs.values()) {
     if (program.number) continue;

@@ -82,9 +82,8 @@ const filmBox = (html, piece, { book, page, hold }) => {
     number,
     args: [, title],
   } = piece;
-  const shown = filmHtml(page, piece, book);
-  const [picture] = shown.match(/<svg class="still"[^]*?<\/svg>/);
-  page.slides.push({ id, number, title: escapeHtml(smarten(title)), picture, film: shown.match(/src="([^"]*)"/)[1] });
+  const { html: shown, still, href } = filmHtml(page, piece, book);
+  page.slides.push({ id, number, title: escapeHtml(smarten(title)), picture: still, film: href });
   return `<figure class="plot" id="${piece.id}">${hold(shown)}\n<figcaption>${figureLabel(piece, html)}${filmSources(page, piece)}</figcaption></figure>`;
 };
 

@@ -66,8 +66,7 @@ function placeOf({ config }, name) {
   return [MEASURED_BY, 1];
 }
 
-// `title` is the HTML of the head.
-// Of several on a page the first says of its times how they were taken.
+// `title` is the HTML of the head. Of several cards in a chapter the first says how the times were taken.
 export function cardHtml(card, times, title, isFirst = true) {
   const parts = [...new Set(card.rows.map(row => row.about))].map(
     about =>
@@ -76,17 +75,17 @@ export function cardHtml(card, times, title, isFirst = true) {
         .map(row => line(row, times))
         .join('')}</dl></div>`,
   );
-  const timed =
-    isFirst &&
-    aboutTimes(
-      times,
-      card.rows.map(row => row.measured),
-    );
+  const timed = isFirst
+    ? aboutTimes(
+        times,
+        card.rows.map(row => row.measured),
+      )
+    : '';
   const note = card.note ? `<p class="note">${escapeHtml(card.note)}</p>` : '';
   return `<div class="card" role="note" aria-label="Card of ${escapeHtml(card.name)}">
 <div class="cardhead"><p>${title}</p><p class="sources"><a href="data/cards/${card.name}.csv">${card.name}.csv</a>, <a href="${sourceHref(MEASURED_BY)}">every_card.cpp</a></p></div>
 <div class="parts">${parts.join('\n')}</div>
-${note}${timed || ''}</div>`;
+${note}${timed}</div>`;
 }
 
 const line = (row, times) =>

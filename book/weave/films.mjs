@@ -95,11 +95,12 @@ export function filmHtml(page, { film, args: [, title] }, { config }) {
   const words = escapeHtml(smarten(title));
   const pictures = readPictures(readFileSync(film.page, 'utf8'));
   const [left, bottom, right, top] = pictures.view;
-  return (
+  const href = fileName(page, film);
+  const still = stillHtml(pictures, coloursOf(config), words);
+  const html =
     `<div class="film" style="--shape:${((right - left) / (top - bottom)).toFixed(3)}">` +
-    `<iframe src="${fileName(page, film)}" title="${words}" loading="lazy"></iframe>` +
-    `${stillHtml(pictures, coloursOf(config), words)}</div>`
-  );
+    `<iframe src="${href}" title="${words}" loading="lazy"></iframe>${still}</div>`;
+  return { html, still, href };
 }
 
 // The N of --plot-N for each name that a program calls a colour by.

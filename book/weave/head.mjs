@@ -29,9 +29,12 @@ export function headHtml(book, page, title) {
   return lines.filter(Boolean).join('\n');
 }
 
+// What one can do after a chapter, by the HTML of its page.
+export const goalsIn = body => body.match(/<div class="goals"[^>]*>([^]*?)<\/div>/)?.[1] ?? '';
+
 // The page's first sentences, as many as are shown whole; of a chapter what one can do after it.
 function description({ body }) {
-  const goals = body.match(/<div class="goals"[^]*?<\/div>/)?.[0];
+  const goals = goalsIn(body);
   if (goals)
     return asMany([...goals.matchAll(/<li>([^]*?)<\/li>/g)].map(([, goal]) => plain(goal).replace(/[.;]$/, '')));
   const patterns = [

@@ -30,15 +30,8 @@ export function readPage(path, { file, order, name, owner, number, href, exercis
   if (number) takeInTasks(page, exercises, problems);
   page.tokens = parseProse(page.source, (line, message) => problems.add(file, line, message));
   const all = allTokens(page.tokens);
-  page.minutes = until =>
-    minutesToRead(
-      until
-        ? all.slice(
-            0,
-            all.findIndex(({ meta }) => meta === until),
-          )
-        : all,
-    );
+  const upTo = piece => all.findIndex(({ meta }) => meta === piece);
+  page.minutes = until => minutesToRead(until ? all.slice(0, upTo(until)) : all);
   page.pieces = all.map(token => token.meta).filter(Boolean);
   page.pieces.forEach((piece, i) => {
     piece.token = i;

@@ -1,4 +1,5 @@
 // For a lecturer: what each chapter teaches, and its figures as slides, one to a sheet.
+import { goalsIn } from './head.mjs';
 import { beforeColon, escapeHtml, smarten } from './text.mjs';
 
 const hrefOf = ({ number }) => `slides-${number}.html`;
@@ -13,8 +14,6 @@ export function slidesPages(book, prose) {
   });
   return [overview(chapters), ...chapters.map(slidesPage)];
 }
-
-const goalsIn = html => html.match(/<div class="goals"[^>]*>([^]*?)<\/div>/)?.[1] ?? '';
 
 const overview = chapters => ({
   href: 'slides.html',

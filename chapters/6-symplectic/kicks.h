@@ -17,14 +17,15 @@ struct Kick {
 /// The kicks of symplectic Euler when it is started half a kick back.
 inline std::vector<Kick> kicks_of(const scenes::Spring<>& spring, double h, int steps) {
   std::vector<Kick> seen;
-  const auto start = spring.start();
-  auto s = start;
+  auto whole = spring.start(), s = whole;
+  measure::run(measure::velocity_verlet, spring, whole, h, steps, [&](double t, const auto& now) {
+    seen.push_back({.t = t, .before = 0, .after = 0, .verlet = now.v});
+  });
   s.v -= h / 2 * spring(s.x, s.v, 0.0);
-  for (int n = 0; n <= steps; ++n) {
-    const double before = s.v;
-    measure::symplectic_euler(s.x, s.v, n * h, h, spring);
-    const double verlet = measure::after(measure::velocity_verlet, spring, start, h, n).v;
-    seen.push_back({n * h, before, s.v, verlet});
+  for (Kick& kick : seen) {
+    kick.before = s.v;
+    measure::symplectic_euler(s.x, s.v, kick.t, h, spring);
+    kick.after = s.v;
   }
   return seen;
 }
