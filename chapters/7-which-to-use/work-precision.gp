@@ -61,6 +61,10 @@ height(p) = py(row(p), val("error"))
 panels = names("work-answers", "panel", "changes left", "1")
 # From the top down, in the order of their prices.
 named(p, m) = txt("panel") eq p && txt("method") eq m && val("changes left") > 0 ? left(side_of(p)) + 0.02 : NaN
+# Dormand-Prince has RK4's colour, so its pieces are dashed; each begins with a dot.
+KIN = "Dormand-Prince"
+dashed = names("work-answers", "panel", "method", KIN)
+solid(p) = (file("work-answers"), names_if("work-answers", "method", sprintf("$%d == \"%s\" && $%d != \"%s\"", col("panel"), p, col("method"), KIN)))
 best(p) = names("work-answers", "method", "panel", p)
 place(t) = sum [j=1:6] (t eq things[j])*j
 exact_things = names("work-exact", "thing", "steps per second", "60")
@@ -72,5 +76,7 @@ plot for [k=1:2] for [t in exact_things] for [f in steps_of(t)] file("work-exact
      for [k=1:2] for [t in exact_things] file("work-exact") using (exact_at(t, k)):(py(place(t), finest)):(exact_tip(t)) with labels hypertext point ls EXACT ps 0.3, \
      for [k=1:2] for [j=1:6] for [m in all(j, k)] file("work") using (at(j, k, m)):(py(j, val("error"))) with lines ls CONTEXT, \
      for [k=1:2] for [j=1:6] file("work") using (txt("thing") eq things[j] ? px(k, val(prices[k])) : NaN):(py(j, val("error"))):(tip(j)) with labels hypertext point ls CONTEXT ps 0.3, \
-     for [p in panels] for [m in best(p)] file("work-answers") using (answer(p, txt("method") eq m)):(height(p)) with linespoints ls look(m) lw 4 dt solid pt 7 ps 0.35, \
+     for [p in panels] for [m in solid(p)] file("work-answers") using (answer(p, txt("method") eq m)):(height(p)) with linespoints ls look(m) lw 4 dt solid pt 7 ps 0.35, \
+     for [p in dashed] file("work-answers") using (answer(p, txt("method") eq KIN)):(height(p)) with lines ls look(KIN) lw 4 dt (3,6), \
+     for [p in dashed] file("work-answers") using (answer(p, txt("method") eq KIN && val("changes left") > 0)):(height(p)) with points ls look(KIN) pt 7 ps 0.4, \
      for [p in panels] for [m in best(p)] file("work-answers") using (named(p, m)):(low(row(p)) + 0.13*val("changes left") - 0.04):(short(0)) with labels left font SMALL tc ls look(m)

@@ -5,7 +5,7 @@
   const NAME = 'speed-against-accuracy';
   const FRAMES = 60; // a second
   const LIKE = { spring: 'suspension', orbit: 'shuttle', air: 'leaf' }; // whose recorded times stand for the reader's own thing
-  const KIN = ['dopri5', 'trapezoid', 'linear_damping_implicit_last', 'backward_euler_spring']; // share a colour, and are dashed
+  const KIN = ['dopri5', 'trapezoid', 'linear_damping_implicit_last', 'backward_euler_spring']; // share a colour: dashed and hollow
   const FRAME = 1e6 / FRAMES; // [µs]
   const GRIP = 10; // how near to a line or a dot a pointer takes it [px]
   const NOTHING = 1e-9; // of an error: what is less is rounding, or as good as that [m]
@@ -190,7 +190,11 @@
         if (recorded) line(recorded, { colour: 'context', width: 1 });
         const first = three.some(one => one.name === name);
         line(rungs, { colour: name, width: first ? 2.6 : 1.4, dash: KIN.includes(name) ? [6, 4] : [] });
-        for (const { time, error } of rungs) pen.dot(Math.log10(time), height(error), first ? 3 : 2, name);
+        for (const { time, error } of rungs) {
+          const at = [Math.log10(time), height(error)];
+          pen.dot(...at, first ? 3 : 2, name);
+          if (KIN.includes(name)) pen.dot(...at, first ? 1.6 : 1, 'paper');
+        }
       }
       pen.line([price, price], y, { colour: 'ink', width: 1.6 });
       pen.line(x, [tolerance, tolerance], { colour: 'limit', width: 1.6, dash: [3, 4] });
