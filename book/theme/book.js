@@ -61,13 +61,23 @@
     button.className = 'copy';
     button.textContent = 'Copy';
     button.addEventListener('click', () => {
-      copy(box.querySelector('pre').textContent);
+      copy(codeIn(box.querySelector('pre')));
       button.textContent = 'Copied';
       setTimeout(() => {
         button.textContent = 'Copy';
       }, 1200);
     });
     (box.querySelector('figcaption') ?? box).append(button);
+  }
+
+  // Where a change is applied to a listing, the lines that it takes out stand there, too.
+  function codeIn(pre) {
+    const code = pre.cloneNode(true);
+    for (const gone of pre.closest('.listing') ? all('del', code) : []) {
+      gone.nextSibling.data = gone.nextSibling.data.replace(/^\n/, '');
+      gone.remove();
+    }
+    return code.textContent;
   }
 
   function copy(text) {

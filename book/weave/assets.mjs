@@ -25,7 +25,7 @@ const FONTS = [
 ];
 
 // What every page can do, in one file.
-const SCRIPTS = ['book', 'values', 'marks', 'search'];
+const SCRIPTS = ['book', 'values', 'marks', 'search', 'change-it'];
 
 // One file of several scripts, without the lines that only explain and without indents; in words over several lines, an indent
 // would be part of the words.

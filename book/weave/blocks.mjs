@@ -16,10 +16,12 @@ export function blockHtml(context, piece) {
 }
 
 export function codeLines(lines, numbers, { id = () => '', gaps = true } = {}) {
-  const leftOut = i => gaps && i > 0 && numbers[i] !== numbers[i - 1] + 1;
+  const before = i => numbers.slice(0, i).findLast(number => number !== null);
+  const leftOut = i => gaps && i > 0 && numbers[i] !== null && numbers[i] !== before(i) + 1;
   return lines
     .map(
-      (line, i) => `<span class="ln${leftOut(i) ? ' gap' : ''}"${id(numbers[i])} data-n="${numbers[i]}"></span>${line}`,
+      (line, i) =>
+        `<span class="ln${leftOut(i) ? ' gap' : ''}"${id(numbers[i])} data-n="${numbers[i] ?? ''}"></span>${line}`,
     )
     .join('\n');
 }
@@ -27,27 +29,41 @@ export function codeLines(lines, numbers, { id = () => '', gaps = true } = {}) {
 function listing({ book, hold }, piece) {
   const [path, , caption = ''] = piece.args;
   const { lines } = piece.snippet;
-  const html = highlightLines(lines.map(l => l.text).join('\n'), 'cpp', linker(book.api, path));
-  const numbers = lines.map(l => l.number);
   const words = caption && `<span class="caption">${escapeHtml(smarten(caption))}</span>`;
   return (
     `<figure class="listing" id="${piece.id}"><figcaption><span class="head"><span class="num">Listing ${piece.number}</span> ${words}</span>` +
-    `<a class="file" href="${sourceHref(path)}#L${numbers[0]}">${escapeHtml(path).replace(/\//g, '/<wbr>')}</a></figcaption>` +
-    `<pre><code>${hold(codeLines(html, numbers))}</code></pre></figure>`
+    `<a class="file" href="${sourceHref(path)}#L${lines[0].number}">${escapeHtml(path).replace(/\//g, '/<wbr>')}</a></figcaption>` +
+    `<pre><code>${hold(listingCode(book, path, lines))}</code></pre></figure>`
   );
 }
 
-function fence({ hold }, { language, code }) {
+/** @param lines [{ text, number, sign? }, ...]: with the signs of a diff, the lines of a change. */
+export function listingCode(book, path, lines) {
+  const html = highlightLines(lines.map(({ text }) => text).join('\n'), 'cpp', linker(book.api, path));
+  const signed = html.map((line, i) => {
+    const as = CHANGED[lines[i].sign];
+    return as ? `<${as}>${line}</${as}>` : line;
+  });
+  return codeLines(
+    signed,
+    lines.map(({ number }) => number),
+  );
+}
+
+const CHANGED = { '-': 'del', '+': 'ins' };
+
+function fence({ hold }, { language, code, printedBy }) {
   const diff = language === 'diff';
   const kind = languageOf(language) === 'bash' ? ' terminal' : diff ? ' diff' : '';
   const lines = diff ? diffLines(code) : highlightLines(code, language);
-  return `<div class="codebox${kind}"><pre><code>${hold(lines.join('\n'))}</code></pre></div>`;
+  const by = printedBy ? ` data-printed-by="${printedBy}"` : '';
+  return `<div class="codebox${kind}"${by}><pre><code>${hold(lines.join('\n'))}</code></pre></div>`;
 }
 
 // What a reader takes out of a program and puts in.
 const diffLines = code =>
   code.split('\n').map(line => {
-    const as = { '-': 'del', '+': 'ins' }[line[0]];
+    const as = CHANGED[line[0]];
     return as ? `<${as}>${escapeHtml(line)}</${as}>` : escapeHtml(line);
   });
 

@@ -4,6 +4,7 @@ import { dirname, join, relative } from 'node:path';
 import { readCards } from './cards.mjs';
 import { readPromises } from './promises.mjs';
 import { readClaims } from './claims.mjs';
+import { readMadeChanges } from './change-box.mjs';
 import { readFilms } from './films.mjs';
 import { readLive } from './live.mjs';
 import { readAllTimes } from './measured-times.mjs';
@@ -123,6 +124,7 @@ function readChapter(book, { name, folder, build }) {
     command: book.short(program),
     data: join(build, 'data'),
     films: readFilms(source, folder, build),
+    changes: readMadeChanges(build),
     numbers: readNumbers(numbersFile),
     tables: readTables(join(build, 'data')),
     tests: claims.tests,

@@ -2,6 +2,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { inlineText } from './inline.mjs';
+import { changeHtml } from './change-box.mjs';
 import { filmHtml, filmSources } from './films.mjs';
 import { liveHtml } from './live.mjs';
 import { sourceHref } from './source-pages.mjs';
@@ -43,8 +44,7 @@ const BOXES = {
     const caption = at < 0 ? html : html.slice(0, at);
     return `<figure class="tablebox" id="${id}"><figcaption>${startWith(`<b>Table ${number}.</b> `, caption)}</figcaption>${at < 0 ? '' : html.slice(at)}</figure>`;
   },
-  change: (html, { args: [title] }) =>
-    `<div class="change"><p class="label">${escapeHtml(smarten(title))}</p>${html}</div>`,
+  change: changeHtml,
   figure: (html, piece, { book, page, hold }) => {
     if (piece.film) return filmBox(html, piece, { book, page, hold });
     const {

@@ -1,6 +1,7 @@
 // Looks up everything that the marks name, and reports what is not there.
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
+import { checkChange } from './change-box.mjs';
 import { checkWhole } from './check-whole.mjs';
 import { checkFilm } from './films.mjs';
 import { findChapter, findNumber } from './look_up.mjs';
@@ -174,7 +175,10 @@ const CHECKS = {
   },
   take: checkTake,
   choice: ({ piece, report }) => plainTitle(piece.args[1], report),
-  change: ({ piece, report }) => plainTitle(piece.args[0], report),
+  change(context) {
+    plainTitle(context.piece.args[0], context.report);
+    checkChange(context);
+  },
   rows({ book, page, piece, report }) {
     const [name] = piece.args;
     const tables = book.programs.get(page.owner)?.tables ?? new Map();

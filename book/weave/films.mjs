@@ -2,6 +2,7 @@
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { copyChangeFilms } from './change-box.mjs';
 import { readPictures, stillHtml } from './film-still.mjs';
 import { otherColours, readLooks } from './method-looks.mjs';
 import { nameOneOf } from './problems.mjs';
@@ -67,21 +68,22 @@ export function checkPrograms(book) {
 }
 
 // What a program prints, but for where its film is.
-const printsOf = film =>
+export const printsOf = film =>
   existsSync(film.prints)
     ? readFileSync(film.prints, 'utf8')
         .replace(/^Open .*\n/m, '')
         .trim()
     : null;
 
-// A fence `prints` quotes one of the chapter's programs to the letter; in "Change it" stands what a changed one prints, which
-// the tests compile.
+// A fence `prints` quotes one of the chapter's programs to the letter; in "Change it" stands what a changed one prints.
 export function checkPrints(book) {
   for (const { films, page } of book.programs.values()) {
-    const printed = [...films.values()].map(printsOf);
+    const printed = new Map([...films.values()].map(film => [printsOf(film), film.name]));
     for (const piece of page.pieces) {
       const quotes = piece.name === 'fence' && piece.language === 'prints' && piece.box?.name !== 'change';
-      if (!quotes || printed.includes(piece.code.trim())) continue;
+      if (!quotes) continue;
+      piece.printedBy = printed.get(piece.code.trim());
+      if (piece.printedBy) continue;
       const files = [...films.keys()].map(name => `${name}.txt`).join(', ');
       book.problems.add(page.file, piece.line, `no program of the chapter prints this; they print films/${files}`);
     }
@@ -99,7 +101,7 @@ export function filmHtml(page, { film, args: [, title] }, { config }) {
   const still = stillHtml(pictures, coloursOf(config), words);
   const html =
     `<div class="film" style="--shape:${((right - left) / (top - bottom)).toFixed(3)}">` +
-    `<iframe src="${href}" title="${words}" loading="lazy"></iframe>${still}</div>`;
+    `<iframe src="${href}" data-program="${film.name}" title="${words}" loading="lazy"></iframe>${still}</div>`;
   return { html, still, href };
 }
 
@@ -117,10 +119,12 @@ export function copyFilms(book, out) {
   mkdirSync(join(out, 'films'), { recursive: true });
   for (const { films, page } of book.programs.values())
     for (const film of films.values()) writeFileSync(join(out, fileName(page, film)), inTheBook(film));
+  mkdirSync(join(out, 'changes'), { recursive: true });
+  for (const page of book.pages) copyChangeFilms(page, out);
 }
 
 // The page of a film with the title of its figure, and in the book's letters.
-const inTheBook = ({ page, title }) =>
+export const inTheBook = ({ page, title }) =>
   readFileSync(page, 'utf8').replace(
     /<title>.*<\/title>/,
     () =>

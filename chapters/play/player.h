@@ -61,13 +61,21 @@ const colours = {
 const [title, canvas, button, slider, clock, pace] = ['h1', 'canvas', 'button', 'input', 'output', 'small'].map(name => document.querySelector(name));
 const pen = canvas.getContext('2d'), [left, bottom, right, top_] = view;
 const still = matchMedia('(prefers-reduced-motion: reduce)'), dark = matchMedia('(prefers-color-scheme: dark)');
-const begins = [], trails = [];
-let length = 0, playing = false, inSight = false, before = 0, next = 0;
-pictures.forEach(([seconds, ...shapes], n) => {
-  begins.push(length);
-  length += seconds;
-  shapes.filter(([kind]) => kind === 'trail').forEach(([, , x, y], k) => (trails[k] ??= []).push({ n, x, y }));
-});
+// The pictures with the time at which each begins, and the points of the trails.
+function reelOf({ names, pictures }) {
+  const begins = [], trails = [];
+  let length = 0;
+  pictures.forEach(([seconds, ...shapes], n) => {
+    begins.push(length);
+    length += seconds;
+    shapes.filter(([kind]) => kind === 'trail').forEach(([, , x, y], k) => (trails[k] ??= []).push({ n, x, y }));
+  });
+  return { names, pictures, begins, trails, length };
+}
+const reel = reelOf({ names, pictures }), { length } = reel;
+// What the film is compared with, faintly behind it; a page that has none does not name it.
+const behind = typeof ghost === 'undefined' ? null : reelOf(ghost);
+let playing = false, inSight = false, before = 0, next = 0;
 title.textContent = document.title;
 canvas.setAttribute('aria-label', `${document.title}: a series of drawings`);
 document.documentElement.classList.toggle('framed', self !== top);
@@ -82,14 +90,26 @@ canvas.style.aspectRatio = (right - left) / (top_ - bottom);
 const scheme = () => location.hash.slice(1) || (dark.matches ? 'dark' : 'light');
 
 function draw() {
-  const shown = begins.findLastIndex(begin => begin <= slider.value), scale = canvas.width / (right - left);
+  const scale = canvas.width / (right - left);
   const { paper, ink } = colours[scheme()];
   Object.assign(document.documentElement.style, { colorScheme: scheme(), background: paper, color: ink });
   pen.setTransform(1, 0, 0, 1, 0, 0);
   pen.clearRect(0, 0, canvas.width, canvas.height);
   pen.lineWidth = 2 * devicePixelRatio;
   pen.lineCap = pen.lineJoin = 'round';
-  const place = (x, y) => [(x - left) * scale, (top_ - y) * scale], [, ...shapes] = pictures[shown];
+  const place = (x, y) => [(x - left) * scale, (top_ - y) * scale];
+  pen.globalAlpha = 0.35;
+  if (behind) drawShapes(behind, scale, place);
+  pen.globalAlpha = 1;
+  const shapes = drawShapes(reel, scale, place);
+  pen.fillStyle = ink;
+  labels(shapes.filter(([kind]) => kind === 'label'), scale, place);
+  tellTime(Number(slider.value));
+}
+
+// Draws the picture of this moment, but for its labels, and returns what is in it.
+function drawShapes({ names, pictures, begins, trails }, scale, place) {
+  const shown = begins.findLastIndex(begin => begin <= slider.value), [, ...shapes] = pictures[shown];
   let trail = 0;
   for (const [kind, number, x, y, ...more] of shapes) {
     const colour = names[number];
@@ -103,9 +123,7 @@ function draw() {
       pen.stroke();
     }
   }
-  pen.fillStyle = ink;
-  labels(shapes.filter(([kind]) => kind === 'label'), scale, place);
-  tellTime(Number(slider.value));
+  return shapes;
 }
 
 // A label stands in the middle of its place and within the picture; in a row its words go below each other if there is no room.

@@ -1,13 +1,15 @@
 // The programs that make films: node play.test.mjs SOURCE BUILD COMPILER EIGEN CHAPTER [OTHER COMPILER]
 //
-// They are short and stand in their chapter; they print what the chapter quotes; and each "Change it" does what the chapter says,
-// since the change is made, compiled and run.
+// They are short and stand in their chapter; they print what the chapter quotes; and each "Change it" did, where the build made the
+// change, what the chapter says; another compiler makes the same of it.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { applyChange, readChanges, readQuoted } from '../../book/weave/changes.mjs';
+import { withGhost } from '../../book/weave/film-ghost.mjs';
 
 const [source, build, compiler, eigen, chapter, other] = process.argv.slice(2);
 const MOST_LINES = 60;
@@ -18,13 +20,8 @@ const names = readdirSync(folder)
   .map(file => file.slice(0, -4));
 const read = name => readFileSync(join(folder, `${name}.cpp`), 'utf8');
 
-const fences = (text, kind) =>
-  [...text.matchAll(new RegExp(`^\`\`\`${kind}\\n([^]*?)^\`\`\``, 'gm'))].map(([, code]) => code);
-const changes = [...prose.matchAll(/^\\change\{(.*)\}\n([^]*?)^\\endchange/gm)].map(([, title, text]) => ({
-  title,
-  text,
-}));
-const quoted = fences(prose.replace(/^\\change\{[^]*?^\\endchange/gm, ''), 'prints');
+const changes = readChanges(prose);
+const quoted = readQuoted(prose);
 
 // What a program says, but for where its film is.
 const said = output => output.replace(/^Open .*\n/m, '');
@@ -55,18 +52,6 @@ for (const name of names) {
   });
 }
 
-const unindented = line => line.trim();
-
-// The lines of `text`, with those that the change takes out, which stand there once, replaced by those that it puts in.
-function changed(text, diff) {
-  const rows = diff.trimEnd().split('\n');
-  const out = rows.filter(row => !row.startsWith('+')).map(row => unindented(row.slice(1)));
-  const put = rows.filter(row => !row.startsWith('-')).map(row => row.slice(1));
-  const lines = text.split('\n');
-  const at = lines.flatMap((_, i) => (out.every((line, k) => unindented(lines[i + k] ?? '') === line) ? [i] : []));
-  return at.length === 1 ? [...lines.slice(0, at[0]), ...put, ...lines.slice(at[0] + out.length)].join('\n') : null;
-}
-
 // Compiles a program of the chapter, and runs it: what it says, and its film.
 function run(code, by, name = 'play') {
   const scratch = mkdtempSync(join(tmpdir(), 'play-'));
@@ -82,19 +67,26 @@ function run(code, by, name = 'play') {
   }
 }
 
-for (const { title, text } of changes) {
-  test(`change it: ${title}`, () => {
-    const diffs = fences(text, 'diff'),
-      expected = fences(text, 'prints');
-    assert.ok(diffs.length > 0 && expected.length === 1, 'a change has lines to change, and what is printed then');
-    const fits = names.filter(name => changed(read(name), diffs[0]) !== null);
-    assert.equal(fits.length, 1, `its lines stand in ${fits.length} programs of ${chapter}, once: ${diffs[0]}`);
-    const program = diffs.reduce((code, diff) => {
-      const next = changed(code, diff);
-      assert.ok(next, `the lines stand not once: ${diff}`);
-      return next;
-    }, read(fits[0]));
-    assert.equal(run(program, compiler, fits[0]).said, expected[0]);
+const programs = Object.fromEntries(names.map(name => [name, read(name)]));
+for (const change of changes) {
+  test(`change it: ${change.title}`, () => {
+    assert.ok(
+      change.diffs.length > 0 && change.prints.length === 1,
+      'it has lines to change, and what is printed then',
+    );
+    const { fault, program, text } = applyChange(programs, change);
+    assert.ok(!fault, fault);
+    const made = kind => readFileSync(join(build, 'chapters', chapter, 'changes', `${change.name}.${kind}`), 'utf8');
+    assert.equal(said(made('txt')), change.prints[0]);
+    const own = readFileSync(join(build, 'chapters', chapter, 'films', `${program}.html`), 'utf8');
+    assert.ok(
+      made('html').includes('const ghost = {') && !own.includes('const ghost = {'),
+      'it has the old film as its ghost',
+    );
+    if (!other) return;
+    const again = run(text, other, program);
+    assert.equal(again.said, change.prints[0]);
+    assert.ok(made('html') === withGhost(again.film, own), 'its films by two compilers differ');
   });
 }
 

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { minutesToRead } from '../../book/weave/reading-time.mjs';
 import { refuses, weaves } from './weaver.mjs';
 
 const SECOND = 'chapters/3-heun/chapter.md';
@@ -47,7 +48,9 @@ test('how long a chapter takes: 200 words a minute, some for each thing to look 
     weaves(...chapter(`${text}\n\nIt takes \\minutes{3-heun}.`))('3-heun.html').match(/It takes (.*?)\./)[1];
   assert.equal(minutes(words(2800)), '15\u202fmin');
   assert.equal(minutes(`${words(2800)}\n\n${'\\f[ a \\f]\n\n'.repeat(5)}`), '20\u202fmin');
-  assert.equal(minutes(`${words(2800)}\n\n\\change{One}\nx\n\\endchange`), '20\u202fmin');
+  const token = (type, meta, content = '') => ({ type, meta, content });
+  const text = token('text', null, words(2800));
+  assert.deepEqual([minutesToRead([text]), minutesToRead([text, token('open', { name: 'change' })])], [15, 20]);
   assert.equal(
     minutes(`${words(2800)}\n\n${'\\f[ a \\f]\n\n'.repeat(5)}## Exercises\n\n${words(9000)}`),
     '20\u202fmin',

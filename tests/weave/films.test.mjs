@@ -24,7 +24,10 @@ test('a film: its page within the figure, as high as its pictures want, and its 
   const read = weaves(code, page, paragraph(listing + film));
   const html = read('2-euler.html');
   assert.match(html, /<figure class="plot" id="figure-play-2-euler">/);
-  assert.match(html, /style="--shape:2\.000"><iframe src="films\/2-euler-play\.html" title="A drone flies"/);
+  assert.match(
+    html,
+    /style="--shape:2\.000"><iframe src="films\/2-euler-play\.html" data-program="play" title="A drone flies"/,
+  );
   assert.match(html, /Made by <a href="source-chapters-2-euler-play-cpp\.html">play\.cpp<\/a>/);
   assert.match(read('films/2-euler-play.html'), /<title>A drone flies<\/title>[^]*url\(\.\.\/fonts\/[^]*const view/);
 });
@@ -73,9 +76,44 @@ test('what a program prints, quoted to the letter', () => {
   );
 });
 
-test('what to change in a program: lines that go, and lines that come', () => {
-  const change = '\\change{Fly faster}\n```diff\n- h = 1;\n+ h = 2;\n```\nIt flies away.\n\n\\endchange';
-  const html = weaves(code, page, paragraph(listing + film), paragraph(change))('2-euler.html');
-  assert.match(html, /<div class="change"><p class="label">Fly faster<\/p>/);
-  assert.match(html, /<del>- h = 1;<\/del>\n<ins>\+ h = 2;<\/ins>/);
+const change = paragraph(
+  '\\change{Fly away}\n```diff\n-   return 0;\n+   return 1;\n```\nIt flies away.\n\n```prints\nit flies 9 m\n```\n\\endchange',
+);
+const rows = [
+  { sign: '-', code: '  return 0;' },
+  { sign: '+', code: '  return 1;' },
+];
+const made = { name: 'fly-away', title: 'Fly away', program: 'play', edits: [{ line: 5, rows }] };
+const filmed = [
+  ['built/2-euler/changes/films.json', JSON.stringify([made])],
+  ['built/2-euler/changes/fly-away.txt', 'Open play.html\nit flies 9 m\n'],
+  ['built/2-euler/changes/fly-away.html', page[1]],
+];
+
+test('what to change in a program: lines that go, and lines that come, here and in the listing to be applied', () => {
+  const read = weaves(code, page, ...filmed, paragraph(listing + film), change);
+  const html = read('2-euler.html');
+  assert.match(
+    html,
+    /<div class="change" id="change-fly-away" data-program="play" data-film="changes\/2-euler-fly-away.html">/,
+  );
+  assert.match(html, /<del>-   return 0;<\/del>\n<ins>\+   return 1;<\/ins>/);
+  const [template] = html.match(/<template data-for="listing-\d+">[^]*?<\/template>/);
+  assert.match(
+    template,
+    /data-n="5"><\/span><del>  .*0.*<\/del>\n<span class="ln" data-n=""><\/span><ins>  .*1.*<\/ins>\n<span class="ln" data-n="6">/,
+  );
+  assert.match(read('changes/2-euler-fly-away.html'), /<title>Fly away<\/title>/);
+});
+
+test('a change that was not made, and one that prints something else', () => {
+  refuses(
+    [code, page, paragraph(listing + film), change],
+    [CHAPTER, '\\change{Fly away', 'the program has not been changed so and run; is the chapter built?'],
+  );
+  const [, prints, ...rest] = filmed;
+  refuses(
+    [code, page, filmed[0], [prints[0], 'it flies 8 m\n'], ...rest, paragraph(listing + film), change],
+    [CHAPTER, '\\change{Fly away', 'the changed program prints "it flies 8 m", which its box should quote'],
+  );
 });
