@@ -1,7 +1,7 @@
 // The runs whose bits are compared: every combination of a figure's choices, with its sliders where they stand at first, all
 // at their low ends, and all at their high ends; of many combinations, those with one choice changed. What concerns the page
 // alone is left out.
-import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { readDescriptions } from './descriptions.mjs';
 
 const CHAPTERS = new URL('../../chapters/', import.meta.url);
 // Steps of a run, with each build, and where there is time.
@@ -9,18 +9,7 @@ export const STEPS = 2_000;
 export const MANY_STEPS = 20_000; // with the sliders where they stand at first
 const MOST = 48; // combinations of a figure that are all tried
 
-export function readFigures() {
-  const folders = readdirSync(CHAPTERS)
-    .sort()
-    .map(chapter => new URL(`${chapter}/live/`, CHAPTERS))
-    .filter(folder => existsSync(folder));
-  return folders.flatMap(folder =>
-    readdirSync(folder)
-      .filter(file => file.endsWith('.json'))
-      .sort()
-      .map(file => ({ name: file.slice(0, -5), ...JSON.parse(readFileSync(new URL(file, folder), 'utf8')) })),
-  );
-}
+export const readFigures = () => readDescriptions(CHAPTERS);
 
 export const casesOfManySteps = () => cases(['start']);
 

@@ -3,7 +3,20 @@
 
 #include <algorithm>
 
+#include "live/own.h"
+
 namespace live {
+
+std::vector<Setting> Figure::all_settings() {
+  auto all = settings();
+  all.push_back({"own", &own_, names_of_stands()});
+  return all;
+}
+
+void Figure::begin() {
+  put_standing(own_);
+  start();
+}
 
 void Figure::advance(int steps) {
   for (int n = 0; n < steps; ++n) step();

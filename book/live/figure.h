@@ -25,16 +25,16 @@ struct Shown {
   long changes = 0;   ///< how often they were shown
 };
 
-/// A live figure. The page sets its settings, calls start() once and advance() many times, and
+/// A live figure. The page sets its settings, calls begin() once and advance() many times, and
 /// draws what is shown. It must show "t", the time [s], and "h", the length of the next step [s].
 class Figure {
  public:
   virtual ~Figure() = default;
 
-  /// What the reader sets.
-  virtual std::vector<Setting> settings() = 0;
+  /// What the reader sets, and "own": what stands in the place of a method, by the names of own.h.
+  std::vector<Setting> all_settings();
   /// Begins a run with the settings as they are, and shows its start.
-  virtual void start() = 0;
+  void begin();
   /// Takes steps and shows where they lead.
   /// @param steps  how many
   void advance(int steps);
@@ -53,6 +53,10 @@ class Figure {
   Figure(const Figure&) = default;
   Figure& operator=(const Figure&) = default;
 
+  /// The settings of this figure.
+  virtual std::vector<Setting> settings() = 0;
+  /// Begins a run.
+  virtual void start() = 0;
   /// One step of the method.
   virtual void step() = 0;
   /// Calls show() for all that changes with a step.
@@ -74,6 +78,7 @@ class Figure {
   void put(const char* name, std::span<const double> values, bool reproducible);
 
   std::vector<Shown> shown_;
+  double own_ = 0;  // place in names_of_stands()
 };
 
 /// A figure by its name: chapters/N/live/NAME.cpp defines make_NAME(), with _ for each -.

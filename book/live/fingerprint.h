@@ -29,7 +29,7 @@ struct Hash {
 inline std::uint64_t fingerprint(Figure& figure, int steps) {
   Hash hash;
   std::vector<long> seen;
-  figure.start();
+  figure.begin();
   for (int n = 0; n < steps; ++n) {
     figure.advance(1);
     const std::vector<Shown>& all = figure.shown();

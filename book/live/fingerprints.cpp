@@ -29,7 +29,7 @@ double value_of(const live::Setting& setting, const std::string& text) {
 
 void set(live::Figure& figure, const std::string& assignment) {
   const auto equals = assignment.find('=');
-  for (const live::Setting& setting : figure.settings()) {
+  for (const live::Setting& setting : figure.all_settings()) {
     if (assignment.substr(0, equals) != setting.name || equals == std::string::npos) continue;
     *setting.value = value_of(setting, assignment.substr(equals + 1));
     return;

@@ -6,6 +6,7 @@
 
 #include "cast.h"
 #include "live/figure.h"
+#include "live/run.h"
 
 namespace live {
 
@@ -54,10 +55,24 @@ class OneStep final : public Figure {
   void start() override {
     end_ = {{x_, y_}, drone.omega * Vec{-y_, x_}};
     looks_.clear();
-    step_(end_.x, end_.v, 0.0, h_, Watched{&looks_});
+    take_step();
     done_ = 0;
     show_step();
     show_state();
+  }
+
+  // With what stands in the place of the method, if anything does.
+  void take_step() {
+    const Watched watched{&looks_};
+    if constexpr (requires { Step::function; }) {
+      if (standing() && Step::function == standing()->method) {
+        RunOfStanding<Vec, Watched> run(standing()->make(), watched, end_, h_);
+        run.step();
+        end_ = run.now;
+        return;
+      }
+    }
+    step_(end_.x, end_.v, 0.0, h_, watched);
   }
 
   void step() override { done_ = (done_ + 1) % (looks_.size() + 2); }

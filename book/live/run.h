@@ -5,10 +5,13 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "live/own.h"
 #include "measure/run.h"
 
 namespace live {
@@ -75,7 +78,73 @@ class RunOf final : public Run<Vec> {
                           0.0, std::declval<const Scene&>())) kept_;
 };
 
-/// Starts a run with one of several methods.
+/// Zeros for the dimensions that a scene has not.
+template <class Vec>
+Vec3 widened(const Vec& narrow) {
+  Vec3 wide = Vec3::Zero();
+  if constexpr (std::is_same_v<Vec, double>) {
+    wide[0] = narrow;
+  } else {
+    wide.head<Vec::SizeAtCompileTime>() = narrow;
+  }
+  return wide;
+}
+
+/// The dimensions that a scene has.
+template <class Vec>
+Vec narrowed(const Vec3& wide) {
+  if constexpr (std::is_same_v<Vec, double>) {
+    return wide[0];
+  } else {
+    return wide.head<Vec::SizeAtCompileTime>();
+  }
+}
+
+/// Whether the vectors of a scene have at most three dimensions, known when it is compiled.
+template <class Vec>
+constexpr bool fits_three() {
+  if constexpr (std::is_same_v<Vec, double>) {
+    return true;
+  } else {
+    return Vec::SizeAtCompileTime >= 1 && Vec::SizeAtCompileTime <= 3;
+  }
+}
+
+/// A scene as a force in three dimensions.
+template <class Vec, class Scene>
+class ForceOf final : public Force {
+  Scene scene_;
+
+ public:
+  explicit ForceOf(const Scene& scene) : scene_(scene) {}
+  Vec3 operator()(const Vec3& x, const Vec3& v, double t) const override {
+    return widened<Vec>(scene_(narrowed<Vec>(x), narrowed<Vec>(v), t));
+  }
+};
+
+/// A run of the method that stands in the place of a figure's own.
+template <class Vec, class Scene>
+class RunOfStanding final : public Run<Vec> {
+ public:
+  RunOfStanding(std::unique_ptr<Own> own, const Scene& scene, const scenes::State<Vec>& start,
+                double step_size)
+      : Run<Vec>(step_size, start), own_(std::move(own)), force_(scene) {
+    own_->start({widened<Vec>(start.x), widened<Vec>(start.v)}, step_size, force_);
+  }
+
+  void step() override {
+    own_->step(this->t(), this->h, force_);
+    ++this->steps;
+    const auto [x, v] = own_->now(this->t(), this->h, force_);
+    this->now = {narrowed<Vec>(x), narrowed<Vec>(v)};
+  }
+
+ private:
+  std::unique_ptr<Own> own_;
+  ForceOf<Vec, Scene> force_;
+};
+
+/// Starts a run with one of several methods, or with what stands in its place.
 /// @param methods  to choose from
 /// @param which  the place of the chosen one in the list
 /// @param scene  the acceleration; the run keeps a copy
@@ -88,6 +157,12 @@ std::unique_ptr<Run<Vec>> start_run(const std::tuple<Method<Steps>...>& methods,
   std::size_t place = 0;
   const auto start_if_chosen = [&]<class Step>(const Method<Step>& method) {
     if (place++ == static_cast<std::size_t>(which)) {
+      if constexpr (fits_three<Vec>()) {
+        if (standing() && std::string_view(standing()->method) == method.name) {
+          run = std::make_unique<RunOfStanding<Vec, Scene>>(standing()->make(), scene, start, h);
+          return;
+        }
+      }
       run = std::make_unique<RunOf<Vec, Scene, Step>>(method.step, scene, start, h);
     }
   };

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "examine.h"
 #include "fingerprint.h"
 
 #define EXPORT(type, name) extern "C" __attribute__((export_name(#name))) type name
@@ -11,6 +12,8 @@ namespace {
 
 std::unique_ptr<live::Figure> figure;
 std::vector<live::Setting> settings;
+live::Examined examined{};
+double right_order = 0;
 
 const live::Setting& setting(int i) {
   return settings[std::size_t(i)];
@@ -29,7 +32,7 @@ EXPORT(const char*, figure_name)(int i) {
 }
 EXPORT(void, choose)(int i) {
   figure = live::figures()[std::size_t(i)].make();
-  settings = figure->settings();
+  settings = figure->all_settings();
 }
 
 EXPORT(int, setting_count)() {
@@ -49,7 +52,7 @@ EXPORT(const char*, choice_name)(int i, int j) {
 }
 
 EXPORT(void, start)() {
-  figure->start();
+  figure->begin();
 }
 EXPORT(void, advance)(int steps) {
   figure->advance(steps);
@@ -69,6 +72,23 @@ EXPORT(const double*, shown_values)(int i) {
 
 EXPORT(int, shown_changes)(int i) {
   return int(shown(i).changes);
+}
+
+EXPORT(void, examine)() {
+  examined = live::examine(*live::standing()->make());
+  right_order = live::order_in_whose_place(*live::standing());
+}
+EXPORT(double, examined_right_order)() {
+  return right_order;
+}
+EXPORT(double, examined_order)() {
+  return examined.order;
+}
+EXPORT(const char*, examined_is)() {
+  return examined.is;
+}
+EXPORT(double, examined_apart)() {
+  return examined.apart;
 }
 
 EXPORT(int, bodies)() {

@@ -40,14 +40,17 @@ function listing({ book, hold }, piece) {
 /** @param lines [{ text, number, sign? }, ...]: with the signs of a diff, the lines of a change. */
 export function listingCode(book, path, lines) {
   const html = highlightLines(lines.map(({ text }) => text).join('\n'), 'cpp', linker(book.api, path));
-  const signed = html.map((line, i) => {
-    const as = CHANGED[lines[i].sign];
-    return as ? `<${as}>${line}</${as}>` : line;
-  });
+  const marked = html.map((line, i) => signed(line, lines[i].sign));
   return codeLines(
-    signed,
+    marked,
     lines.map(({ number }) => number),
   );
+}
+
+/** A line as gone or come, by the sign of a diff. */
+export function signed(html, sign) {
+  const as = CHANGED[sign];
+  return as ? `<${as}>${html}</${as}>` : html;
 }
 
 const CHANGED = { '-': 'del', '+': 'ins' };

@@ -2,9 +2,14 @@
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { linker } from './api.mjs';
+import { edited } from '../../exercises/apply_edit.mjs';
+import { readMistake, withMistakes } from '../live/descriptions.mjs';
+import { signed } from './blocks.mjs';
 import { highlightLines } from './highlight.mjs';
+import { mergeLines } from './merge-lines.mjs';
 import { otherColours } from './method-looks.mjs';
 import { sourceHref } from './source-pages.mjs';
+import { cutTag } from './snippets.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
 // Where the parts of a chapter's live figures lie: NAME.cpp, NAME.js and NAME.json.
@@ -27,6 +32,7 @@ export const LIVE_SCRIPTS = [
   'clock',
   'handle',
   'stopwatch',
+  'mistakes',
   'links',
   'sight',
   'shown',
@@ -60,8 +66,7 @@ export function readLive({ source, chapters }, problems) {
             name: name.slice(0, -5),
             folder,
             file,
-            controls: [],
-            ...readJson(join(source, file), file, problems),
+            ...withMistakes(readJson(join(source, file), file, problems)),
           };
         });
       })
@@ -97,12 +102,15 @@ export function liveHtml({ book }, live) {
 <div class="picture"><p class="axis">${escapeHtml(smarten(scene))}</p><canvas class="scene" role="img" style="aspect-ratio:${shape.join('/')}"></canvas></div>
 <div class="keys"><button type="button" data-do="play">Play</button><button type="button" data-do="step">Step</button><button type="button" data-do="reset">Reset</button>${timed ? '<button type="button" data-do="time">Time it here</button>' : ''}
 <p class="readout"></p><small>${chart ? paceText(live) : ''}</small></div>
-<div class="controls">${live.controls.map(control => controlHtml(live, control)).join('')}
+<div class="controls">${live.controls
+    .filter(({ chips }) => !chips)
+    .map(control => controlHtml(live, control))
+    .join('')}
 <button type="button" data-do="link">Link to these settings</button>${timed ? '<div class="advice"></div>' : ''}</div>
 ${chart ? `<div class="graph"><p class="axis">${escapeHtml(smarten(chart.name))}</p><div class="chart" role="img"></div></div>` : ''}
 <div class="beside">${timed ? '<div class="ranked"></div>' : ''}${methodsOf(live)
-    .map(method => codeHtml(book, method))
-    .join('\n')}</div>
+    .flatMap(method => [codeHtml(book, method), ...wrongCode(book, live, method)])
+    .join('\n')}${chipsHtml(live)}</div>
 <p class="unseen" role="status"></p></div></template>`;
 }
 
@@ -130,12 +138,47 @@ function controlHtml(live, { name, label, choices, start, values, from, to, by, 
   );
 }
 
-function codeHtml(book, { name, label, path, tag }) {
+function codeHtml(book, { name, label, path, tag }, changed, own = '') {
   const { lines } = book.snippet(path, tag);
-  const html = highlightLines(lines.map(line => line.text).join('\n'), 'cpp', linker(book.api, path))
-    .map(line => `<span class="line">${line}</span>`)
+  const shown = changed ?? lines;
+  const html = highlightLines(shown.map(({ text }) => text).join('\n'), 'cpp', linker(book.api, path))
+    .map((line, i) => `<span class="line">${signed(line, shown[i].sign)}</span>`)
     .join('\n');
-  return `<div class="listing" data-method="${name}" hidden><p><b>${escapeHtml(smarten(label))}</b> <a class="file" href="${sourceHref(path)}#L${lines[0].number}">${escapeHtml(path)}</a></p><pre><code>${html}</code></pre></div>`;
+  return `<div class="listing" data-method="${name}"${own} hidden><p><b>${escapeHtml(smarten(label))}</b> <a class="file" href="${sourceHref(path)}#L${lines[0].number}">${escapeHtml(path)}</a></p><pre><code>${html}</code></pre></div>`;
+}
+
+const mistakesOf = ({ controls }) => Object.entries(controls.find(({ chips }) => chips)?.choices ?? {});
+
+// The code of a method with each mistake that a figure lets its reader make.
+const wrongCode = (book, live, method) =>
+  mistakesOf(live)
+    .filter(([name]) => name.startsWith(`${method.name}/`))
+    .map(([name]) => {
+      const { lines } = book.snippet(method.path, method.tag);
+      const file = join(book.config.source, method.path);
+      const changed = cutTag(edited(file, readMistake(name).file), method.tag);
+      return codeHtml(
+        book,
+        method,
+        mergeLines(
+          lines.map(({ text }) => text),
+          changed,
+        ),
+        ` data-own="${name}"`,
+      );
+    });
+
+// One press makes a mistake, and one takes it back.
+function chipsHtml(live) {
+  const [none, ...mistakes] = mistakesOf(live);
+  if (!none) return '';
+  const radio = ([value, text], of = '') =>
+    `<label${of && ` data-of="${of}"`}><input type="radio" name="${live.name}-own" value="${value}"${of ? '' : ' checked'}> ${escapeHtml(smarten(text))}</label>`;
+  const { name, label } = live.controls.find(({ chips }) => chips);
+  return (
+    `<fieldset class="chips" data-control="${name}"><legend>${label}</legend>${radio(none)}` +
+    `${mistakes.map(mistake => radio(mistake, mistake[0].split('/')[0])).join('')}</fieldset><p class="examined" role="status"></p>`
+  );
 }
 
 // The colours of the methods, and those of figure.gp, under the names that the figures use: EULER's becomes --euler.

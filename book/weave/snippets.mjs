@@ -42,13 +42,23 @@ const noTag = tag => ` Put a line "// [${tag}]" before and after the lines to sh
 
 function readTagged(path) {
   if (!existsSync(path)) return null;
-  const lines = readFileSync(path, 'utf8').split('\n');
+  return taggedLines(readFileSync(path, 'utf8'));
+}
+
+function taggedLines(text) {
+  const lines = text.split('\n');
   const tags = new Map();
   lines.forEach((line, i) => {
     const tag = line.match(MARKER)?.[1];
     if (tag) tags.set(tag, [...(tags.get(tag) ?? []), i + 1]);
   });
   return { lines, tags };
+}
+
+/** The lines between the two marks of a tag, from a text that is no file. */
+export function cutTag(text, tag) {
+  const { lines, tags } = taggedLines(text);
+  return unindented(cut(lines, tags.get(tag))).map(line => line.text);
 }
 
 function cut(lines, [first, last]) {

@@ -63,8 +63,14 @@ test('numbers are written as in the book', async () => {
 test('the choices on the page are those of the program', async () => {
   const { Live } = (await import('../../book/live/page/module.js'), globalThis);
   for (const { name, controls, handle, frames } of figures) {
-    const { settings } = await Live.open(await WebAssembly.compile(module), name);
-    const computed = controls.filter(({ page }) => !page);
+    const { own, ...settings } = (await Live.open(await WebAssembly.compile(module), name)).settings;
+    const offered = Object.keys(controls.find(({ chips }) => chips)?.choices ?? {});
+    assert.deepEqual(
+      offered.filter(mistake => !own.includes(mistake)),
+      [],
+      name,
+    );
+    const computed = controls.filter(({ page, chips }) => !page && !chips);
     const described = Object.fromEntries(computed.map(control => [control.name, Object.keys(control.choices ?? {})]));
     for (const { set } of handle ? [handle.x, handle.y] : []) if (set) described[set] = [];
     if (frames) described[frames] = [];

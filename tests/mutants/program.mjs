@@ -3,47 +3,21 @@
 // the one test of SOURCE that must see it, and the same tests of the header as it is.
 //
 // Each version of the header stands in a namespace of its own, with the test and with all headers between the two. What
-// does not depend on the header is compiled once, and so is what templates of libraries become. In a namespace,
-// `integrate::euler` is that version's; what that version does not have, such as `integrate::rk4`, is everybody's.
+// does not depend on the header is compiled once, and so is what templates of libraries become.
 // A test's name begins with the version's, by versions.mjs. OUT.d says what OUT was made of, for Ninja.
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { basename, dirname, resolve } from 'node:path';
+import { writeFileSync } from 'node:fs';
+import { basename } from 'node:path';
 import { edited } from '../../exercises/apply_edit.mjs';
+import { INCLUDE, inNamespace, namespacesOf, readSources } from './sources.mjs';
 import { versionsOf } from './versions.mjs';
 
 const [code, headerFile, sourceFile, outFile, ...edits] = process.argv.slice(2);
-const INCLUDE = /^#include (?:<(.*)>|"(.*)")$/;
-const texts = new Map();
-
-function linesOf(file) {
-  if (!texts.has(file)) texts.set(file, readFileSync(file, 'utf8').split('\n'));
-  return texts.get(file);
-}
-
-function includesOf(file) {
-  return linesOf(file).flatMap(line => {
-    const own = INCLUDE.exec(line)?.[2];
-    return own ? [[dirname(file), code].map(folder => resolve(folder, own)).find(existsSync)] : [];
-  });
-}
-
-// All files that a source is made of, each behind what it includes.
-function filesOf(file, found = []) {
-  for (const included of includesOf(file)) if (!found.includes(included)) filesOf(included, found);
-  if (!found.includes(file)) found.push(file);
-  return found;
-}
+const { linesOf, filesOf, pasted } = readSources(code);
 
 const files = filesOf(sourceFile);
 const inside = files.filter(file => filesOf(file).includes(headerFile));
 const outside = files.filter(file => !inside.includes(file));
-const namespaces = new Set(inside.flatMap(linesOf).flatMap(line => /^namespace (\w+) \{/.exec(line)?.[1] ?? []));
-
-// The text of a file without includes, under its own name and lines for what compilers and tests say.
-function pasted(file, lines = linesOf(file)) {
-  const text = lines.map(line => (INCLUDE.test(line) || line === '#pragma once' ? '' : line));
-  return `#line 1 ${JSON.stringify(file)}\n${text.join('\n')}`;
-}
+const namespaces = namespacesOf(inside.flatMap(linesOf));
 
 // The source with one of its tests alone, under a longer name.
 function withTest(test, version) {
@@ -67,13 +41,14 @@ function namespaceOf({ name, test, method, edit }, index) {
   const header = edit ? edited(headerFile, edit).split('\n') : linesOf(headerFile);
   return [
     ...(method ? [`#define ONLY ${method}`] : []),
-    `namespace ${unit}_${index} {`,
-    ...[...namespaces].map(one => `namespace ${one} { using namespace ::${one}; }`),
-    ...inside.map(file => {
-      if (file === sourceFile) return withTest(test, name);
-      return file === headerFile ? pasted(edit ?? file, header) : pasted(file);
-    }),
-    '}',
+    inNamespace(
+      `${unit}_${index}`,
+      namespaces,
+      inside.map(file => {
+        if (file === sourceFile) return withTest(test, name);
+        return file === headerFile ? pasted(edit ?? file, header) : pasted(file);
+      }),
+    ),
     ...(method ? ['#undef ONLY'] : []),
   ].join('\n');
 }
@@ -85,7 +60,6 @@ writeFileSync(
     ...new Set(edits.flatMap(edit => edited(headerFile, edit).split('\n')).filter(line => INCLUDE.exec(line)?.[1])),
     ...new Set(libraries),
     ...outside.map(file => `#include ${JSON.stringify(file)}`),
-    ...[...namespaces].map(one => `namespace ${one} {}`),
     ...versionsOf(edits).map(namespaceOf),
     '',
   ].join('\n'),

@@ -44,7 +44,7 @@
       const find = selector => element.querySelector(selector);
       this.stage = find('.stage');
       this.readout = find('.readout');
-      this.status = find('[role=status]');
+      this.status = find('.unseen');
       this.settings = new Live.Settings(this.stage, description.controls);
       this.pen = new Live.Pen(find('canvas.scene'));
       if (drawing.chart)
@@ -78,6 +78,7 @@
         this.ahead = new Live.Ahead(await run());
         this.scrubber = new Live.Scrubber(this.chart, t => this.goTo(t));
       }
+      if (find('.chips')) this.mistakes = new Live.Mistakes(this, run);
       if (description.timed) this.stopwatch = new Live.Stopwatch(code, element.dataset.live, () => this.retime());
       const { pen, drawing } = this;
       if (drawing.take) {
@@ -91,6 +92,8 @@
       }
       if (drawing.edits)
         this.edits = new Live.Edits(this.stage, drawing.edits, this.settings, values => this.choose(values));
+      this.mistakes?.fit();
+      if (this.mistakes?.made) await this.mistakes.prepare();
       this.fit();
       await this.showAll();
       this.listen(find);
@@ -159,6 +162,7 @@
     // What the controls and the methods say of the settings.
     tell() {
       this.settings.tell(this.run.now);
+      this.mistakes?.tell();
       this.edits?.show();
       this.answer();
     }
@@ -206,9 +210,11 @@
       return this.description.anew && !still.matches;
     }
     showCode(method) {
-      if (method === this.codeShown) return;
-      this.codeShown = method;
-      for (const code of this.stage.querySelectorAll('[data-method]')) code.hidden = code.dataset.method !== method;
+      const own = this.mistakes?.made ?? '';
+      if (method === this.codeShown && own === this.ownShown) return;
+      Object.assign(this, { codeShown: method, ownShown: own });
+      for (const code of this.stage.querySelectorAll('[data-method]'))
+        code.hidden = code.dataset.method !== method || (code.dataset.own ?? '') !== own;
       if (this.run) this.fit();
     }
     // The page looks whether the code that is shown fits.
@@ -235,6 +241,8 @@
     }
     // The moment stays, and what holds it: a run that is played goes on from there, and one seen to its end is seen to it.
     change() {
+      this.mistakes?.fit();
+      if (this.mistakes?.made && !this.mistakes.run) this.mistakes.prepare().then(() => this.draw());
       const { run, playing, values } = this;
       if (this.ahead && !this.changing) this.before = this.ahead.keep(this.begun);
       this.changing = true;

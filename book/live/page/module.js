@@ -19,7 +19,7 @@
     module._initialize();
     const text = at => {
       const bytes = new Uint8Array(module.memory.buffer, at);
-      return String.fromCharCode(...bytes.subarray(0, bytes.indexOf(0)));
+      return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
     };
     const list = (count, at) => Array.from({ length: count }, (_, i) => text(at(i)));
     const place = (names, wanted, what) => {
@@ -65,6 +65,16 @@
       advance(steps) {
         module.advance(steps);
         return look();
+      },
+      // What stands in the place of a method: its order and that method's, and which method of the book takes its steps, if one does.
+      examine() {
+        module.examine();
+        return {
+          order: module.examined_order(),
+          rightOrder: module.examined_right_order(),
+          is: text(module.examined_is()),
+          apart: module.examined_apart(),
+        };
       },
       bodies: module.bodies(),
       work: (which, rounds) => module.work(which, rounds),

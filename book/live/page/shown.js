@@ -9,6 +9,8 @@
       const { values, run, pen, drawing } = this;
       pen.begin(drawing.view(values, pen.canvas.clientWidth));
       if (this.changing && this.whole) pen.faintly(0.35, () => drawing.draw(pen, this.whole, values, 1));
+      if (this.mistakes?.made && this.mistakes.run)
+        pen.faintly(0.35, () => drawing.draw(pen, this.mistakes.inStep(run), this.mistakes.right, part));
       drawing.draw(pen, run, values, part);
       this.handle?.place(pen);
       if (!this.stopwatch || !this.playing) this.drawChart(); // an answer stays while it is played
@@ -28,7 +30,8 @@
     }
     // The lines of the code that are at work, and what the last of them finds.
     light() {
-      const lines = [...this.stage.querySelectorAll(`[data-method="${this.codeShown}"] .line`)];
+      const shown = [...this.stage.querySelectorAll('.listing:not([hidden]) .line')];
+      const lines = shown.filter(line => !line.querySelector('del')); // those that a mistake takes out are at work no more
       const [from, to, found = ''] = this.drawing.lit(
         this.run.now,
         lines.map(line => line.textContent),
@@ -43,10 +46,16 @@
       return this.ahead && (this.run.full ? this.run : this.ahead.of(this.values));
     }
     drawChart() {
-      const { run, values, before } = this;
-      const words = before && ['before', this.settings.wordsSince(before.values)].filter(Boolean).join(': ');
-      this.chart?.draw(run, values, this.whole?.trace, before && { trace: before.trace, words });
+      const { run, values } = this;
+      this.chart?.draw(run, values, this.whole?.trace, this.beforeIt);
       this.scrubber?.place(run.now.t, this.when);
+    }
+    // What the chart compares the run with: the one without a mistake, or the one before a change.
+    get beforeIt() {
+      const { mistakes, before } = this;
+      if (mistakes?.made && mistakes.ahead) return mistakes.before;
+      const words = before && ['before', this.settings.wordsSince(before.values)].filter(Boolean).join(': ');
+      return before && { trace: before.trace, words };
     }
     get when() {
       const { now } = this.run;

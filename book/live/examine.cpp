@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT-0
+#include "live/examine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <tuple>
+
+#include "measure/methods/euler.h"
+#include "measure/methods/runge_kutta.h"
+#include "measure/methods/verlet.h"
+
+namespace live {
+namespace {
+
+using State = scenes::State<Vec3>;
+
+// Place, velocity and time all count, and nothing is in a line with anything else.
+class Trial final : public Force {
+  Vec3 operator()(const Vec3& x, const Vec3& v, double t) const override {
+    return (-4 - 0.3 * x.squaredNorm()) * x - 0.5 * v + t * t * Vec3(0.3, -0.2, 0.1);
+  }
+};
+
+State after(Own& own, double h, int steps) {
+  const Trial trial;
+  own.start({{1, 0.3, -0.2}, {-0.4, 0.8, 0.1}}, h, trial);
+  for (int n = 0; n < steps; ++n) own.step(n * h, h, trial);
+  return own.now(steps * h, h, trial);
+}
+
+double apart(const State& a, const State& b) {
+  return std::hypot((a.x - b.x).norm(), (a.v - b.v).norm());
+}
+
+double order_of(Own& own) {
+  constexpr double seconds = 2;
+  constexpr int steps = 128;
+  OwnOf<measure::Rk4> true_enough;
+  const State end = after(true_enough, seconds / 8192, 8192);
+  const double coarse = apart(after(own, seconds / steps, steps), end);
+  const double fine = apart(after(own, seconds / (2 * steps), 2 * steps), end);
+  return coarse > fine ? std::log2(coarse / fine) : NAN;
+}
+
+void for_each_known(auto&& act) {
+  std::apply([&](const auto&... known) { (act(known), ...); },
+             std::tuple_cat(list::EulerFamily{}, list::RungeKuttaKin{}, list::VerletFamily{}));
+}
+
+}  // namespace
+
+double order_in_whose_place(const Stand& stand) {
+  double order = NAN;
+  for_each_known([&]<class Step>(const Step&) {
+    OwnOf<Step> known;
+    if (Step::function == stand.method) order = order_of(known);
+  });
+  return order;
+}
+
+Examined examine(Own& own) {
+  constexpr double h = 0.1, alike = 1e-12;
+  constexpr int steps = 3;
+  const State yours = after(own, h, steps);
+  Examined found{order_of(own), "", alike};
+  for_each_known([&]<class Step>(const Step&) {
+    OwnOf<Step> known;
+    const State other = after(known, h, steps);
+    const double off = apart(yours, other) / std::hypot(other.x.norm(), other.v.norm());
+    if (off < found.apart) found.apart = off, found.is = Step::name.data();
+  });
+  return found;
+}
+
+}  // namespace live
