@@ -26,8 +26,8 @@ export function withMistakes({ mistakes = [], ...description }) {
   const of = mistakes.map(readMistake);
   const own = {
     name: 'own',
-    label: 'A mistake',
-    choices: { none: 'None', ...Object.fromEntries(of.map(({ name, words }) => [name, words])) },
+    label: 'Change it',
+    choices: { none: 'As it is', ...Object.fromEntries(of.map(({ name, words }) => [name, words])) },
     start: 'none',
     chips: true,
   };

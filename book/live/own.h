@@ -61,7 +61,8 @@ class OwnOf final : public Own {
 
 /// A method that can stand in the place of another.
 struct Stand {
-  const char* name;    ///< "euler/position-with-new-velocity": its edit in tests/mutants
+  const char*
+      name;  ///< "euler/position-with-new-velocity": its edit in tests/mutants; "yours/euler"
   const char* method;  ///< in whose place, by the name of its header
   std::unique_ptr<Own> (*make)();
 };
@@ -72,10 +73,19 @@ std::span<const Stand> mistakes();
 /// What stands in the place of a method in the run that a figure begins; nullptr if nothing does.
 const Stand* standing();
 
-/// @param which  0 for nothing, then a place in mistakes(), counted from 1
+/// @param which  a place in names_of_stands()
 void put_standing(double which);
 
-/// "none", and the names of mistakes().
+/// "none", the names of mistakes(), and for each method that the reader may write "yours/" and its
+/// name.
 std::vector<const char*> names_of_stands();
+
+/// The method that the reader has written, which the page has compiled: in another module, and
+/// called through the page.
+std::unique_ptr<Own> reader();
+
+/// The acceleration that the step which the reader has written asks for.
+/// @param asked  place, velocity and time; the acceleration takes the place of the first three
+void answer_reader(double (&asked)[7]);
 
 }  // namespace live

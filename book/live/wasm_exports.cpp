@@ -14,6 +14,7 @@ std::unique_ptr<live::Figure> figure;
 std::vector<live::Setting> settings;
 live::Examined examined{};
 double right_order = 0;
+double asked[7];
 
 const live::Setting& setting(int i) {
   return settings[std::size_t(i)];
@@ -89,6 +90,13 @@ EXPORT(const char*, examined_is)() {
 }
 EXPORT(double, examined_apart)() {
   return examined.apart;
+}
+
+EXPORT(double*, room_to_ask)() {
+  return asked;
+}
+EXPORT(void, answer_reader)() {
+  live::answer_reader(asked);
 }
 
 EXPORT(int, bodies)() {

@@ -1,5 +1,5 @@
 // Style sheet, scripts, fonts and data files that lie beside the pages.
-import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -44,6 +44,7 @@ export function copyAssets(book, out) {
   const minisearch = join(dirname(require.resolve('minisearch')), '../..');
   copyFileSync(join(minisearch, 'dist/umd/index.js'), join(out, 'minisearch.js'));
   copyFileSync(join(minisearch, 'LICENSE.txt'), join(out, 'minisearch-LICENSE.txt'));
+  if (book.config.compiler) cpSync(book.config.compiler, join(out, 'compiler'), { recursive: true });
   if (book.config.live) copyLive(book, join(out, 'live'));
   copyFilms(book, out);
   copyFonts(join(out, 'fonts'));

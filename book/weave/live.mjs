@@ -5,6 +5,7 @@ import { linker } from './api.mjs';
 import { edited } from '../../exercises/apply_edit.mjs';
 import { readMistake, withMistakes } from '../live/descriptions.mjs';
 import { signed } from './blocks.mjs';
+import { editableOf } from './editable.mjs';
 import { highlightLines } from './highlight.mjs';
 import { mergeLines } from './merge-lines.mjs';
 import { otherColours } from './method-looks.mjs';
@@ -109,7 +110,7 @@ export function liveHtml({ book }, live) {
 <button type="button" data-do="link">Link to these settings</button>${timed ? '<div class="advice"></div>' : ''}</div>
 ${chart ? `<div class="graph"><p class="axis">${escapeHtml(smarten(chart.name))}</p><div class="chart" role="img"></div></div>` : ''}
 <div class="beside">${timed ? '<div class="ranked"></div>' : ''}${methodsOf(live)
-    .flatMap(method => [codeHtml(book, method), ...wrongCode(book, live, method)])
+    .flatMap(method => [codeHtml(book, method, null, editing(book, live, method)), ...wrongCode(book, live, method)])
     .join('\n')}${chipsHtml(live)}</div>
 <p class="unseen" role="status"></p></div></template>`;
 }
@@ -145,6 +146,13 @@ function codeHtml(book, { name, label, path, tag }, changed, own = '') {
     .map((line, i) => `<span class="line">${signed(line, shown[i].sign)}</span>`)
     .join('\n');
   return `<div class="listing" data-method="${name}"${own} hidden><p><b>${escapeHtml(smarten(label))}</b> <a class="file" href="${sourceHref(path)}#L${lines[0].number}">${escapeHtml(path)}</a></p><pre><code>${html}</code></pre></div>`;
+}
+
+// Where something can stand in the place of a method, a reader may write it, too.
+function editing(book, live, { path, tag }) {
+  if (!book.config.compiler || !mistakesOf(live).length || tag !== 'move') return '';
+  const about = editableOf(readFileSync(join(book.config.source, path), 'utf8'));
+  return about === null ? '' : ` data-edit="${escapeHtml(JSON.stringify(about))}"`;
 }
 
 const mistakesOf = ({ controls }) => Object.entries(controls.find(({ chips }) => chips)?.choices ?? {});

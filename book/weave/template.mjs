@@ -10,7 +10,7 @@ export function pageHtml(book, page) {
   const title = escapeHtml(smarten(page.title));
   const head = headTitle(book, page, name, title);
   return `<!DOCTYPE html>
-<html lang="en">
+<html lang="en"${book.config.compiler ? ' data-compiler' : ''}>
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">

@@ -79,7 +79,7 @@
     }
 
     nameOf({ label, colour }) {
-      return label ?? (colour === 'method' ? this.methods[this.method] : undefined);
+      return label ?? (colour === 'method' ? (this.isYours ? 'Yours' : this.methods[this.method]) : undefined);
     }
 
     get size() {
@@ -91,10 +91,11 @@
     }
 
     // `ahead` is the trace of the whole run, and `before` that of a run with other settings, { trace, words }; both are faint.
-    draw({ trace, now, endless, seconds }, { method = 'first' }, ahead = trace, before) {
+    draw({ trace, now, endless, seconds }, { method = 'first', own = '' }, ahead = trace, before) {
       const isOther = ({ value }) => this.differ(before.trace[value].at(-1), ahead[value].at(-1));
       this.changed = before && this.curves.find(isOther);
       Object.assign(this, { method, trace, ahead, before: this.changed && before });
+      this.isYours = own.startsWith('yours/');
       this.lists = this.paths.map(({ path }) => now[path]);
       const whole = name => (trace.t.at(-1) === now.t ? trace[name] : [...trace[name], now[name]]);
       const times = whole('t');

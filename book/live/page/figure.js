@@ -39,7 +39,7 @@
   class Figure extends Live.Shown {
     constructor(element, description, drawing) {
       super();
-      Object.assign(this, { element, drawing, description, playing: false, frameAsked: 0 });
+      Object.assign(this, { element, drawing, description, playing: false, frameAsked: 0, modules: [] });
       element.querySelector('.still').before(element.querySelector(':scope > template').content.cloneNode(true));
       const find = selector => element.querySelector(selector);
       this.stage = find('.stage');
@@ -63,6 +63,15 @@
       const { methods, controls } = this.description;
       return methods ?? controls.find(({ name }) => name === 'method')?.choices ?? {};
     }
+    // A step that the reader has written, compiled, and as a link has it.
+    useReader(compiled, packed) {
+      Object.assign(this, { reader: compiled, packed });
+      for (const module of this.modules) module.useReader(compiled);
+      if (this.ahead) this.ahead.asked = null; // the same settings, and another run
+    }
+    get readerFault() {
+      return this.mistakes?.isYours ? this.run.module.readerFault : null;
+    }
     // The one that is chosen, or the only one.
     get method() {
       return this.values.method ?? Object.keys(this.methods)[0];
@@ -70,7 +79,12 @@
     async open(code, name) {
       const { element, description } = this;
       const find = selector => element.querySelector(selector);
-      const run = async () => new Live.Run(await Live.open(code, name), description);
+      const run = async () => {
+        const module = await Live.open(code, name);
+        this.modules.push(module);
+        if (this.reader) module.useReader(this.reader);
+        return new Live.Run(module, description);
+      };
       this.run = await run();
       this.clock = new Live.Clock(description.pace);
       // One that the reader holds meanwhile, or that has no run over time, has no moment to go back to.
@@ -141,6 +155,7 @@
       const held = Object.entries(this.handle?.values ?? {});
       return [
         this.settings.query,
+        ...(this.mistakes?.isYours && this.packed ? [`code=${this.packed}`] : []),
         ...held.map(([name, value]) => `${encodeURIComponent(name)}=${Number(value.toPrecision(6))}`),
       ].join('&');
     }
@@ -210,7 +225,7 @@
       return this.description.anew && !still.matches;
     }
     showCode(method) {
-      const own = this.mistakes?.made ?? '';
+      const own = this.showing ?? this.mistakes?.made ?? '';
       if (method === this.codeShown && own === this.ownShown) return;
       Object.assign(this, { codeShown: method, ownShown: own });
       for (const code of this.stage.querySelectorAll('[data-method]'))

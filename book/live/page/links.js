@@ -29,6 +29,12 @@
       return id === this.id ? query : undefined;
     }
 
+    // A step that somebody has written, and the method in whose place: { own, code }.
+    get brought() {
+      const given = new URLSearchParams(this.asked);
+      return given.has('code') ? Object.fromEntries(given) : null;
+    }
+
     copy(button) {
       history.replaceState(null, '', `#${this.id}?${this.figure.query}`);
       const say = words => {

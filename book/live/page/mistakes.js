@@ -2,7 +2,18 @@
 (function () {
   'use strict';
   const Live = (globalThis.Live ??= {});
-  const NONE = 'none';
+  const NONE = 'none',
+    YOURS = 'yours/';
+  const methodOf = own => (own.startsWith(YOURS) ? own.slice(YOURS.length) : own.split('/')[0]);
+  let editing;
+
+  // What a page needs to edit, loaded when somebody wants to.
+  const loadEditing = () =>
+    (editing ??= new Promise((done, failed) => {
+      const script = document.createElement('script');
+      Object.assign(script, { src: 'compiler/editor.js', onload: () => done(globalThis.Editing), onerror: failed });
+      document.head.append(script);
+    }));
 
   Live.Mistakes = class {
     // `figure` has a stage, settings and a method; `open` makes a run in a module of its own.
@@ -10,18 +21,41 @@
       Object.assign(this, { figure, open });
       this.chips = figure.stage.querySelector('.chips');
       this.words = figure.stage.querySelector('.examined');
+      this.canEdit = 'compiler' in document.documentElement.dataset;
+      if (this.canEdit) this.offerToEdit();
     }
     get made() {
       const { own } = this.figure.values;
       return own === NONE ? null : own;
     }
+    offerToEdit() {
+      const button = document.createElement('button');
+      Object.assign(button, { type: 'button', className: 'edit', textContent: 'Edit' });
+      button.addEventListener('click', async () => {
+        this.notice = '';
+        (await loadEditing()).figure(this.figure);
+      });
+      this.chips.append(button);
+      if (this.figure.links.brought)
+        this.notice = 'This link brings a step of its own, which runs once you press Edit.';
+    }
+    // Whether the lines of the method may be written anew.
+    get isEditable() {
+      const { stage, method } = this.figure;
+      return this.canEdit && stage.querySelector(`[data-method="${method}"][data-edit]`) !== null;
+    }
+    // Whether it is the reader's own step that is made.
+    get isYours() {
+      return this.made?.startsWith(YOURS);
+    }
     // A mistake in a method that is no longer chosen is taken back, and those of others are not offered.
     fit() {
       const { settings, method } = this.figure;
-      if (this.made && !this.made.startsWith(`${method}/`)) settings.values = { own: NONE };
+      if (this.made && methodOf(this.made) !== method) settings.values = { own: NONE };
       const labels = [...this.chips.querySelectorAll('[data-of]')];
       for (const label of labels) label.hidden = label.dataset.of !== method;
-      this.chips.hidden = labels.every(label => label.hidden);
+      if (this.canEdit) this.chips.querySelector('.edit').hidden = !this.isEditable;
+      this.chips.hidden = !this.isEditable && labels.every(label => label.hidden);
     }
     // The run without the mistake, in step with the one that has it; nothing until its module is there.
     async prepare() {
@@ -43,11 +77,14 @@
     }
     // As a chart has what was before a change.
     get before() {
-      return { trace: this.ahead.of(this.right).trace, words: 'without the mistake' };
+      return { trace: this.ahead.of(this.right).trace, words: this.isYours ? 'the book’s' : 'without the mistake' };
     }
     // What trying it has shown.
     tell() {
-      this.words.textContent = this.made ? sentence(this.figure.run.module.examine()) : '';
+      const { made, figure } = this;
+      if (!made) return void (this.words.textContent = this.notice ?? '');
+      const found = figure.run.module.examine();
+      this.words.textContent = figure.readerFault ?? sentence(found, this.isYours);
     }
   };
 
@@ -55,11 +92,11 @@
   const digits = order => (isWhole(order) ? Math.round(order) : order.toFixed(1));
   const power = value => Math.ceil(Math.log10(value));
 
-  function sentence({ order, rightOrder, is, apart }) {
+  function sentence({ order, rightOrder, is, apart }, isYours) {
     const measured =
       order > 0.5
         ? digits(order) === digits(rightOrder)
-          ? `Order ${digits(order)}, as without the mistake.`
+          ? `Order ${digits(order)}, as ${isYours ? 'the book’s' : 'without the mistake'}.`
           : `Order ${digits(order)} in place of ${digits(rightOrder)}.`
         : 'With shorter steps it comes no nearer to the truth: it has no order.';
     const named = is && ` Its steps are those of ${is}, ${apart > 0 ? `to 1e${power(apart)}` : 'to the last bit'}.`;

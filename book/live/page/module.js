@@ -13,9 +13,80 @@
     return unpacked.arrayBuffer().then(WebAssembly.compile);
   };
 
+  const PATIENCE = 2000; // with all steps of a run that a reader has written [ms]
+  const SOME = 64;
+  const STATE = 10; // numbers of a run, as reader.cpp has them
+
+  // The numbers of a module's memory, which moves when it grows.
+  function numbersOf(module) {
+    let numbers = new Float64Array(0);
+    return () => (numbers.length ? numbers : (numbers = new Float64Array(module.memory.buffer)));
+  }
+  const copy = (from, at, to, there, count) => {
+    for (let i = 0; i < count; ++i) to[there / 8 + i] = from[at / 8 + i];
+  };
+
+  // A step that the reader has written, in a module of its own: joined to that of a figure, whose scene it asks for the acceleration.
+  class Reader {
+    imports = {
+      step: (state, t, h) => this.step(state, t, h),
+    };
+    join(figure) {
+      this.figure = figure;
+      this.own = numbersOf(figure);
+    }
+    use(compiled) {
+      const { exports } = new WebAssembly.Instance(compiled, { scene: { acceleration: at => this.ask(at) } });
+      this.module = exports;
+      this.yours = numbersOf(exports);
+      this.room = exports.room();
+      this.fault = null;
+    }
+    // For a run from its start.
+    begin() {
+      this.spent = this.taken = 0;
+      this.fault = null;
+    }
+    // Calls the figure, and counts the time that it takes while steps of the reader's are in it.
+    timed(call) {
+      this.from = performance.now();
+      call();
+      if (this.module) this.look();
+    }
+    // One that goes on for ever, or does what no program may, ends in a trap; where it was, nothing is any more.
+    step(state, t, h) {
+      if (this.module && !this.fault) {
+        copy(this.own(), state, this.yours(), this.room, STATE);
+        try {
+          this.module.step(t, h);
+        } catch {
+          this.fault = 'Your step was stopped: it goes on for ever, or does what no program may.';
+        }
+        copy(this.yours(), this.room, this.own(), state, STATE);
+        if (++this.taken % SOME === 0) this.look();
+      }
+      if (!this.module || this.fault) this.own().fill(NaN, state / 8, state / 8 + 6);
+    }
+    // At the clock, now and then: the page has to go on.
+    look() {
+      const now = performance.now();
+      this.spent += now - this.from;
+      this.from = now;
+      if (this.spent > PATIENCE) this.fault = 'Your steps were stopped: a run of them took more than two seconds.';
+    }
+    ask(at) {
+      const room = this.figure.room_to_ask();
+      copy(this.yours(), at, this.own(), room, 7);
+      this.figure.answer_reader();
+      copy(this.own(), room, this.yours(), at, 3);
+    }
+  }
+
   // One figure in an instance, and so in a memory, of its own.
   Live.open = async function (compiled, name) {
-    const { exports: module } = await WebAssembly.instantiate(compiled, {});
+    const reader = new Reader();
+    const { exports: module } = await WebAssembly.instantiate(compiled, { reader: reader.imports });
+    reader.join(module);
     module._initialize();
     const text = at => {
       const bytes = new Uint8Array(module.memory.buffer, at);
@@ -58,23 +129,28 @@
         module.set(i, choices[i].length ? place(choices[i], value, setting) : value);
       },
       start() {
-        module.start();
+        reader.begin();
+        reader.timed(() => module.start());
         shown = undefined;
         return look();
       },
       advance(steps) {
-        module.advance(steps);
+        reader.timed(() => module.advance(steps));
         return look();
       },
       // What stands in the place of a method: its order and that method's, and which method of the book takes its steps, if one does.
       examine() {
-        module.examine();
+        reader.timed(() => module.examine());
         return {
           order: module.examined_order(),
           rightOrder: module.examined_right_order(),
           is: text(module.examined_is()),
           apart: module.examined_apart(),
         };
+      },
+      useReader: compiledReader => reader.use(compiledReader),
+      get readerFault() {
+        return reader.fault;
       },
       bodies: module.bodies(),
       work: (which, rounds) => module.work(which, rounds),

@@ -1,0 +1,71 @@
+// The compiler, from the page: loaded once, when somebody asks for it, and then at work in a thread of its own.
+
+const FOLDER = 'compiler';
+
+function loadScript(file) {
+  const script = document.createElement('script');
+  script.src = `${FOLDER}/${file}`;
+  const loaded = new Promise((done, failed) => {
+    script.onload = done;
+    script.onerror = () => failed(new Error(`${script.src} is not there: the book was built without its compiler`));
+  });
+  document.head.append(script);
+  return loaded.finally(() => script.remove());
+}
+
+export class Cancelled extends Error {}
+
+class Compiler {
+  constructor(worker) {
+    this.worker = worker;
+    this.waiting = new Map();
+    this.asked = 0;
+    worker.onmessage = ({ data: { id, ...answer } }) => {
+      this.waiting.get(id)(answer);
+      this.waiting.delete(id);
+    };
+  }
+  /** { made, said }: the bytes of the file that is wanted, null if there was a mistake; and what the compiler says. */
+  compile(args, files, wanted) {
+    const id = ++this.asked;
+    this.worker.postMessage({ task: 'compile', id, args, files, wanted });
+    return new Promise(answered => this.waiting.set(id, answered));
+  }
+}
+
+let loading;
+
+/**
+ * The compiler, which comes part by part.
+ * @param told  called with the share of it that is there, 0 to 1
+ * @param signal  an AbortSignal: what has come by then stays, and the next call goes on from there
+ */
+export function loadCompiler(told, signal) {
+  loading ??= begin();
+  return loading.then(begun => begun.goOn(told, signal));
+}
+
+async function begin() {
+  await loadScript('worker.js');
+  const { worker: source, parts } = globalThis.Compiled;
+  const worker = new Worker(URL.createObjectURL(new Blob([source], { type: 'text/javascript' })));
+  const compiler = new Compiler(worker);
+  globalThis.Compiled.part = (file, base64, last) => worker.postMessage({ task: 'part', file, base64, last });
+  let come = 0;
+  let turn = Promise.resolve();
+  return {
+    goOn(told, signal) {
+      turn = turn
+        .catch(() => {})
+        .then(async () => {
+          for (; come < parts; ++come) {
+            if (signal?.aborted) throw new Cancelled();
+            await loadScript(`part-${String(come).padStart(2, '0')}.js`);
+            told((come + 1) / parts);
+          }
+          return compiler;
+        });
+      return turn;
+    },
+  };
+}
