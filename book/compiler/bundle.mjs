@@ -63,9 +63,12 @@ parts.forEach(({ file, base64, last }, i) =>
   ),
 );
 const letters = parts.reduce((sum, { base64 }) => sum + base64.length, 0);
-const worker = await bundled('worker.js');
+const [worker, runner] = [await bundled('worker.js'), await bundled('runner.js')];
 const about = { parts: parts.length, megabytes: Math.round(letters / 1e6) };
-writeFileSync(join(out, 'worker.js'), `globalThis.Compiled = ${JSON.stringify({ ...about, worker })};\n`);
+writeFileSync(
+  join(out, 'worker.js'),
+  `Object.assign((globalThis.Compiled ??= {}), ${JSON.stringify({ ...about, worker, runner })});\n`,
+);
 writeFileSync(join(out, 'editor.js'), await bundled('editor.js'));
 writeFileSync(join(out, 'LICENCES.txt'), [readFileSync(join(here, 'LICENCES.txt'), 'utf8'), ...licences()].join('\n'));
 

@@ -25,7 +25,7 @@ const FONTS = [
 ];
 
 // What every page can do, in one file.
-const SCRIPTS = ['book', 'values', 'marks', 'search', 'change-it'];
+const SCRIPTS = ['book', 'values', 'marks', 'search', 'change-it', 'edit'];
 
 // One file of several scripts, without the lines that only explain and without indents; in words over several lines, an indent
 // would be part of the words.
@@ -44,7 +44,10 @@ export function copyAssets(book, out) {
   const minisearch = join(dirname(require.resolve('minisearch')), '../..');
   copyFileSync(join(minisearch, 'dist/umd/index.js'), join(out, 'minisearch.js'));
   copyFileSync(join(minisearch, 'LICENSE.txt'), join(out, 'minisearch-LICENSE.txt'));
-  if (book.config.compiler) cpSync(book.config.compiler, join(out, 'compiler'), { recursive: true });
+  if (book.config.compiler) {
+    cpSync(book.config.compiler, join(out, 'compiler'), { recursive: true });
+    writeFileSync(join(out, 'compiler', 'sources.js'), sourcesScript(book));
+  }
   if (book.config.live) copyLive(book, join(out, 'live'));
   copyFilms(book, out);
   copyFonts(join(out, 'fonts'));
@@ -53,6 +56,26 @@ export function copyAssets(book, out) {
   copyData(book.config.cards, join(out, 'data', 'cards'));
   copyData(book.config.shelf, join(out, 'data', 'shelf'));
   copyHeaders(book, join(out, 'headers'));
+}
+
+// Marks are for the weaver alone.
+const withoutMarks = text =>
+  text
+    .split('\n')
+    .filter(line => !isMark(line))
+    .join('\n');
+
+// The programs of the films, and the headers that a reader's may include, for the compiler in the page.
+function sourcesScript({ config: { source }, programs }) {
+  const headers = ['code/integrate', 'code/shelf', 'code/scenes', 'chapters/play'].flatMap(folder =>
+    readdirSync(join(source, folder))
+      .filter(file => file.endsWith('.h'))
+      .map(file => `${folder}/${file}`),
+  );
+  const films = [...programs.values()].flatMap(({ films }) => [...films.values()].map(film => film.source));
+  const paths = ['chapters/play.h', ...headers, ...films].filter(path => existsSync(join(source, path)));
+  const texts = Object.fromEntries(paths.map(path => [path, withoutMarks(readFileSync(join(source, path), 'utf8'))]));
+  return `Object.assign((globalThis.Compiled ??= {}), { sources: ${JSON.stringify(texts)} });\n`;
 }
 
 // The module stands in a script, compressed and in Base64, since a page on disk can load a script and nothing else.

@@ -101,7 +101,7 @@ export function filmHtml(page, { film, args: [, title] }, { config }) {
   const still = stillHtml(pictures, coloursOf(config), words);
   const html =
     `<div class="film" style="--shape:${((right - left) / (top - bottom)).toFixed(3)}">` +
-    `<iframe src="${href}" data-program="${film.name}" title="${words}" loading="lazy"></iframe>${still}</div>`;
+    `<iframe src="${href}" data-program="${film.name}" data-source="${film.source}" title="${words}" loading="lazy"></iframe>${still}</div>`;
   return { html, still, href };
 }
 

@@ -49,7 +49,7 @@ for (const page of chapters.filter(page => parse(page)('.change').length)) {
       const listed = now.listings.join('\n');
       for (const line of box.put)
         assert.ok(
-          await tab.locator('.listing ins', { hasText: line }).count(),
+          await tab.locator('figure.listing ins', { hasText: line }).count(),
           `${box.title}: no listing shows ${line} in ${listed.length} letters`,
         );
       const quoted = tab.locator(`[data-printed-by="${box.program}"] code`);
@@ -71,7 +71,7 @@ for (const page of chapters.filter(page => parse(page)('.change').length)) {
 test('a listing with a change is copied as the changed program has it', async () => {
   await visit(tab, '2-euler.html');
   await apply('Four times the steps').click();
-  const listing = tab.locator('.listing:has(ins)').first();
+  const listing = tab.locator('figure.listing:has(ins)').first();
   await listing.evaluate(e => {
     for (let fold = e; (fold = fold.closest('details:not([open])'));) fold.open = true;
   });

@@ -26,7 +26,7 @@ test('a film: its page within the figure, as high as its pictures want, and its 
   assert.match(html, /<figure class="plot" id="figure-play-2-euler">/);
   assert.match(
     html,
-    /style="--shape:2\.000"><iframe src="films\/2-euler-play\.html" data-program="play" title="A drone flies"/,
+    /style="--shape:2\.000"><iframe src="films\/2-euler-play\.html" data-program="play" data-source="chapters\/2-euler\/play\.cpp" title="A drone flies"/,
   );
   assert.match(html, /Made by <a href="source-chapters-2-euler-play-cpp\.html">play\.cpp<\/a>/);
   assert.match(read('films/2-euler-play.html'), /<title>A drone flies<\/title>[^]*url\(\.\.\/fonts\/[^]*const view/);

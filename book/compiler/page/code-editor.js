@@ -83,7 +83,7 @@ export function openEditor(parent, { text, label, changed, most = Infinity, refu
         EditorState.changeFilter.of(
           change => change.newDoc.length <= most || void refused(change.newDoc.length) || false,
         ),
-        EditorView.contentAttributes.of({ 'aria-label': label, 'spellcheck': 'false' }),
+        EditorView.contentAttributes.of({ 'aria-label': label, 'tabindex': '0', 'spellcheck': 'false' }),
         EditorView.updateListener.of(update => update.docChanged && changed(view.state.doc.toString())),
       ],
     }),

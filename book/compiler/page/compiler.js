@@ -2,7 +2,9 @@
 
 const FOLDER = 'compiler';
 
-function loadScript(file) {
+const threadOf = source => new Worker(URL.createObjectURL(new Blob([source], { type: 'text/javascript' })));
+
+export function loadScript(file) {
   const script = document.createElement('script');
   script.src = `${FOLDER}/${file}`;
   const loaded = new Promise((done, failed) => {
@@ -27,8 +29,15 @@ class Compiler {
   }
   /** { made, said }: the bytes of the file that is wanted, null if there was a mistake; and what the compiler says. */
   compile(args, files, wanted) {
+    return this.ask('compile', { args, files, wanted });
+  }
+  /** The same, but what is made stays with the compiler, as a file for whatever is compiled from then on. */
+  precompile(args, files, wanted) {
+    return this.ask('precompile', { args, files, wanted });
+  }
+  ask(task, about) {
     const id = ++this.asked;
-    this.worker.postMessage({ task: 'compile', id, args, files, wanted });
+    this.worker.postMessage({ task, id, ...about });
     return new Promise(answered => this.waiting.set(id, answered));
   }
 }
@@ -48,7 +57,7 @@ export function loadCompiler(told, signal) {
 async function begin() {
   await loadScript('worker.js');
   const { worker: source, parts } = globalThis.Compiled;
-  const worker = new Worker(URL.createObjectURL(new Blob([source], { type: 'text/javascript' })));
+  const worker = threadOf(source);
   const compiler = new Compiler(worker);
   globalThis.Compiled.part = (file, base64, last) => worker.postMessage({ task: 'part', file, base64, last });
   let come = 0;
@@ -68,4 +77,25 @@ async function begin() {
       return turn;
     },
   };
+}
+
+const PATIENCE = 2000; // with a program [ms]
+
+/** Runs a program: { printed, ended, files: { name: text } }; `ended` says in words what was wrong, if something was. */
+export function runProgram(bytes) {
+  const thread = threadOf(globalThis.Compiled.runner);
+  return new Promise(done => {
+    const stop = answer => {
+      clearTimeout(late);
+      thread.terminate();
+      done(answer);
+    };
+    const late = setTimeout(
+      () => stop({ printed: '', ended: 'It was stopped after two seconds.', files: {} }),
+      PATIENCE,
+    );
+    thread.onmessage = ({ data }) => stop(data);
+    thread.onerror = ({ message }) => stop({ printed: '', ended: `It was stopped: ${message}.`, files: {} });
+    thread.postMessage(bytes);
+  });
 }

@@ -1,4 +1,5 @@
 // What a page has once somebody presses Edit.
 import { editFigure } from './figure-editor.js';
+import { editFilm } from './film-editor.js';
 
-globalThis.Editing = { figure: editFigure };
+globalThis.Editing = { figure: editFigure, film: editFilm };

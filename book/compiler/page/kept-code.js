@@ -23,7 +23,7 @@ const through = (bytes, stream) => new Response(new Blob([bytes]).stream().pipeT
 
 /** A text as letters, digits, - and _ alone. */
 export async function packed(text) {
-  const bytes = new Uint8Array(await through(text, new CompressionStream('deflate-raw')));
+  const bytes = new Uint8Array(await through(text, new CompressionStream('deflate')));
   return btoa(String.fromCharCode(...bytes))
     .replace(/\+/g, '-')
     .replace(/\//g, '_')
@@ -34,9 +34,7 @@ export async function packed(text) {
 export async function unpacked(letters) {
   try {
     const bytes = Uint8Array.from(atob(letters.replace(/-/g, '+').replace(/_/g, '/')), letter => letter.charCodeAt(0));
-    return new TextDecoder('utf-8', { fatal: true }).decode(
-      await through(bytes, new DecompressionStream('deflate-raw')),
-    );
+    return new TextDecoder('utf-8', { fatal: true }).decode(await through(bytes, new DecompressionStream('deflate')));
   } catch {
     return null;
   }

@@ -5,16 +5,6 @@
   const NONE = 'none',
     YOURS = 'yours/';
   const methodOf = own => (own.startsWith(YOURS) ? own.slice(YOURS.length) : own.split('/')[0]);
-  let editing;
-
-  // What a page needs to edit, loaded when somebody wants to.
-  const loadEditing = () =>
-    (editing ??= new Promise((done, failed) => {
-      const script = document.createElement('script');
-      Object.assign(script, { src: 'compiler/editor.js', onload: () => done(globalThis.Editing), onerror: failed });
-      document.head.append(script);
-    }));
-
   Live.Mistakes = class {
     // `figure` has a stage, settings and a method; `open` makes a run in a module of its own.
     constructor(figure, open) {
@@ -33,7 +23,7 @@
       Object.assign(button, { type: 'button', className: 'edit', textContent: 'Edit' });
       button.addEventListener('click', async () => {
         this.notice = '';
-        (await loadEditing()).figure(this.figure);
+        (await globalThis.loadEditing()).figure(this.figure);
       });
       this.chips.append(button);
       if (this.figure.links.brought)

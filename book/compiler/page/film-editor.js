@@ -1,0 +1,165 @@
+// The program of a film, with its headers, to be changed and run: what it prints, and its film with the book's as a ghost.
+import { withGhost } from '../../weave/film-ghost.mjs';
+import { askForCompiler } from './ask.js';
+import { openEditor } from './code-editor.js';
+import { loadScript, runProgram } from './compiler.js';
+import { keep, kept } from './kept-code.js';
+import { messagesOf } from './messages.js';
+import { pathsOf, precompileArguments, programArguments, PRECOMPILED, treeOf } from './program-source.js';
+
+const element = (name, properties = {}, ...content) => {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...content);
+  return made;
+};
+const press = (words, act, className = '') => {
+  const button = element('button', { type: 'button', textContent: words, className });
+  button.addEventListener('click', act);
+  return button;
+};
+
+let precompiling,
+  isPrecompiled = false;
+
+class FilmEditor {
+  constructor(figure) {
+    const frame = figure.querySelector('.film iframe');
+    Object.assign(this, { figure, book: frame.closest('.film'), path: frame.dataset.source });
+    this.texts = { ...globalThis.Compiled.sources };
+    this.paths = pathsOf(this.texts, this.path).filter(path => !path.endsWith('/player.h'));
+    for (const path of this.paths) this.texts[path] = kept(path) ?? this.texts[path];
+  }
+
+  open() {
+    this.status = element('span', { className: 'compiled' });
+    this.status.setAttribute('role', 'status');
+    this.tabs = element('span', { className: 'tabs' });
+    this.run = press('Run', () => this.runIt());
+    const back = press('Back to the book’s', () => this.goBack());
+    this.box = element(
+      'div',
+      { className: 'listing edited program' },
+      element('p', {}, this.run, this.status, back),
+      this.tabs,
+    );
+    this.prints = element('pre', { className: 'printed' });
+    this.prints.tabIndex = 0;
+    this.book.after(this.box, this.prints);
+    this.editors = new Map();
+    for (const path of this.paths) this.addTab(path);
+    this.show(this.path);
+    this.box.addEventListener('keydown', event => {
+      if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) this.runIt();
+    });
+  }
+  addTab(path) {
+    const name = path.split('/').at(-1);
+    const place = element('div');
+    this.box.append(place);
+    const tab = press(name, () => this.show(path));
+    this.tabs.append(tab);
+    const changed = text => {
+      this.texts[path] = text;
+      keep(path, text === globalThis.Compiled.sources[path] ? null : text);
+    };
+    const editor = openEditor(place, { text: this.texts[path], label: path, changed });
+    this.editors.set(path, { editor, place, tab });
+  }
+  show(wanted) {
+    for (const [path, { place, tab }] of this.editors) {
+      place.hidden = path !== wanted;
+      tab.setAttribute('aria-pressed', String(path === wanted));
+    }
+  }
+  say(words) {
+    this.status.textContent = words;
+  }
+
+  // The program as the book has it is compiled first, once: its film is the ghost of what comes.
+  async begin() {
+    this.compiler ??= await askForCompiler(this.box);
+    if (!this.compiler) return this.say('Not compiled: the compiler is not here. Press Run to fetch it.');
+    return (this.own ??= await this.filmOf(globalThis.Compiled.sources));
+  }
+  // Once, while the reader looks and writes: from then on a program is compiled in a second.
+  async precompile() {
+    const { made } = await this.compiler.precompile(
+      precompileArguments,
+      treeOf(globalThis.Compiled.sources),
+      PRECOMPILED,
+    );
+    isPrecompiled = made;
+  }
+  async filmOf(texts) {
+    const changesPlay = texts['chapters/play.h'] !== globalThis.Compiled.sources['chapters/play.h'];
+    const args = programArguments(this.path, isPrecompiled && !changesPlay);
+    const { made, said } = await this.compiler.compile(args, treeOf(texts), 'program.wasm');
+    if (!made) return { said };
+    const { printed, ended, files } = await runProgram(made);
+    const film = Object.entries(files).find(([name]) => name.endsWith('.html'))?.[1];
+    return { said, printed: printed.replace(/^Open .*\n/m, ''), ended, film };
+  }
+
+  async runIt() {
+    if (this.running) return;
+    this.running = true;
+    this.say('Compiling …');
+    const from = performance.now();
+    try {
+      const own = await this.begin();
+      if (!own) return;
+      const isOwn = this.paths.every(path => this.texts[path] === globalThis.Compiled.sources[path]);
+      this.tell(isOwn ? own : await this.filmOf(this.texts), own, performance.now() - from);
+      precompiling ??= this.precompile();
+    } finally {
+      this.running = false;
+    }
+  }
+  tell({ said, printed, ended, film }, own, time) {
+    let isSaid = false;
+    for (const [path, { editor, tab }] of this.editors) {
+      const messages = messagesOf(said, path);
+      const errors = messages.filter(({ kind }) => kind === 'error');
+      editor.say(errors.length ? errors : messages);
+      tab.classList.toggle('wrong', errors.length > 0);
+      if (errors.length && !isSaid) this.show(path);
+      isSaid ||= errors.length > 0;
+    }
+    if (printed === undefined) return this.say(isSaid ? 'Your last version goes on.' : said.trim().split('\n')[0]);
+    this.prints.textContent = printed;
+    this.say(ended || (film ? `Compiled and run in ${(time / 1000).toFixed(1)}\u202fs.` : 'It wrote no film.'));
+    if (film) this.play(film === own.film ? film : withGhost(film, own.film));
+  }
+  play(page) {
+    // In the browser's letters: a page made here may load no others from disk.
+    const address = URL.createObjectURL(new Blob([page], { type: 'text/html' }));
+    const film = this.book.cloneNode(true);
+    for (const still of film.querySelectorAll('.still')) still.remove();
+    film.querySelector('iframe').src = `${address}#${document.documentElement.dataset.theme ?? ''}`;
+    (this.shown ?? this.book).replaceWith(film);
+    this.shown = film;
+  }
+
+  goBack() {
+    const { sources } = globalThis.Compiled;
+    for (const [path, { editor }] of this.editors) editor.write(sources[path]);
+    this.shown?.replaceWith(this.book);
+    this.shown = null;
+    this.prints.textContent = '';
+    this.say('');
+  }
+}
+
+const editors = new WeakMap();
+
+/** Opens the program of the film that a figure shows. */
+export async function editFilm(figure) {
+  if (!globalThis.Compiled?.sources) await loadScript('sources.js');
+  if (!editors.has(figure)) {
+    const editor = new FilmEditor(figure);
+    editors.set(figure, editor);
+    editor.open();
+    await editor.runIt();
+  }
+  editors.get(figure).box.scrollIntoView({ block: 'nearest' });
+}
