@@ -23,7 +23,7 @@ export function aboutPage(book) {
     [
       'Licences',
       `<p>Prose and figures are under CC BY 4.0: copy, change and sell them, and name where they come from. Code is under MIT-0: do with it what you like, and name nobody.
-The fonts, KaTeX, MiniSearch and uPlot have licences of their own, which lie beside their files.</p>`,
+The fonts, KaTeX, MiniSearch, uPlot, and the compiler and editor of the page have licences of their own, which lie beside their files.</p>`,
     ],
   ].map(([heading, html]) => ({ id: slug(heading), title: heading, html }));
   return {

@@ -3,18 +3,13 @@
 import header from '../reader.h';
 import { askForCompiler } from './ask.js';
 import { openEditor } from './code-editor.js';
+import { element, press } from './element.js';
 import { keep, kept, packed, unpacked } from './kept-code.js';
 import { messagesOf } from './messages.js';
 import { READER_FLAGS, readerSource } from './reader-source.js';
 
 const QUIET = 400; // after a letter, before it is compiled [ms]
 const MOST = 20_000; // letters of a step; more is no step
-
-const element = (name, properties = {}, ...content) => {
-  const made = Object.assign(document.createElement(name), properties);
-  made.append(...content);
-  return made;
-};
 
 class FigureEditor {
   constructor(figure, method) {
@@ -26,8 +21,7 @@ class FigureEditor {
   }
 
   async open(brought) {
-    const back = element('button', { type: 'button', textContent: 'Back to the book’s' });
-    back.addEventListener('click', () => this.goBack());
+    const back = press('Back to the book’s', () => this.goBack());
     const title = this.listing.querySelector('b').textContent;
     this.status = element('span', { className: 'compiled' });
     this.status.setAttribute('role', 'status');

@@ -2,21 +2,11 @@
 import { withGhost } from '../../weave/film-ghost.mjs';
 import { askForCompiler } from './ask.js';
 import { openEditor } from './code-editor.js';
+import { element, press } from './element.js';
 import { loadScript, runProgram } from './compiler.js';
 import { keep, kept } from './kept-code.js';
 import { messagesOf } from './messages.js';
 import { pathsOf, precompileArguments, programArguments, PRECOMPILED, treeOf } from './program-source.js';
-
-const element = (name, properties = {}, ...content) => {
-  const made = Object.assign(document.createElement(name), properties);
-  made.append(...content);
-  return made;
-};
-const press = (words, act, className = '') => {
-  const button = element('button', { type: 'button', textContent: words, className });
-  button.addEventListener('click', act);
-  return button;
-};
 
 let precompiling,
   isPrecompiled = false;
