@@ -49,12 +49,7 @@ constexpr double dot(Vec a, Vec b) {
 
 extern "C" {
 double sin(double), cos(double), tan(double), asin(double), acos(double), atan(double);
-double atan2(double, double), exp(double), log(double), pow(double, double);
-}
-namespace std {
-using ::acos, ::asin, ::atan, ::atan2, ::cos, ::exp, ::log, ::pow, ::sin, ::tan;
-inline double sqrt(double x) {
-  return __builtin_sqrt(x);
+double atan2(double, double), exp(double), log(double), pow(double, double), sqrt(double);
 }
 inline double abs(double x) {
   return __builtin_fabs(x);
@@ -65,8 +60,10 @@ constexpr double min(double a, double b) {
 constexpr double max(double a, double b) {
   return a < b ? b : a;
 }
-}  // namespace std
-using std::abs, std::sqrt;
+namespace std {
+using ::abs, ::acos, ::asin, ::atan, ::atan2, ::cos, ::exp, ::log, ::max, ::min, ::pow, ::sin,
+    ::sqrt, ::tan;
+}
 
 inline double length(Vec a) {
   return sqrt(dot(a, a));

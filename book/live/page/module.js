@@ -82,9 +82,11 @@
     }
   }
 
+  Live.newReader = () => new Reader();
+
   // One figure in an instance, and so in a memory, of its own.
   Live.open = async function (compiled, name) {
-    const reader = new Reader();
+    const reader = globalThis.Live.newReader();
     const { exports: module } = await WebAssembly.instantiate(compiled, { reader: reader.imports });
     reader.join(module);
     module._initialize();

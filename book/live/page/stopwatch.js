@@ -38,6 +38,9 @@
     };
   }
 
+  // The book's methods alone are timed.
+  const noReader = () => ({ imports: { step() {} }, join() {}, begin() {}, timed: call => call() });
+
   Live.Stopwatch = class {
     // `description` says by `timed` which setting a time belongs to, and names the methods; `told` is called when there are new ones.
     constructor(code, name, told) {
@@ -49,7 +52,7 @@
     begin(values) {
       if (this.taken[values[this.timed]]) delete this.taken[values[this.timed]];
       if (!this.worker) {
-        const text = `globalThis.Live = { open: ${Live.open} };\n(${work})();`;
+        const text = `globalThis.Live = { open: ${Live.open}, newReader: ${noReader} };\n(${work})();`;
         this.worker = new Worker(URL.createObjectURL(new Blob([text], { type: 'text/javascript' })));
         this.worker.addEventListener('message', ({ data: { about, times } }) => {
           this.taken[about] = times;
