@@ -63,7 +63,7 @@ const said = StateField.define({
 
 /** An editor in `parent`, { text, write, say, focus }: `changed` is called with each new text, and `refused` with the length of
  *  one that has more letters than `most`. */
-export function openEditor(parent, { text, label, changed, most = Infinity, refused = () => {}, readOnly = false }) {
+export function openEditor(parent, { text, label, changed, most = Infinity, refused = () => {} }) {
   const view = new EditorView({
     parent,
     state: EditorState.create({
@@ -79,7 +79,6 @@ export function openEditor(parent, { text, label, changed, most = Infinity, refu
         syntaxHighlighting(colours),
         keymap.of([...defaultKeymap, ...historyKeymap, indentWithTab]),
         said,
-        EditorState.readOnly.of(readOnly),
         EditorState.changeFilter.of(
           change => change.newDoc.length <= most || void refused(change.newDoc.length) || false,
         ),

@@ -14,7 +14,7 @@ let precompiling,
 class FilmEditor {
   constructor(figure) {
     const frame = figure.querySelector('.film iframe');
-    Object.assign(this, { figure, book: frame.closest('.film'), path: frame.dataset.source });
+    Object.assign(this, { book: frame.closest('.film'), path: frame.dataset.source });
     this.texts = { ...globalThis.Compiled.sources };
     this.paths = pathsOf(this.texts, this.path).filter(path => !path.endsWith('/player.h'));
     for (const path of this.paths) this.texts[path] = kept(path) ?? this.texts[path];

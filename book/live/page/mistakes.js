@@ -5,6 +5,7 @@
   const NONE = 'none',
     YOURS = 'yours/';
   const methodOf = own => (own.startsWith(YOURS) ? own.slice(YOURS.length) : own.split('/')[0]);
+
   Live.Mistakes = class {
     // `figure` has a stage, settings and a method; `open` makes a run in a module of its own.
     constructor(figure, open) {
@@ -69,12 +70,16 @@
     get before() {
       return { trace: this.ahead.of(this.right).trace, words: this.isYours ? 'the book’s' : 'without the mistake' };
     }
-    // What trying it has shown.
+    // What trying it has shown, once for each method: no other setting counts.
     tell() {
       const { made, figure } = this;
       if (!made) return void (this.words.textContent = this.notice ?? '');
-      const found = figure.run.module.examine();
-      this.words.textContent = figure.readerFault ?? sentence(found, this.isYours);
+      if (made !== this.tried || figure.reader !== this.triedBy) {
+        const found = figure.run.module.examine();
+        this.found = figure.readerFault ?? sentence(found, this.isYours);
+        Object.assign(this, { tried: made, triedBy: figure.reader });
+      }
+      this.words.textContent = this.found;
     }
   };
 
