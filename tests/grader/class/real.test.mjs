@@ -96,7 +96,9 @@ test("a main of one's own is run, its prints are shown, and so is what it must n
   );
   assert.match(ran('int main() { return 3; }').stderr, /^grade: it ended with exit code 3\n$/);
   assert.match(ran('int main() { return x; }').stderr, /own.h:6:21: error: 'x' was not declared/);
-  const grows = ran('int main() { std::vector<int> all; for (std::fputs("mine\\n", stderr);;) all.push_back(1); }');
+  const grows = ran(
+    'int main() { std::vector<std::vector<char>> all; for (std::fputs("mine\\n", stderr);;) all.emplace_back(100000000, 1); }',
+  );
   const stopped = {
     memory: /^mine\ngrade: it was stopped when it held two gigabytes of memory. Does something grow without end\?\n$/,
     time: /^mine\ngrade: it was stopped after \d+ s. Is there a loop that never ends\?\n$/,
