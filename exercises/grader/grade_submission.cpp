@@ -10,6 +10,8 @@
 
 #include "compile.h"
 #include "installed.h"
+#include "judge/called.h"
+#include "judge/driver.h"
 #include "judge/session.h"
 #include "judged.h"
 #include "kit.h"
@@ -34,24 +36,19 @@ std::string read(const std::filesystem::path& path) {
   throw std::runtime_error("cannot read " + path.string());
 }
 
-// The verdict by the sum of the tests.
-Verdict verdict(const Judged& judged) {
-  const bool all = std::ranges::all_of(judged.tests, &TestResult::held);
-  if (all) return Verdict::accepted;
-  return judged.score() > 0 ? Verdict::partial : Verdict::wrong_answer;
-}
-
 Judged judge_once(const Request& request, const cage::Kit& kit, const cage::File& driver) {
+  const judge::Caged caged{.kit = kit,
+                           .driver = driver,
+                           .sandbox = request.sandbox,
+                           .limits = request.run_limits,
+                           .longest = longest_run(request),
+                           .arguments = request.arguments};
   judge::Session& session = judge::session();
   session = {};
-  session.kit = &kit;
-  session.driver = &driver;
-  session.called = request.called;
-  session.sandbox = request.sandbox;
-  session.limits = request.run_limits;
-  session.longest = longest_run(request);
+  session.begin = [&] {
+    return request.called ? judge::begin_called(request.called) : judge::begin_driver(caged);
+  };
   session.seed = request.seed;
-  session.arguments = request.arguments;
   session.only = request.only;
   session.diagnoses = request.diagnoses;
   judge::run_tests(request.exercise.name);

@@ -36,6 +36,12 @@ int Judged::score() const {
   return sum;
 }
 
+Verdict verdict(const Judged& judged) {
+  const bool all = std::ranges::all_of(judged.tests, &TestResult::held);
+  if (all) return Verdict::accepted;
+  return judged.score() > 0 ? Verdict::partial : Verdict::wrong_answer;
+}
+
 Judged worst(std::vector<Judged> runs) {
   Judged least = *std::ranges::min_element(runs, {}, &Judged::score);
   const bool same =

@@ -18,6 +18,9 @@ struct Judged {
   int score() const;
 };
 
+/// The verdict by the sum of the tests, all of which ran.
+Verdict verdict(const Judged& judged);
+
 /// Runs of the same code with the same inputs come to one: the worst of them. If the code answered
 /// one of them otherwise than another, `why` says so.
 /// @param runs  at least one

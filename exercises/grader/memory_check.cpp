@@ -2,6 +2,7 @@
 #include "memory_check.h"
 
 #include "compile.h"
+#include "judge/driver.h"
 #include "judge/session.h"
 #include "sanitizer_message.h"
 #include "time_limits.h"
@@ -26,14 +27,15 @@ std::string misused_memory(const Request& request, const cage::Kit& kit, const s
   const Compiled compiled = compile(text, header, harness, request.sandbox, kit,
                                     longer(request.compile_limits), cage::Build::checked);
   if (compiled.failed) return {};
+  const judge::Caged caged{.kit = kit,
+                           .driver = compiled.driver,
+                           .sandbox = request.sandbox,
+                           .build = cage::Build::checked,
+                           .limits = longer(request.run_limits),
+                           .longest = slower * longest_run(request)};
   judge::Session& session = judge::session();
   session = {};
-  session.kit = &kit;
-  session.driver = &compiled.driver;
-  session.sandbox = request.sandbox;
-  session.build = cage::Build::checked;
-  session.limits = longer(request.run_limits);
-  session.longest = slower * longest_run(request);
+  session.begin = [&] { return judge::begin_driver(caged); };
   session.seed = request.seed;
   judge::run_tests(request.exercise.name);
   return sanitizer_message(session.printed, header);

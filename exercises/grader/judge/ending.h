@@ -1,27 +1,44 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// The end of a driver, as a verdict.
+/// The end of a student's program that is not as it should be, in words, left in the session. Of
+/// several the first counts.
 #pragma once
 #include <cstddef>
-#include <memory>
+#include <string>
 
-#include "cage/process.h"
+#include "verdict.h"
 
 namespace judge {
 
-/// A driver of this session, in the run cage.
-std::unique_ptr<cage::Process> start_driver();
+/// @param printed  by the program, to stderr
+void note(grade::Verdict verdict, const std::string& why, const std::string& printed = "");
 
-/// The moment of an end: with an answer that it owed us, or with none.
-enum Moment { within_answer, after_last_answer };
+/// It wrote or read outside of its memory, or called itself without end.
+void note_crash(const std::string& printed = "");
 
-/// Leaves in the session what the end of a driver means; nothing if it ended as it should.
-void note_ending(const cage::Ended& ended, Moment moment);
+/// It was stopped by a check that the compiler had put there.
+void note_trap(const std::string& printed = "");
 
-/// Leaves in the session that an answer made no sense.
+/// It threw.
+/// @param printed  what it threw, in words
+void note_exception(const std::string& printed = "");
+
+/// It ended by itself.
+void note_exit_code(int code, const std::string& printed = "");
+
+/// It ended without an error, and owed an answer.
+void note_incomplete();
+
+/// @param longest  that it had, in words
+void note_too_long(const std::string& longest);
+
+/// @param most  that it may print, in words
+void note_too_much(const std::string& most);
+
+/// An answer made no sense.
 void note_protocol_error();
 
-/// Leaves in the session that an answer has another number of numbers than it should have.
+/// An answer has another number of numbers than it should have.
 void note_other_count(double came, std::size_t wanted);
 
 }  // namespace judge

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "judge/answering.h"
+#include "judge/attempt.h"
 #include "judge/diagnose.h"
 #include "judge/in_a_process.h"
 
@@ -68,11 +69,7 @@ std::vector<double> answer_of(Answer way, const Exchange& exchange) {
     return next++->a;
   });
   harness::Call call(exchange.function, exchange.arguments);
-  try {
-    way(call);
-  } catch (...) {
-    return {};
-  }
+  if (!attempt([&] { way(call); })) return {};
   if (next != exchange.evaluations.end()) return {};
   return call.answer();
 }

@@ -4,12 +4,14 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "cage/cage.h"
 #include "finding.h"
 #include "judge/known.h"
+#include "judge/program.h"
 #include "judge/rounding.h"
 #include "verdict.h"
 
@@ -18,17 +20,10 @@ namespace judge {
 /// One grading at a time in a process, so that a test can be written without passing it about.
 struct Session {
   // Given.
-  const cage::Kit* kit = nullptr;
-  const cage::File* driver = nullptr;
-  void (*called)(harness::Call& call) = nullptr;  ///< in this process, in place of a driver
-  cage::Sandbox sandbox = cage::Sandbox::bubblewrap;
-  cage::Build build = cage::Build::scored;  ///< of the driver
-  cage::Limits limits;                      ///< of each driver
-  double longest = HUGE_VAL;                ///< for all drivers together, on the clock [s]
+  std::function<std::unique_ptr<Program>()> begin;  ///< begins a program with the student's code
   std::uint64_t seed = 1;
-  std::vector<std::string> arguments;  ///< of the driver
-  std::string only;                    ///< the one test to run, by its name; all, if empty
-  bool diagnoses = true;               ///< whether known wrong ways are looked for
+  std::string only;       ///< the one test to run, by its name; all, if empty
+  bool diagnoses = true;  ///< whether known wrong ways are looked for
 
   // Found.
   std::string exercise;  ///< of the tests that run
@@ -37,9 +32,9 @@ struct Session {
   grade::Verdict ended =
       grade::Verdict::accepted;  ///< how the student's code ended; accepted: as it should
   std::string why;               ///< if it did not end as it should
-  std::string printed;           ///< on stderr, up to the first driver that ended otherwise
+  std::string printed;           ///< on stderr, up to the first program that ended otherwise
   double processor = 0;          ///< most that one test used [s]
-  double wall = 0;               ///< used by all drivers that have ended, on the clock [s]
+  double wall = 0;               ///< used by all programs that have ended, on the clock [s]
 
   bool stopped() const { return ended != grade::Verdict::accepted; }
 };

@@ -5,21 +5,18 @@
 #include <memory>
 #include <vector>
 
-#include "cage/process.h"
 #include "harness/force.h"
 #include "judge/path.h"
+#include "judge/program.h"
 
 namespace judge {
 
-/// A driver in its cage, for as long as this lives, or code of ours that is called in this process.
-/// A test makes one, or more to see whether anything is remembered between runs.
+/// A program of the session, for as long as this lives. A test makes one, or more to see whether
+/// anything is remembered between runs.
 class Student {
  public:
   /// @throws Stopped if the code of an earlier test did not end as it should
   Student();
-
-  /// Notes how the driver ended, if that was not as it should.
-  ~Student();
 
   /// Calls a function of the exercise's harness.h.
   /// @param function  which, counted from 0
@@ -32,22 +29,14 @@ class Student {
   Path watch(const Start& start, double h, int steps, const Acceleration& acceleration,
              int function = 0);
 
-  /// A method under a force that the driver evaluates: for long runs.
+  /// A method under a force that the program evaluates: for long runs.
   /// @param every  so many steps from one state of the answer to the next; divides `steps`
   Path run(const Start& start, double h, int steps, int every, const harness::Force& force,
            int function = 0);
 
  private:
-  Vec evaluate(const Vec& x, const Vec& v, double t);
-  std::vector<double> call_here(int function, const std::vector<double>& arguments) noexcept;
-  std::vector<double> ask_driver(int function, const std::vector<double>& arguments,
-                                 std::size_t wanted);
-  std::vector<double> receive(std::size_t count);
-  void answer_question();
-  void stop();
-
-  std::unique_ptr<cage::Process> process_;
-  std::size_t program_ = 0;  ///< which of the test's
+  std::unique_ptr<Program> program_;
+  std::size_t place_ = 0;  ///< among the test's programs
   Acceleration acceleration_;
   std::vector<Evaluation> evaluations_;
 };
