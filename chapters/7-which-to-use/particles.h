@@ -67,7 +67,8 @@ inline constexpr int steps_a_visit = 16;
 /// `steps_a_visit` steps for one block of packs, and only then the next block.
 inline void step_blocks(std::vector<Pack>& packs, float h) {
   const std::span all(packs);
-  const std::size_t size = 64;  // packs of 128 bytes: 8 KB, which stay in the nearest cache
+  // A pack is 16 places and 16 velocities, 128 bytes: 64 are 8 KB, which stay in the nearest cache.
+  const std::size_t size = 64;
   for (std::size_t first = 0; first < all.size(); first += size) {
     const auto block = all.subspan(first, std::min(size, all.size() - first));
     for (int n = 0; n < steps_a_visit; ++n) step_packs(block, h);
