@@ -157,7 +157,8 @@ TEST_CASE("a run takes as few whole steps as it can", "[1-test-case/two-errors][
   // Steps that divide the run without rounding, and one that is all of it.
   const double longest = harness_bounds::h.largest();
   counts(student, longest, longest, random.whole(2, 7));
-  counts(student, random.whole(2, 9), 1.0 / (1 << random.whole(3, 7)), random.whole(2, 4));
+  const int per_step = random.whole(2, 4), halvings = random.whole(3, 7);
+  counts(student, random.whole(2, 9), 1.0 / (1 << halvings), per_step);
 }
 
 TEST_CASE("the price of an error is right for a leaf that fell",

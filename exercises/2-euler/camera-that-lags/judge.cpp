@@ -206,7 +206,8 @@ TEST_CASE("a frame of any length takes the camera as far as frames of a sixtieth
   for (const double part : {random.between(0.05, 0.3), random.between(0.3, 0.9)})
     follows(student, draw(random, part, {1.0 / 60}),
             "one frame of one of two cameras, with a part of " + number(part), hint);
-  Shot close = draw(random, random.between(0.05, 0.3), {1 / random.between(100, 240)});
+  const double brief = 1 / random.between(100, 240);
+  Shot close = draw(random, random.between(0.05, 0.3), {brief});
   close.camera = close.target + random.vector(0.001, 0.01);
   follows(student, close, "one frame that begins within two centimetres of the target", hint);
   close.camera = close.target;
@@ -218,7 +219,8 @@ TEST_CASE("uneven frames leave the camera where even ones do",
           "[2-euler/camera-that-lags][1 point]") {
   Student student;
   Random random;
-  const Shot shot = draw(random, random.between(0.03, 0.1), uneven(random, 60));
+  const auto frames = uneven(random, 60);
+  const Shot shot = draw(random, random.between(0.03, 0.1), frames);
   follows(student, shot, "sixty uneven frames",
           "Two frames after each other must leave what one frame of both lengths leaves.");
 }
@@ -238,7 +240,8 @@ TEST_CASE("a target that jumps is followed from where the camera is",
           "[2-euler/camera-that-lags][1 point]") {
   Student student;
   Random random;
-  Shot shot = draw(random, random.between(0.05, 0.3), uneven(random, 30));
+  const auto frames = uneven(random, 30);
+  Shot shot = draw(random, random.between(0.05, 0.3), frames);
   shot.jump = random.between(1, 3);
   follows(student, shot, "thirty uneven frames, after each of which the target jumps",
           "All that counts is where the camera and the target are now.");
@@ -253,8 +256,8 @@ TEST_CASE("the camera is never faster than it may be, however a run is cut into 
       "frame is left when it is there?";
   follows(student, limited(random, {random.between(0.2, 0.6)}, 0),
           "one long frame, in which it is flat out first and then slows down", hint);
-  follows(student,
-          limited(random, uneven(random, 40), static_cast<std::size_t>(random.whole(10, 30))),
+  const auto slows = static_cast<std::size_t>(random.whole(10, 30));
+  follows(student, limited(random, uneven(random, 40), slows),
           "forty uneven frames, in one of which it slows down", hint);
   Shot far = limited(random, uneven(random, 30), 29);
   follows(student, far, "thirty uneven frames, in the last of which it slows down", hint);
@@ -272,7 +275,8 @@ TEST_CASE("far away the camera flies at its highest speed, and where it slows do
       "As long as the lag would have it move faster, it moves straight at its target at `fastest`.";
   for (const double fastest :
        {random.between(0.1, 1), random.between(5, 30), random.between(100, 300)}) {
-    Shot far = draw(random, random.between(0.3, 0.6), uneven(random, 10));
+    const auto frames = uneven(random, 10);
+    Shot far = draw(random, random.between(0.3, 0.6), frames);
     far.lag.fastest = fastest;
     far.target = far.camera + (far_in_seconds * fastest) * Vec{0.6, -0.64, 0.48};
     follows(student, far, "ten uneven frames, too far away to slow down", hint);

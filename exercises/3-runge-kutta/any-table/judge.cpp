@@ -57,21 +57,17 @@ class Given {
  public:
   Given(Student& student, const ButcherTable& table) {
     std::vector<double> numbers{static_cast<double>(table.parts.size())};
+    std::string rows;
     for (const auto& row : table.parts) {
       numbers.insert(numbers.end(), row.begin(), row.end());
-      rows_ += (rows_.empty() ? "" : " ") + described(row);
+      rows += (rows.empty() ? "" : " ") + described(row);
     }
     numbers.insert(numbers.end(), table.weights.begin(), table.weights.end());
-    rows_ += ", weights " + described(table.weights);
+    rows += ", weights " + described(table.weights);
     student.call(0, numbers, 0);
+    session().given = ", rows " + rows;
   }
-  ~Given() {
-    auto& findings = session().tests.back().findings;
-    if (!findings.empty()) findings.back().input += ", rows " + rows_;
-  }
-
- private:
-  std::string rows_;
+  ~Given() { session().given.clear(); }
 };
 
 grade::Finding compare(Student& student, const ButcherTable& table, const Scene& scene,

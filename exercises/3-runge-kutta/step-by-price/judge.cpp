@@ -291,10 +291,14 @@ TEST_CASE("the moment of a comet's pass costs little more than the flight to it"
   const auto soon = [&] { return random.between(1.1, 1.4); };
   const auto late = [&] { return random.between(2.2, 2.9); };
   const auto any = [&] { return random.between(1.1, 2.9); };
+  const auto comet_between = [&](const auto& one, const auto& other) {
+    const double to = other(), from = one();
+    return comet(random, from, to);
+  };
   for (const auto& [scene, tolerance] :
-       {std::pair{comet(random), finest}, std::pair{comet(random, soon(), late()), roughest},
-        std::pair{comet(random, late(), soon()), random.octaves(finest, 1e-6)},
-        std::pair{comet(random, any(), any()), random.octaves(1e-6, roughest)}}) {
+       {std::pair{comet(random), finest}, std::pair{comet_between(soon, late), roughest},
+        std::pair{comet_between(late, soon), random.octaves(finest, 1e-6)},
+        std::pair{comet_between(any, any), random.octaves(1e-6, roughest)}}) {
     Scene later = scene;
     later.start.t = random.between(harness_bounds::time);
     check_pass(later, pass(student, later, tolerance));
@@ -306,16 +310,19 @@ TEST_CASE("any flight ends where it should, from anywhere, however short and how
   Student student;
   Random random;
   constexpr int coasts = 400, winds = 150;
-  for (int n = 0; n < coasts; ++n)
-    arrives(student, coast(anywhere(random), random.anywhere(harness_bounds::duration)), nothing,
-            random.anywhere(harness_bounds::tolerance));
+  for (int n = 0; n < coasts; ++n) {
+    const double tolerance = random.anywhere(harness_bounds::tolerance);
+    const double duration = random.anywhere(harness_bounds::duration);
+    arrives(student, coast(anywhere(random), duration), nothing, tolerance);
+  }
   // What bends for long carries each error on too far.
   const double shortest = harness_bounds::duration.smallest();
   for (const double longest : {0.3, 3.0}) {
     for (int n = 0; n < winds; ++n) {
       const harness::Force force = random.wild();
-      arrives(student, wind(force, anywhere(random), random.octaves(shortest, longest)), force,
-              random.anywhere(harness_bounds::tolerance));
+      const double tolerance = random.anywhere(harness_bounds::tolerance);
+      const double duration = random.octaves(shortest, longest);
+      arrives(student, wind(force, anywhere(random), duration), force, tolerance);
     }
   }
 }

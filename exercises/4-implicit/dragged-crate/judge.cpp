@@ -84,7 +84,8 @@ TEST_CASE("with a strong hand the slope at the end leads back to the start",
   Student student;
   Random random;
   for (int n = 0; n < 3; ++n) {
-    const Drag drag = Drag::draw(random, random.between(0.5, 4), random.between(0.1, 1.6));
+    const double zeta = random.between(0.1, 1.6), angle = random.between(0.5, 4);
+    const Drag drag = Drag::draw(random, angle, zeta);
     meets_its_lines(
         student, drag,
         "one step after which x = x_old + h v and v = v_old + h a, all new on the right",
@@ -98,7 +99,8 @@ TEST_CASE("a weak hand changes the velocity by as much as it can, in the same di
   Student student;
   Random random;
   for (int n = 0; n < 3; ++n) {
-    Drag drag = Drag::draw(random, random.between(0.5, 4), random.between(0.1, 1.6));
+    const double zeta = random.between(0.1, 1.6), angle = random.between(0.5, 4);
+    Drag drag = Drag::draw(random, angle, zeta);
     drag.strongest = random.between(0.1, 0.5) * length(drag.asked_for()) / drag.divisor() / drag.h;
     const State end = drag.by(student);
     const Tolerance tolerance = drag.tolerance();
@@ -145,8 +147,8 @@ TEST_CASE("a spring far too stiff for the step puts the crate into a strong hand
   Student student;
   Random random;
   for (int n = 0; n < 3; ++n) {
-    meets_its_lines(student,
-                    Drag::draw(random, std::pow(10, random.between(3, 5)), random.between(0, 1)),
+    const double zeta = random.between(0, 1), power = random.between(3, 5);
+    meets_its_lines(student, Drag::draw(random, std::pow(10, power), zeta),
                     "one step with h omega above 1000, which no explicit method survives",
                     "The larger h omega, the closer the crate must end to the hand. A polynomial "
                     "cannot do that; what divides?");

@@ -60,8 +60,8 @@ TEST_CASE("each step takes the mean of both slopes", "[4-implicit/slow-suspensio
   Student student;
   Random random;
   for (int trial = 0; trial < 3; ++trial) {
-    const Suspension scene =
-        Suspension::draw(random, random.between(0.4, 3), random.between(0.1, 0.5), 20);
+    const double zeta = random.between(0.1, 0.5), angle = random.between(0.4, 3);
+    const Suspension scene = Suspension::draw(random, angle, zeta, 20);
     check_steps(student, scene, rounding(scene.steps, scene.largest()),
                 "Write down both lines for a spring, and collect what stands before the new "
                 "velocity: one term from the velocity, one from the place.");

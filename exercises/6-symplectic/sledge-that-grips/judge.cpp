@@ -47,7 +47,10 @@ TEST_CASE("a few steps of a sledge are braked after the push, by division",
     takes_steps(student, {sledge, random.start(), random.wild(), h, steps});
   };
   const auto some = [&] { return random.between(0.05, 0.3); };
-  for (int n = 0; n < 2; ++n) takes(Sledge::draw(random), some(), 5);
+  for (int n = 0; n < 2; ++n) {
+    const double h = some();
+    takes(Sledge::draw(random), h, 5);
+  }
 }
 
 TEST_CASE("any step is braked after the push, however long, however hard each brake, from anywhere",

@@ -49,9 +49,11 @@ struct Ride {
     ride.start = {random.vector_anywhere(x), random.vector_anywhere(v), random.anywhere(t)};
     ride.push = random.any_force();
     // Nearly along the runners.
-    if (random.whole(0, 3) == 0)
-      ride.start.v = random.anywhere(v) * ride.sledge.along +
-                     random.octaves(1e-9, 1) * random.vector_anywhere(v);
+    if (random.whole(0, 3) == 0) {
+      const Vec aside = random.vector_anywhere(v);
+      const Vec across = random.octaves(1e-9, 1) * aside;
+      ride.start.v = random.anywhere(v) * ride.sledge.along + across;
+    }
     ride.h = random.anywhere(harness_bounds::h);
     ride.steps = 1;
     return ride;

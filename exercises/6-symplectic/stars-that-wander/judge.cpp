@@ -36,7 +36,8 @@ TEST_CASE("a few steps of hidden stars are those of symplectic Euler",
           "[6-symplectic/stars-that-wander][2 points]") {
   Student student;
   Random random;
-  takes(student, draw(random, random.whole(3, 5)), random.between(0.1, 0.2), 4);
+  const double h = random.between(0.1, 0.2);
+  takes(student, draw(random, random.whole(3, 5)), h, 4);
   // Many are close to each other, so that a step must be short.
   for (const double count : harness_bounds::stars.asked())
     takes(student, draw(random, static_cast<int>(count)), 0.01, 1);
@@ -48,9 +49,10 @@ TEST_CASE(
   Student student;
   Random random;
   constexpr int groups = 200;
-  for (int n = 0; n < groups; ++n)
-    takes(student, draw_anywhere(random, random.whole(1, 5)), random.anywhere(harness_bounds::h),
-          1);
+  for (int n = 0; n < groups; ++n) {
+    const double h = random.anywhere(harness_bounds::h);
+    takes(student, draw_anywhere(random, random.whole(1, 5)), h, 1);
+  }
 }
 
 TEST_CASE("two stars that turn around each other stay where they are together",

@@ -153,7 +153,9 @@ void frames_of_any_length(Student& student, Random& random, Velocity u, Asked as
       "for the exponential, such as the start of its series?";
   for (double z = 0.1; z > 5e-6; z /= 10) {
     const Beginning start = Beginning::draw_fast(random);
-    check(start, random.between(1, 3), u(), z * random.between(0.9, 0.99) / start.omega);
+    const double h = z * random.between(0.9, 0.99) / start.omega;
+    const double speed = u();
+    check(start, random.between(1, 3), speed, h);
   }
 }
 

@@ -38,8 +38,8 @@ double Random::between(const harness::Bounds& bounds) {
 }
 
 double Random::octaves(double low, double high) {
-  const double drawn = std::ldexp(between(1, 2), whole(std::ilogb(low), std::ilogb(high)));
-  return std::clamp(drawn, low, high);
+  const int power = whole(std::ilogb(low), std::ilogb(high));
+  return std::clamp(std::ldexp(between(1, 2), power), low, high);
 }
 
 int Random::whole(int low, int high) {

@@ -34,6 +34,7 @@ class Reporter : public Catch::StreamingReporterBase {
   void testCaseStarting(const Catch::TestCaseInfo& test) override {
     session().tests.push_back(described(test));
     session().programs.clear();
+    session().given.clear();
   }
 
   void assertionEnded(const Catch::AssertionStats& stats) override {

@@ -56,6 +56,7 @@ void check(grade::Finding finding) {
   auto& findings = session().tests.back().findings;
   if (findings.size() >= most) findings.pop_back();
   if (!held && session().diagnoses) finding.diagnoses = with_known(finding.diagnoses);
+  finding.input += session().given;
   findings.push_back(std::move(finding));
   REQUIRE(held);
 }

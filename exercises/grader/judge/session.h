@@ -28,6 +28,7 @@ struct Session {
   // Found.
   std::string exercise;  ///< of the tests that run
   Programs programs;     ///< of the test that runs
+  std::string given;     ///< by that test besides, to be said behind the input of each finding
   std::vector<grade::TestResult> tests;
   grade::Verdict ended =
       grade::Verdict::accepted;  ///< how the student's code ended; accepted: as it should
