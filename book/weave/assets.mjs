@@ -7,6 +7,7 @@ import { gzipSync } from 'node:zlib';
 import { copyFilms } from './films.mjs';
 import { LIVE_SCRIPTS, colourRules } from './live.mjs';
 import { readLooks } from './method-looks.mjs';
+import { exercisesScript, sourcesScript } from './page-sources.mjs';
 import { isMark } from './snippets.mjs';
 
 const require = createRequire(import.meta.url);
@@ -47,6 +48,7 @@ export function copyAssets(book, out) {
   if (book.config.compiler) {
     cpSync(book.config.compiler, join(out, 'compiler'), { recursive: true });
     writeFileSync(join(out, 'compiler', 'sources.js'), sourcesScript(book));
+    if (book.config.judges) writeFileSync(join(out, 'compiler', 'exercises.js'), exercisesScript(book));
   }
   if (book.config.live) copyLive(book, join(out, 'live'));
   copyFilms(book, out);
@@ -56,26 +58,6 @@ export function copyAssets(book, out) {
   copyData(book.config.cards, join(out, 'data', 'cards'));
   copyData(book.config.shelf, join(out, 'data', 'shelf'));
   copyHeaders(book, join(out, 'headers'));
-}
-
-// Marks are for the weaver alone.
-const withoutMarks = text =>
-  text
-    .split('\n')
-    .filter(line => !isMark(line))
-    .join('\n');
-
-// The programs of the films, and the headers that a reader's may include, for the compiler in the page.
-function sourcesScript({ config: { source }, programs }) {
-  const headers = ['code/integrate', 'code/shelf', 'code/scenes', 'chapters/play'].flatMap(folder =>
-    readdirSync(join(source, folder))
-      .filter(file => file.endsWith('.h'))
-      .map(file => `${folder}/${file}`),
-  );
-  const films = [...programs.values()].flatMap(({ films }) => [...films.values()].map(film => film.source));
-  const paths = ['chapters/play.h', ...headers, ...films].filter(path => existsSync(join(source, path)));
-  const texts = Object.fromEntries(paths.map(path => [path, withoutMarks(readFileSync(join(source, path), 'utf8'))]));
-  return `Object.assign((globalThis.Compiled ??= {}), { sources: ${JSON.stringify(texts)} });\n`;
 }
 
 // The module stands in a script, compressed and in Base64, since a page on disk can load a script and nothing else.

@@ -3,6 +3,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { copyChangeFilms } from './change-box.mjs';
+import { isCompiledInPage } from './page-sources.mjs';
 import { readPictures, stillHtml } from './film-still.mjs';
 import { otherColours, readLooks } from './method-looks.mjs';
 import { nameOneOf } from './problems.mjs';
@@ -93,15 +94,17 @@ export function checkPrints(book) {
 const fileName = (page, film) => `films/${page.name}-${film.name}.html`;
 
 // As high as its pictures want, and the slider below them; and the still, which stands for it on paper and without scripts.
-export function filmHtml(page, { film, args: [, title] }, { config }) {
+export function filmHtml(page, { film, args: [, title] }, book) {
+  const { config } = book;
   const words = escapeHtml(smarten(title));
   const pictures = readPictures(readFileSync(film.page, 'utf8'));
   const [left, bottom, right, top] = pictures.view;
   const href = fileName(page, film);
   const still = stillHtml(pictures, coloursOf(config), words);
+  const edited = config.compiler && !isCompiledInPage(book, film.source) ? '' : ` data-source="${film.source}"`;
   const html =
     `<div class="film" style="--shape:${((right - left) / (top - bottom)).toFixed(3)}">` +
-    `<iframe src="${href}" data-program="${film.name}" data-source="${film.source}" title="${words}" loading="lazy"></iframe>${still}</div>`;
+    `<iframe src="${href}" data-program="${film.name}"${edited} title="${words}" loading="lazy"></iframe>${still}</div>`;
   return { html, still, href };
 }
 

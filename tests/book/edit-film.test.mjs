@@ -85,6 +85,11 @@ for (const [what, code, words] of [
   ],
   ['a program that fails', 'int main() {\n  return 3;\n}\n', 'It ended with 3'],
   [
+    'a program that throws',
+    '#include <vector>\nint main() {\n  return std::vector<int>{1}.at(1);\n}\n',
+    'It was stopped',
+  ],
+  [
     'a program that prints for ever',
     '#include <iostream>\nint main() {\n  for (;;) std::cout << "all work and no play\\n";\n}\n',
     'stopped',

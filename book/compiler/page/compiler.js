@@ -2,7 +2,7 @@
 
 const FOLDER = 'compiler';
 
-const threadOf = source => new Worker(URL.createObjectURL(new Blob([source], { type: 'text/javascript' })));
+export const threadOf = source => new Worker(URL.createObjectURL(new Blob([source], { type: 'text/javascript' })));
 
 export function loadScript(file) {
   const script = document.createElement('script');
@@ -31,10 +31,6 @@ class Compiler {
   compile(args, files, wanted) {
     return this.ask('compile', { args, files, wanted });
   }
-  /** The same, but what is made stays with the compiler, as a file for whatever is compiled from then on. */
-  precompile(args, files, wanted) {
-    return this.ask('precompile', { args, files, wanted });
-  }
   ask(task, about) {
     const id = ++this.asked;
     this.worker.postMessage({ task, id, ...about });
@@ -43,27 +39,33 @@ class Compiler {
 }
 
 let loading;
+let come = 0; // parts
+
+/** How much has not come yet of what the compiler needs for a 'step' or a 'program' [MB]. */
+export function stillToCome(forWhat) {
+  const { sizes, needed } = globalThis.Compiled;
+  return Math.round(sizes.slice(come, needed[forWhat]).reduce((sum, size) => sum + size, 0) / 1e6);
+}
 
 /**
  * The compiler, which comes part by part.
+ * @param forWhat  'step' or 'program', which needs the standard library besides
  * @param told  called with the share of it that is there, 0 to 1
  * @param signal  an AbortSignal: what has come by then stays, and the next call goes on from there
  */
-export function loadCompiler(told, signal) {
+export function loadCompiler(forWhat, told, signal) {
   loading ??= begin();
-  return loading.then(begun => begun.goOn(told, signal));
+  return loading.then(begun => begun.goOn(globalThis.Compiled.needed[forWhat], told, signal));
 }
 
 async function begin() {
   await loadScript('worker.js');
-  const { worker: source, parts } = globalThis.Compiled;
-  const worker = threadOf(source);
+  const worker = threadOf(globalThis.Compiled.worker);
   const compiler = new Compiler(worker);
   globalThis.Compiled.part = (file, base64, last) => worker.postMessage({ task: 'part', file, base64, last });
-  let come = 0;
   let turn = Promise.resolve();
   return {
-    goOn(told, signal) {
+    goOn(parts, told, signal) {
       turn = turn
         .catch(() => {})
         .then(async () => {

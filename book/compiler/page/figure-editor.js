@@ -42,7 +42,7 @@ class FigureEditor {
     });
     this.show();
     this.editor.focus();
-    this.compiler = await askForCompiler(this.box);
+    this.compiler = await askForCompiler(this.box, 'step');
     if (this.compiler) await this.compile();
     else this.say('Not compiled: the compiler is not here. Press Edit again to fetch it.');
   }
@@ -122,7 +122,7 @@ export async function editFigure(figure) {
   }
   if (before) {
     before.show();
-    before.compiler = await askForCompiler(before.box);
+    before.compiler = await askForCompiler(before.box, 'step');
     if (before.compiler) await before.compile();
     return;
   }

@@ -6,10 +6,7 @@ import { element, press } from './element.js';
 import { loadScript, runProgram } from './compiler.js';
 import { keep, kept } from './kept-code.js';
 import { messagesOf } from './messages.js';
-import { pathsOf, precompileArguments, programArguments, PRECOMPILED, treeOf } from './program-source.js';
-
-let precompiling,
-  isPrecompiled = false;
+import { pathsOf, programArguments, treeOf } from './program-source.js';
 
 class FilmEditor {
   constructor(figure) {
@@ -67,23 +64,12 @@ class FilmEditor {
 
   // The program as the book has it is compiled first, once: its film is the ghost of what comes.
   async begin() {
-    this.compiler ??= await askForCompiler(this.box);
+    this.compiler ??= await askForCompiler(this.box, 'program');
     if (!this.compiler) return this.say('Not compiled: the compiler is not here. Press Run to fetch it.');
     return (this.own ??= await this.filmOf(globalThis.Compiled.sources));
   }
-  // Once, while the reader looks and writes: from then on a program is compiled in a second.
-  async precompile() {
-    const { made } = await this.compiler.precompile(
-      precompileArguments,
-      treeOf(globalThis.Compiled.sources),
-      PRECOMPILED,
-    );
-    isPrecompiled = made;
-  }
   async filmOf(texts) {
-    const changesPlay = texts['chapters/play.h'] !== globalThis.Compiled.sources['chapters/play.h'];
-    const args = programArguments(this.path, isPrecompiled && !changesPlay);
-    const { made, said } = await this.compiler.compile(args, treeOf(texts), 'program.wasm');
+    const { made, said } = await this.compiler.compile(programArguments(this.path), treeOf(texts), 'program.wasm');
     if (!made) return { said };
     const { printed, ended, files } = await runProgram(made);
     const film = Object.entries(files).find(([name]) => name.endsWith('.html'))?.[1];
@@ -100,7 +86,6 @@ class FilmEditor {
       if (!own) return;
       const isOwn = this.paths.every(path => this.texts[path] === globalThis.Compiled.sources[path]);
       this.tell(isOwn ? own : await this.filmOf(this.texts), own, performance.now() - from);
-      precompiling ??= this.precompile();
     } finally {
       this.running = false;
     }

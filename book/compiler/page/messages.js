@@ -9,7 +9,7 @@ export const messagesOf = (said, file) =>
         row.match(/^(?<file>[^\s:]+):(?<line>\d+):(?<column>\d+): (?<kind>error|fatal error|warning): (?<text>.*)$/)
           ?.groups,
     )
-    .filter(found => found?.file === file)
+    .filter(found => found?.file.replace(/^\.\//, '') === file)
     .map(({ line, column, kind, text }) => ({
       line: Number(line),
       column: Number(column),

@@ -28,15 +28,28 @@ export function pathsOf(files, path, met = []) {
   return met;
 }
 
-const CLANG = ['clang++', '-std=c++20', '-O1', '-ffp-contract=off', '-fno-exceptions', '-Wall', '-Icode', '-Ichapters'];
+// What a precompiled header and the programs that use it have to agree in. A program may say `throw`, and ends there.
+const CLANG = [
+  'clang++',
+  '-std=c++20',
+  '-O1',
+  '-ffp-contract=off',
+  '-fexceptions',
+  '-fignore-exceptions',
+  '-D_LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_FAST', // an index past the end ends a program
+  '-Wall',
+];
 
-export const PRECOMPILED = 'play.pch';
-export const precompileArguments = [...CLANG, '-x', 'c++-header', 'chapters/play.h', '-o', PRECOMPILED];
+/** Of standard.h, which the build makes; the compiler's thread adds both to a program whose arguments name the second. */
+export const PRECOMPILED = 'standard.pch';
+export const precompileArguments = [...CLANG, '-x', 'c++-header', 'standard.h', '-o', PRECOMPILED];
 
-/** @param precompiled  whether the compiler has chapters/play.h by now, which is what takes long */
-export const programArguments = (path, precompiled) => [
+export const programArguments = path => [
   ...CLANG,
-  ...(precompiled ? ['-include-pch', PRECOMPILED] : []),
+  '-include-pch',
+  PRECOMPILED,
+  '-Icode',
+  '-Ichapters',
   '-Wl,--strip-all',
   '-Wl,--max-memory=134217728',
   path,

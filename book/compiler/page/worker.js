@@ -1,10 +1,14 @@
 // Compiles C++ in a thread of its own, so that the page stays alive; one thing after the other.
-import { addPart } from './worker-files.js'; // before the compiler, whose loader takes its `fetch` from there
+import { addPart, shipped } from './worker-files.js'; // before the compiler, whose loader takes its `fetch` from there
 import { runClang } from '@yowasp/clang';
+import header from '../standard.h';
+import { PRECOMPILED } from './program-source.js';
 
 const ready = runClang(null, {}, { fetchProgress: () => {} }); // without words of its own in the console
-const kept = {}; // file -> bytes: headers that were precompiled
 let turn = Promise.resolve();
+
+// Clang wants to see the header, too.
+const standard = async () => ({ 'standard.h': header, [PRECOMPILED]: await shipped(PRECOMPILED) });
 
 async function compile({ args, files, wanted }) {
   const decoder = new TextDecoder();
@@ -14,7 +18,8 @@ async function compile({ args, files, wanted }) {
   };
   try {
     await ready;
-    const all = await runClang(args, { ...kept, ...files }, { stderr });
+    const more = args.includes(PRECOMPILED) ? await standard() : {};
+    const all = await runClang(args, { ...more, ...files }, { stderr });
     return { made: all[wanted], said };
   } catch (fault) {
     return { made: null, said: said || String(fault) };
@@ -24,13 +29,6 @@ async function compile({ args, files, wanted }) {
 const tasks = {
   part: addPart,
   compile: asked => answer(asked, () => compile(asked)),
-  // What is wanted stays here, for whatever is compiled later.
-  precompile: asked =>
-    answer(asked, async () => {
-      const { made, said } = await compile(asked);
-      if (made) kept[asked.wanted] = made;
-      return { made: made !== null, said };
-    }),
 };
 
 function answer({ id }, work) {
