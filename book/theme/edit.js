@@ -1,4 +1,5 @@
-// The button Edit of a film, where the book has a compiler for the page: nothing of it is loaded before it is pressed.
+// The buttons Edit of a film and Write it here of an exercise, where the book has a compiler for the page: nothing of it is loaded
+// before one is pressed.
 (function () {
   'use strict';
   let loading;
@@ -11,13 +12,28 @@
       document.head.append(script);
     }));
 
+  const pressTo = (words, label, act) => {
+    const button = document.createElement('button');
+    Object.assign(button, { type: 'button', className: 'edit', textContent: words });
+    button.setAttribute('aria-label', label);
+    button.addEventListener('click', act);
+    return button;
+  };
+
   if (!('compiler' in document.documentElement.dataset)) return;
   for (const frame of document.querySelectorAll('.film iframe[data-source]')) {
     const figure = frame.closest('figure');
-    const button = document.createElement('button');
-    Object.assign(button, { type: 'button', className: 'edit', textContent: 'Edit' });
-    button.setAttribute('aria-label', `Edit ${frame.dataset.source.split('/').at(-1)}`);
-    button.addEventListener('click', async () => (await globalThis.loadEditing()).film(figure));
-    figure.querySelector('.sources').append(' ', button);
+    const edit = async () => (await globalThis.loadEditing()).film(figure);
+    const name = frame.dataset.source.split('/').at(-1);
+    figure.querySelector('.sources').append(' ', pressTo('Edit', `Edit ${name}`, edit));
+  }
+  for (const starter of document.querySelectorAll('.starter[data-exercise]')) {
+    const { exercise } = starter.dataset;
+    const { id } = starter.closest('.exercise');
+    const write = async () => (await globalThis.loadEditing()).exercise(place, exercise, id);
+    const place = document.createElement('p');
+    place.className = 'write-here';
+    place.append(pressTo('Write it here', `Write it here: ${exercise.split('/').at(-1)}`, write));
+    starter.after(place);
   }
 })();

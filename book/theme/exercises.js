@@ -1,21 +1,22 @@
 // Ticks on the page of all exercises, kept in the browser.
 (function () {
   'use strict';
-  const KEY = 'done';
-  const read = () => {
+  const read = key => {
     try {
-      return JSON.parse(localStorage.getItem(KEY)) ?? {};
+      return JSON.parse(localStorage.getItem(key)) ?? {};
     } catch {
       return {};
     }
   };
   for (const cell of document.querySelectorAll('.tasks .tick')) cell.hidden = false;
   for (const box of document.querySelectorAll('.tasks input')) {
-    box.checked = read()[box.name] === true;
+    const judged = read('judged')[box.name];
+    if (judged) box.after(` ${judged.score} of ${judged.points}`);
+    box.checked = read('done')[box.name] === true;
     box.addEventListener('change', () => {
-      const done = { ...read(), [box.name]: box.checked };
+      const done = { ...read('done'), [box.name]: box.checked };
       try {
-        localStorage.setItem(KEY, JSON.stringify(done));
+        localStorage.setItem('done', JSON.stringify(done));
       } catch {
         // Where nothing can be kept, the tick lasts as long as the page.
       }

@@ -28,7 +28,7 @@ export function taskFoot({ book, hold }, { name, exercise, folder }) {
   const lines = highlightLines(code, 'h');
   const commands = `cp -n ${starter} ${name}.h\nbuild/exercises/grade ${exercise} ${name}.h`;
   return (
-    `<details class="starter"><summary>The starter</summary><div><figure class="listing"><figcaption><span class="head"></span>` +
+    `<details class="starter"${book.config.judges ? ` data-exercise="${exercise}"` : ''}><summary>The starter</summary><div><figure class="listing"><figcaption><span class="head"></span>` +
     `<a class="file" href="${sourceHref(starter)}">${escapeHtml(starter).replace(/\//g, '/<wbr>')}</a></figcaption>` +
     `<pre><code>${hold(
       codeLines(

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT-0
 // What becomes of submissions of ours that lie in one driver, outside the cage:
 //
-//     grade_ways 2-euler/orbit-drift DRIVER 10,30,1,3 < HEADERS
+//     grade_ways 2-euler/orbit-drift DRIVER 10,30,1,3 [words] < HEADERS
 //
 // The limits are those of `grade --limits`, of which the last two, processor time and time on the
 // clock [s], are the run's. Standard input has a header's path on each line, as ways.mjs was given
-// it. For each, a line says `VERDICT score/points path`, under the public seed.
+// it. For each, a line says `VERDICT score/points path`, under the public seed; with
+// `words` it is the report as a page has it, with the diagnoses.
 #include <cstdio>
 #include <iostream>
 #include <optional>
@@ -13,6 +14,7 @@
 #include <string>
 
 #include "grade_submission.h"
+#include "report/words_as_json.h"
 #include "time_limits.h"
 #include "ways.h"
 
@@ -41,16 +43,20 @@ int refuse(const char* why) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  const auto exercise = count == 4 ? grade::exercise(arguments[1]) : std::nullopt;
-  const auto limits = count == 4 ? run_limits(arguments[3]) : std::nullopt;
+  const bool words = count == 5 && std::string(arguments[4]) == "words";
+  const bool complete = count == 4 || words;
+  const auto exercise = complete ? grade::exercise(arguments[1]) : std::nullopt;
+  const auto limits = complete ? run_limits(arguments[3]) : std::nullopt;
   if (!exercise || !limits)
     return refuse(
         "name one exercise, such as 2-euler/orbit-drift, its driver, and limits, such as "
         "10,30,1,3; the headers come by standard input");
   try {
     const ways::Driver driver(*exercise, arguments[2]);
-    for (std::string header; std::getline(std::cin, header);)
-      print(driver.grade(header, 1, *limits, "", false), header);
+    for (std::string header; std::getline(std::cin, header);) {
+      const Report report = driver.grade(header, 1, *limits, "", words);
+      words ? void(std::puts(grade::words_as_json(report).c_str())) : print(report, header);
+    }
   } catch (const std::exception& problem) {
     return refuse(problem.what());
   }

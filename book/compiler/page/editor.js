@@ -1,5 +1,6 @@
 // What a page has once somebody presses Edit.
+import { editExercise } from './exercise-editor.js';
 import { editFigure } from './figure-editor.js';
 import { editFilm } from './film-editor.js';
 
-globalThis.Editing = { figure: editFigure, film: editFilm };
+globalThis.Editing = { exercise: editExercise, figure: editFigure, film: editFilm };
