@@ -20,6 +20,13 @@
     return button;
   };
 
+  const placeBehind = element => {
+    const place = document.createElement('p');
+    place.className = 'write-here';
+    element.after(place);
+    return place;
+  };
+
   if (!('compiler' in document.documentElement.dataset)) return;
   for (const frame of document.querySelectorAll('.film iframe[data-source]')) {
     const figure = frame.closest('figure');
@@ -31,9 +38,14 @@
     const { exercise } = starter.dataset;
     const { id } = starter.closest('.exercise');
     const write = async () => (await globalThis.loadEditing()).exercise(place, exercise, id);
-    const place = document.createElement('p');
-    place.className = 'write-here';
+    const place = placeBehind(starter);
     place.append(pressTo('Write it here', `Write it here: ${exercise.split('/').at(-1)}`, write));
-    starter.after(place);
+  }
+  // On the page of a header, and where a method has been picked.
+  for (const tried of document.querySelectorAll('[data-try]')) {
+    const place = placeBehind(tried);
+    const path = tried.dataset.try;
+    const open = async () => (await globalThis.loadEditing()).header(place, path);
+    place.append(pressTo('Try it', `Try it: ${path.split('/').at(-1)}`, open));
   }
 })();

@@ -12,7 +12,7 @@ export function exercisesPage(book) {
   const graded = all.filter(({ task }) => task);
   const minutes = graded.reduce((sum, { task }) => sum + Number(task.minutes), 0);
   const lead =
-    `<p class="lead">All ${all.length} exercises. A program that comes with the book grades ${graded.length} of them, which take some ${Math.round(minutes / 60)} hours; ` +
+    `<p class="lead">All ${all.length} exercises. ${graded.length} of them are judged, on their own page or by a program that comes with the book, and take some ${Math.round(minutes / 60)} hours; ` +
     `the others have hints and answers to fold out.</p>\n`;
   return {
     href: 'exercises.html',

@@ -17,6 +17,7 @@ import {
 } from './reference-entries.mjs';
 import { onShelf } from './namespaces.mjs';
 import { promisesHtml } from './promises.mjs';
+import { tryAttribute } from './page-sources.mjs';
 import { isMark } from './snippets.mjs';
 import { escapeHtml } from './text.mjs';
 
@@ -135,13 +136,12 @@ function vectors(header, libraries) {
   );
 }
 
-// The first example starts with the line that brings the header in.
+// The first example starts with the line that brings the header in, and can be tried in the page.
 function usage(book, header) {
   const line = highlightLines(`#include "${header.name}"`, 'cpp').join('');
-  return details(book, header).replace(
-    /<pre><code>(?=(.*))/,
-    (start, next) => `${start}${line}\n${next.includes('#include') ? '' : '\n'}`,
-  );
+  return details(book, header)
+    .replace(/<pre><code>(?=(.*))/, (start, next) => `${start}${line}\n${next.includes('#include') ? '' : '\n'}`)
+    .replace('<div class="codebox"', start => `${start}${tryAttribute(book, header)}`);
 }
 
 function typeSection(book, type) {

@@ -35,6 +35,10 @@ export function isCompiledInPage(book, path) {
   return pathsOf(texts, path).every(one => !texts[one].includes('#include <Eigen/'));
 }
 
+/** Of code behind which theme/edit.js puts "Try it"; none where the page can't compile the header. */
+export const tryAttribute = (book, { file }) =>
+  book.config.compiler && isCompiledInPage(book, file) ? ` data-try="${file}"` : '';
+
 export const sourcesScript = book =>
   `Object.assign((globalThis.Compiled ??= {}), { sources: ${JSON.stringify(sourcesOf(book))} });\n`;
 

@@ -1,4 +1,5 @@
 // The page to pick a method: answers that fold out, and what they end in: a method, the steps that it needs, lines to copy.
+import { tryAttribute } from './page-sources.mjs';
 import { value } from './cards.mjs';
 import { readRecords } from './csv.mjs';
 import { highlightLines } from './highlight.mjs';
@@ -47,11 +48,13 @@ export function takeHtml({ book, hold }, { args: [name, , title], card, path, sn
   const lines = highlightLines(before + code, 'cpp', linker(book.api, path)).map(
     (line, i) => `<span class="l${i < before.split('\n').length - 1 ? ' included' : ''}">${line}\n</span>`,
   );
+  const [own] = [...book.api.headers.values()].filter(({ name: header }) => header === files[0]);
+  const tried = own ? tryAttribute(book, own) : '';
   const header = files.length ? `<span>copy ${downloads}</span> <a href="${href}">its page</a> ` : '';
   return hold(
     `<div class="take" data-function="${name}"><p class="method"><strong>${escapeHtml(smarten(title))}</strong> ${header}` +
       `<a href="${sourceHref(path)}#L${snippet.lines[0].number}">${CALLS}</a></p>${rates ? ratesHtml(rates, orbits) : ''}` +
-      `<div class="codebox"><pre><code>${lines.join('')}</code></pre></div>` +
+      `<div class="codebox"${tried}><pre><code>${lines.join('')}</code></pre></div>` +
       `${rates ? `<details class="measured"><summary>Measured, for readers of the chapters</summary><p class="facts">${facts(card).join('; ')}.</p></details>` : ''}</div>`,
   );
 }

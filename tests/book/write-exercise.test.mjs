@@ -132,7 +132,7 @@ test('a main of one’s own is made, run, and what it prints is shown', async ()
       .replace(/\n\n/g, '\n')
       .replace('std::puts("Print here what you want to see.")', 'std::printf("%d\\n", steps_per_turn(1))'),
   );
-  await press('Run', '^Run\\.$');
+  await press('Run', '^It ran\\.$');
   assert.match(await section.locator('.printed').textContent(), /^\d+\n$/);
   await press('Judge', '^ACCEPTED'); // that main is between #ifndef GRADING and #endif
 });

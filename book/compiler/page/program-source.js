@@ -49,6 +49,8 @@ export const programArguments = path => [
   '-include-pch',
   PRECOMPILED,
   '-Icode',
+  '-Icode/integrate',
+  '-Icode/shelf',
   '-Ichapters',
   '-Wl,--strip-all',
   '-Wl,--max-memory=134217728',
