@@ -19,6 +19,7 @@ const args = [
   '--disable-background-networking',
   '--disable-component-update',
   '--disable-sync',
+  '--disable-features=WebAssemblyTrapHandler', // whose signals end the headless one, where code of a reader's goes beyond its memory
   '--font-render-hinting=none', // or letters of the headless one are wider, in print above all
 ];
 

@@ -4,18 +4,12 @@ import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import playwright from 'playwright-core';
 import { MANY_STEPS, casesOfManySteps, question } from '../../book/live/cases.mjs';
 import { build, folder } from './book.mjs';
+import { openFirefox } from './firefox.mjs';
 import { figures, firstOfEachKind } from './live-list.mjs';
 
-// Playwright has it as an experiment; its own build of Firefox comes from no distribution.
-const browser = await playwright._bidiFirefox.launch({ executablePath: process.argv[3] }).catch(fault => {
-  const [, command] = fault.message.match(/\((\S+)\): unknown command/) ?? [];
-  if (!command) throw fault;
-  console.log(`skipped: this Firefox is too old to be driven, since it lacks ${command}`);
-  process.exit(77);
-});
+const browser = await openFirefox(process.argv[3]);
 after(() => browser.close());
 const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: 'reduce' });
 await context.addInitScript(() => {

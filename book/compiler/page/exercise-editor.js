@@ -14,6 +14,8 @@ const NO_MAIN = 'remove main(), or put it between #ifndef GRADING and #endif: th
 function withoutLine(said) {
   const missing = /undefined symbol: (.*)/.exec(said)?.[1];
   if (missing) return `${missing} is declared, but never defined.`;
+  const twice = /duplicate symbol: (.*)/.exec(said)?.[1];
+  if (twice) return `${twice} is there twice: the library has one of that name.`;
   const error = /error: (.*)/.exec(said)?.[1] ?? said.trim().split('\n')[0];
   return `This is not what the exercise calls; compare with the starter. ${error}`;
 }
