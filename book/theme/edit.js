@@ -27,10 +27,25 @@
     return place;
   };
 
+  // What is kept of an exercise (compiler/page/kept-code.js, progress.js): the words to press, and how it was judged last.
+  function begun(exercise, id) {
+    try {
+      const judged = JSON.parse(localStorage.getItem('judged'))?.[id];
+      const words = localStorage.getItem(`code ${exercise}`) === null ? 'Write it here' : 'Go on writing';
+      return [words, judged ? ` ${judged.score} of ${judged.points} points` : ''];
+    } catch {
+      return ['Write it here', ''];
+    }
+  }
+
   if (!('compiler' in document.documentElement.dataset)) return;
   for (const frame of document.querySelectorAll('.film iframe[data-source]')) {
     const figure = frame.closest('figure');
-    const edit = async () => (await globalThis.loadEditing()).film(figure);
+    // A change that is applied there is taken back: the program that opens is the book's.
+    const edit = async () => {
+      figure.querySelector('.changed .apply')?.click();
+      (await globalThis.loadEditing()).film(figure);
+    };
     const name = frame.dataset.source.split('/').at(-1);
     figure.querySelector('.sources').append(' ', pressTo('Edit', `Edit ${name}`, edit));
   }
@@ -39,7 +54,8 @@
     const { id } = starter.closest('.exercise');
     const write = async () => (await globalThis.loadEditing()).exercise(place, exercise, id);
     const place = placeBehind(starter);
-    place.append(pressTo('Write it here', `Write it here: ${exercise.split('/').at(-1)}`, write));
+    const [words, judged] = begun(exercise, id);
+    place.append(pressTo(words, `${words}: ${exercise.split('/').at(-1)}`, write), judged);
   }
   // On the page of a header, and where a method has been picked.
   for (const tried of document.querySelectorAll('[data-try]')) {

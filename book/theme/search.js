@@ -103,7 +103,7 @@
     box.addEventListener('input', search);
     box.closest('.search').addEventListener('keydown', move);
     addEventListener('keydown', event => {
-      if (event.key === '/' && !/input|textarea/i.test(document.activeElement.tagName)) {
+      if (event.key === '/' && !document.activeElement.matches('input, textarea, [contenteditable=true]')) {
         event.preventDefault();
         box.closest('details').open = true;
         box.focus();

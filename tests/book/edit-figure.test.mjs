@@ -69,6 +69,7 @@ test('a mistake stands under its line, and the last version goes on', async () =
 
 for (const [what, code] of [
   ['a step that never ends', 'while (x.x > -1e9) x = x + 0 * v;'],
+  ['a loop with nothing in it', 'while (true) {}'],
   [
     'a step that calls itself for ever',
     'auto f = [](auto self, double y) -> double { return 1 + self(self, y + 1); };\nx.x = f(f, x.x);',

@@ -53,7 +53,7 @@ test('the starter is judged, and fails in the words of the grader', async () => 
   const said = await section.locator('.report').textContent();
   assert.match(said, /It ran to the end, and no test held\./);
   assert.match(said, /Ask once, at \(x, v, t\), before you change any of them\./);
-  assert.match(said, /A mark comes from grade/);
+  assert.match(said, /A mark comes from the program grade/);
   assert.deepEqual(tab.faults, []);
   assert.deepEqual(await accessibility(tab), []);
   tab.faults.length = 0;
@@ -122,15 +122,25 @@ for (const [what, text, words, more] of [
     assert.deepEqual(tab.faults, []);
   });
 
+test('a slash is a slash, and no search', async () => {
+  await write('// one\n');
+  await tab.keyboard.press('Control+End');
+  await tab.keyboard.type('a / b');
+  assert.equal(await written(), '// one\na / b');
+});
+
 test('a main of one’s own is made, run, and what it prints is shown', async () => {
   await write(solution);
-  await press('Run', 'Run by a main that is new');
-  assert.match(await section.locator('.printed').textContent(), /Print here what you want to see/);
+  await press('Run', 'A main was added at the end');
+  assert.match(await section.locator('.printed').textContent(), /This is printed by main/);
   const text = await written();
   await write(
     text
       .replace(/\n\n/g, '\n')
-      .replace('std::puts("Print here what you want to see.")', 'std::printf("%d\\n", steps_per_turn(1))'),
+      .replace(
+        'std::puts("This is printed by main, at the end of the file.")',
+        'std::printf("%d\\n", steps_per_turn(1))',
+      ),
   );
   await press('Run', '^It ran\\.$');
   assert.match(await section.locator('.printed').textContent(), /^\d+\n$/);
@@ -139,7 +149,8 @@ test('a main of one’s own is made, run, and what it prints is shown', async ()
 
 test('what was written is there again, is downloaded, and goes back to the starter', async () => {
   await visit(tab, '2-euler.html');
-  await section.getByRole('button', { name: 'Write it here: orbit-drift' }).click();
+  assert.match(await section.locator('.write-here').textContent(), /10 of 10 points/);
+  await section.getByRole('button', { name: 'Go on writing: orbit-drift' }).click();
   await section.locator('.cm-content').waitFor();
   assert.match(await written(), /steps_per_turn\(1\)/);
   const [file] = await Promise.all([

@@ -46,7 +46,7 @@ class ExerciseEditor {
     if (!program) return;
     const { printed, ended } = await runProgram(program);
     this.code.prints.textContent = printed;
-    const words = isNew ? 'Run by a main that is new, at the end: write there what you want to see.' : 'It ran.';
+    const words = isNew ? 'A main was added at the end. Print there what you want to see.' : 'It ran.';
     this.code.say(ended || words);
   }
   async judge() {

@@ -43,7 +43,7 @@ export const withMain = text => `${text.trimEnd()}
 
 #ifndef GRADING
 int main() {
-  std::puts("Print here what you want to see.");
+  std::puts("This is printed by main, at the end of the file.");
 }
 #endif
 `;

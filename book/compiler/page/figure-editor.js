@@ -21,6 +21,8 @@ class FigureEditor {
   }
 
   async open(brought) {
+    const { made, isYours } = this.figure.mistakes;
+    if (made && !isYours) this.figure.choose({ own: 'none' });
     const back = press('Back to the book’s', () => this.goBack());
     const title = this.listing.querySelector('b').textContent;
     this.status = element('span', { className: 'compiled' });
@@ -89,7 +91,8 @@ class FigureEditor {
     const messages = messagesOf(said, 'lines');
     const errors = messages.filter(({ kind }) => kind === 'error');
     this.editor.say(errors.length ? errors : messages);
-    if (!made) return this.say(errors.length ? 'Your last version goes on.' : said.trim().split('\n')[0]);
+    if (!made)
+      return this.say(errors.length ? 'It does not compile. Your last version goes on.' : said.trim().split('\n')[0]);
     const seconds = ((performance.now() - from) / 1000).toFixed(1);
     this.figure.useReader(new WebAssembly.Module(made), await packed(text));
     this.run();

@@ -100,7 +100,8 @@ class FilmEditor {
       if (errors.length && !isSaid) this.show(path);
       isSaid ||= errors.length > 0;
     }
-    if (printed === undefined) return this.say(isSaid ? 'Your last version goes on.' : said.trim().split('\n')[0]);
+    if (printed === undefined)
+      return this.say(isSaid ? 'It does not compile. Your last version goes on.' : said.trim().split('\n')[0]);
     this.prints.textContent = printed;
     this.say(ended || (film ? `Compiled and run in ${(time / 1000).toFixed(1)}\u202fs.` : 'It wrote no film.'));
     if (film) this.play(film === own.film ? film : withGhost(film, own.film));

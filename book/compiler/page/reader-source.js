@@ -35,7 +35,7 @@ export const READER_FLAGS = [
   '-ffp-contract=off',
   '-fno-exceptions',
   '-fno-rtti',
-  '-fsanitize-coverage=edge,trace-pc',
+  '-fsanitize-coverage=edge,trace-pc,no-prune', // each way through it, the empty loop's too
   '-Wall',
   '-Wno-unused',
   '-mexec-model=reactor',

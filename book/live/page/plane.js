@@ -51,9 +51,11 @@
         Live.coil(pen, thing, top, x, 0.04 * right);
         pen.body(thing, x, 9, colour(method));
       },
-      tell({ factor, area }) {
+      // The line and these two are known of the method as it is; of one that was changed only the spring tells.
+      tell({ factor, area }, { own = 'none' }) {
         const [long, any] = [factor, Math.abs(area)].map(words);
-        return `in the long run a step multiplies what is left by ${long}, and any area by ${any}.`;
+        const whose = own === 'none' ? '' : ' of the method as it is';
+        return `in the long run a step${whose} multiplies what is left by ${long}, and any area by ${any}.`;
       },
     });
   };
