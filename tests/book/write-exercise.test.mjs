@@ -32,7 +32,7 @@ const told = words =>
         document.querySelector(`.exercise:has([data-exercise="${name}"]) .compiled`)?.textContent ?? '',
       ),
     [NAME, words],
-    { timeout: 60_000 }, // other tests run beside it
+    { timeout: 120_000 }, // other tests run beside it
   );
 const press = async (name, words) => {
   await section.getByRole('button', { name, exact: true }).click();
