@@ -54,6 +54,7 @@ system_error: exception errc error_code generic_category system_category system_
 thread: jthread this_thread thread
 tuple: apply get ignore make_tuple tie tuple tuple_cat tuple_element_t tuple_size tuple_size_v
 type_traits: common_type_t conditional_t decay_t enable_if_t false_type integral_constant invoke_result_t is_arithmetic_v is_base_of_v is_constant_evaluated is_const_v is_convertible_v is_default_constructible_v is_floating_point_v is_empty_v is_integral_v is_invocable is_invocable_r_v is_invocable_v is_same_v is_trivially_copyable_v is_void_v remove_const_t remove_cv_t remove_cvref_t remove_reference_t true_type type_identity_t void_t
+typeinfo: type_info
 unordered_map: unordered_map
 utility: declval exchange forward get index_sequence index_sequence_for integer_sequence make_index_sequence make_pair move pair swap as_const tuple_size tuple_size_v tuple_element_t
 valarray: valarray

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 // All submissions of ways.mjs in a module for the page's judges, which is told which of them it is.
+#include <cstddef>
+#include <vector>
+
 #include "steps.h"
 
 /// The header's path, whose letters are copied to where it is told.

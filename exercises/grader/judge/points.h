@@ -3,6 +3,7 @@
 /// The points of a test, as its tag says them.
 #pragma once
 #include <charconv>
+#include <cstddef>
 #include <string_view>
 #include <system_error>
 
