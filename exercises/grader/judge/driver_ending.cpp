@@ -59,10 +59,10 @@ bool by_the_harness(const Ended& ended) {
          ended.err.find("It asked") != ended.err.npos;
 }
 
-void note_exit(const Ended& ended, Moment moment, const Limits& limits) {
-  if (ended.code != 0 && !by_the_harness(ended)) {
-    note_exit_code(ended.code, ended.err);
-  } else if (ended.code == threw) {
+// A code of the harness's own is told in its words.
+bool is_told(const Ended& ended, const Limits& limits) {
+  if (!by_the_harness(ended)) return false;
+  if (ended.code == threw) {
     note_exception(ended.err);
   } else if (ended.code == no_memory && was_full(ended, limits)) {
     note_full(limits);
@@ -72,8 +72,15 @@ void note_exit(const Ended& ended, Moment moment, const Limits& limits) {
     note(Verdict::runtime_error,
          "Your code asked the system for something that is not allowed here. " +
              grade::printable(ended.err, 2000));
-  } else if (ended.code != 0) {
-    note_exit_code(ended.code, ended.err);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void note_exit(const Ended& ended, Moment moment, const Limits& limits) {
+  if (ended.code != 0) {
+    if (!is_told(ended, limits)) note_exit_code(ended.code, ended.err);
   } else if (moment == within_answer) {
     note_incomplete();
   } else if (ended.unread > 0) {
