@@ -42,7 +42,7 @@ async function judged(text, words) {
   await tab.evaluate(written => localStorage.setItem('code 2-euler/orbit-drift', written), text);
   await tab.reload();
   const section = tab.locator('.exercise:has([data-exercise="2-euler/orbit-drift"])');
-  await section.getByRole('button', { name: 'Write it here: orbit-drift' }).click();
+  await section.getByRole('button', { name: 'Go on writing: orbit-drift' }).click();
   await section.locator('.cm-content').waitFor();
   await section.getByRole('button', { name: 'Judge', exact: true }).click();
   await told(section.locator('.report'), words);

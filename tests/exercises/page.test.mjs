@@ -1,6 +1,6 @@
 // The judges of the page beside those of the grader, over every way of doing an exercise: the verdict of each test and the diagnosis
 // are equal, and so are numbers, to ten digits or to the order of rounding. Only code that crashes, never comes back or wants too
-// much memory ends in other words: it has full marks in neither.
+// much memory ends in other words, and does so in both.
 //
 //     node page.test.mjs GRADE_WAYS JUDGES BUILD EXERCISE...
 //
@@ -132,13 +132,9 @@ for (const exercise of exercises) {
     for (const [i, header] of headers.entries()) {
       const ours = said[i];
       const report = await page.say(exercise, header, ours.verdict === 'TIME_LIMIT' ? BRIEF : PATIENCE);
-      const isEnd = ENDED.includes(ours.verdict) || ENDED.includes(report?.verdict);
-      if (isEnd) ++ended;
-      const found = isEnd
-        ? report?.verdict === 'ACCEPTED' || ours.verdict === 'ACCEPTED'
-          ? [`${ours.verdict} is ${report.verdict}: ${report.why}`]
-          : []
-        : differences(header, ours, report);
+      const bothEnd = [ours, report].every(one => ENDED.includes(one?.verdict));
+      if (bothEnd) ++ended;
+      const found = bothEnd ? [] : differences(header, ours, report);
       if (found.length) wrong.push(`${header.split('/').slice(-2).join('/')}\n${found.join('\n')}`);
     }
     page.stop();
