@@ -6,6 +6,7 @@ import { copyFileSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFile
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { examplesOf } from '../../book/compiler/page/try-source.js';
 
 const [methods, shelf, cards, eigen, compiler] = process.argv.slice(2);
 const headersOf = folder =>
@@ -13,12 +14,6 @@ const headersOf = folder =>
     .filter(name => name.endsWith('.h'))
     .sort();
 const read = (folder, name) => readFileSync(join(folder, name), 'utf8');
-
-// The text between @code and @endcode, as a reader copies it.
-function examplesOf(header) {
-  const blocks = [...header.matchAll(/^\/\/\/ @code\n((?:\/\/\/.*\n)*?)\/\/\/ @endcode$/gm)];
-  return blocks.map(([, text]) => text.replace(/^\/\/\/ ?/gm, ''));
-}
 
 const called = code => [...code.matchAll(/integrate::(\w+)/g)].map(([, name]) => name);
 

@@ -1,12 +1,12 @@
 // Has a student's module judged, in a thread of its own.
+import { bytesOf } from './base64.js';
 import { loadScript, threadOf } from './compiler.js';
 
 const PATIENCE = 10_000; // with a test [ms]; exercises/grader/page/module.cpp says so in words
 
 async function unpacked(base64) {
-  const bytes = Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
   return new Uint8Array(
-    await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer(),
+    await new Response(new Blob([bytesOf(base64)]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer(),
   );
 }
 

@@ -1,4 +1,5 @@
 // What a reader has written: kept in the browser, and packed into a link that can be sent.
+import { bytesOf } from './base64.js';
 
 const keyOf = name => `code ${name}`;
 
@@ -33,7 +34,7 @@ export async function packed(text) {
 /** The text that packed() was given; null if there never was one. */
 export async function unpacked(letters) {
   try {
-    const bytes = Uint8Array.from(atob(letters.replace(/-/g, '+').replace(/_/g, '/')), letter => letter.charCodeAt(0));
+    const bytes = bytesOf(letters.replace(/-/g, '+').replace(/_/g, '/'));
     return new TextDecoder('utf-8', { fatal: true }).decode(await through(bytes, new DecompressionStream('deflate')));
   } catch {
     return null;

@@ -1,5 +1,6 @@
 // The compiler's files, which come from the page in parts, as text. A page opened from disk may not fetch, and so its thread may not:
 // this takes the place of `fetch` before the compiler's own loader looks for it.
+import { bytesOf } from './base64.js';
 
 const arriving = new Map(); // file -> { chunks, whole, done }
 
@@ -14,14 +15,6 @@ function arrivalOf(file) {
 
 const unpacked = async file =>
   new Blob(await arrivalOf(file).whole).stream().pipeThrough(new DecompressionStream('gzip'));
-
-// A loop, since Uint8Array.from would take four seconds for all parts.
-function bytesOf(base64) {
-  const letters = atob(base64);
-  const bytes = new Uint8Array(letters.length);
-  for (let i = 0; i < bytes.length; ++i) bytes[i] = letters.charCodeAt(i);
-  return bytes;
-}
 
 // What the compiler's own loader asks for, by the last part of its address.
 self.fetch = async address => {
