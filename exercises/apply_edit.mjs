@@ -6,6 +6,7 @@
 //   Says: <words that must stand in what the test says>
 //   Method: <type of code/measure/methods, if the test goes over a list: spares the others>
 //   In: <function, class or table to look in, where the lines alone are not clear>
+//   Why: <why it does what it does, for readers of a live figure that offers it>
 //   <the mistake in words>
 //   (empty line)
 //   - <found>

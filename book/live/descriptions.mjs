@@ -4,19 +4,24 @@ import { fileURLToPath } from 'node:url';
 
 const MUTANTS = new URL('../../tests/mutants/', import.meta.url);
 
-/** The edit of a header that makes a mistake, "euler/position-with-new-velocity": its file, its header, and what the reader reads. */
+/**
+ * The edit of a header that makes a mistake, "euler/position-with-new-velocity": its file, its header, and what the reader reads:
+ * what is done, and why it does what it does.
+ */
 export function readMistake(name) {
   const file = fileURLToPath(new URL(`${name}.txt`, MUTANTS));
   if (!existsSync(file)) throw new Error(`there is no mistake "${name}": tests/mutants has no such edit`);
   const head = readFileSync(file, 'utf8').split('\n\n')[0].split('\n');
   const words = head.find(line => !/^\w+: /.test(line));
+  const said = key => head.find(line => line.startsWith(`${key}: `))?.slice(key.length + 2);
   if (!words) throw new Error(`tests/mutants/${name}.txt does not say in words what it does`);
   return {
     name,
     file,
     header: name.split('/')[0],
-    type: head.find(line => line.startsWith('Method: '))?.slice(8),
+    type: said('Method'),
     words,
+    why: said('Why'),
   };
 }
 
@@ -28,6 +33,7 @@ export function withMistakes({ mistakes = [], ...description }) {
     name: 'own',
     label: 'Change it',
     choices: { none: 'As it is', ...Object.fromEntries(of.map(({ name, words }) => [name, words])) },
+    why: Object.fromEntries(of.map(({ name, why }) => [name, why])),
     start: 'none',
     chips: true,
   };

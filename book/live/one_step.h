@@ -65,10 +65,8 @@ class OneStep final : public Figure {
   void take_step() {
     const Watched watched{&looks_};
     if constexpr (requires { Step::function; }) {
-      if (standing() && Step::function == standing()->method) {
-        RunOfStanding<Vec, Watched> run(standing()->make(), watched, end_, h_);
-        run.step();
-        end_ = run.now;
+      if (is_stood_in_for<Vec>(Step::function)) {
+        end_ = measure::after(StandIn(), watched, end_, h_, 1);
         return;
       }
     }

@@ -29,16 +29,24 @@ const std::vector<Stand>& stands() {
   return all;
 }
 
-const Stand* now = nullptr;
+Stood now;
 
 }  // namespace
 
 const Stand* standing() {
+  return now.stand;
+}
+
+Stood stands_now() {
   return now;
 }
 
+void count_reader() {
+  ++now.written;
+}
+
 void put_standing(double which) {
-  now = which > 0 ? &stands()[static_cast<std::size_t>(which) - 1] : nullptr;
+  now.stand = which > 0 ? &stands()[static_cast<std::size_t>(which) - 1] : nullptr;
 }
 
 std::vector<const char*> names_of_stands() {

@@ -76,6 +76,18 @@ const Stand* standing();
 /// @param which  a place in names_of_stands()
 void put_standing(double which);
 
+/// Counts the methods that the reader has written: another one is there.
+void count_reader();
+
+/// What stood in the place of a method when something was computed.
+struct Stood {
+  const Stand* stand = nullptr;
+  long written = 0;  ///< methods of the reader's until then
+  bool operator==(const Stood&) const = default;
+};
+/// The same of now.
+Stood stands_now();
+
 /// "none", the names of mistakes(), and for each method that the reader may write "yours/" and its
 /// name.
 std::vector<const char*> names_of_stands();

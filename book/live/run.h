@@ -110,10 +110,10 @@ constexpr bool fits_three() {
   }
 }
 
-/// A scene as a force in three dimensions.
+/// A scene as a force in three dimensions, for a call.
 template <class Vec, class Scene>
 class ForceOf final : public Force {
-  Scene scene_;
+  const Scene& scene_;
 
  public:
   explicit ForceOf(const Scene& scene) : scene_(scene) {}
@@ -122,27 +122,50 @@ class ForceOf final : public Force {
   }
 };
 
-/// A run of the method that stands in the place of a figure's own.
-template <class Vec, class Scene>
-class RunOfStanding final : public Run<Vec> {
- public:
-  RunOfStanding(std::unique_ptr<Own> own, const Scene& scene, const scenes::State<Vec>& start,
-                double step_size)
-      : Run<Vec>(step_size, start), own_(std::move(own)), force_(scene) {
-    own_->start({widened<Vec>(start.x), widened<Vec>(start.v)}, step_size, force_);
-  }
+/// What stands in the place of a method, as a method of code/measure.
+struct StandIn {
+  template <class Vec>
+  struct Memory {
+    using value_type = Vec;
+    std::unique_ptr<Own> own;
+  };
 
-  void step() override {
-    own_->step(this->t(), this->h, force_);
-    ++this->steps;
-    const auto [x, v] = own_->now(this->t(), this->h, force_);
-    this->now = {narrowed<Vec>(x), narrowed<Vec>(v)};
+  /// Begins a run at time zero.
+  template <class Vec, class Scene>
+  static Memory<Vec> start(const scenes::State<Vec>& start, double h, const Scene& scene) {
+    Memory<Vec> memory{standing()->make()};
+    memory.own->start({widened<Vec>(start.x), widened<Vec>(start.v)}, h,
+                      ForceOf<Vec, Scene>(scene));
+    return memory;
   }
-
- private:
-  std::unique_ptr<Own> own_;
-  ForceOf<Vec, Scene> force_;
+  /// One step.
+  template <class Vec, class Scene>
+  static void step(Memory<Vec>& memory, double t, double h, const Scene& scene) {
+    memory.own->step(t, h, ForceOf<Vec, Scene>(scene));
+  }
+  /// The state that it stands for.
+  template <class Vec, class Scene>
+  static scenes::State<Vec> to_state(const Memory<Vec>& memory, double t, double h,
+                                     const Scene& scene) {
+    const auto [x, v] = memory.own->now(t, h, ForceOf<Vec, Scene>(scene));
+    return {narrowed<Vec>(x), narrowed<Vec>(v)};
+  }
 };
+
+/// Whether something stands in the place of a method where a scene has such vectors.
+template <class Vec>
+bool is_stood_in_for(std::string_view method) {
+  return fits_three<Vec>() && standing() && standing()->method == method;
+}
+
+/// Calls a function with a method, or with what stands in its place.
+template <class Vec, class Step, class Act>
+auto with_what_stands(const Method<Step>& method, Act&& act) {
+  if constexpr (fits_three<Vec>()) {
+    if (is_stood_in_for<Vec>(method.name)) return act(StandIn());
+  }
+  return act(method.step);
+}
 
 /// Starts a run with one of several methods, or with what stands in its place.
 /// @param methods  to choose from
@@ -155,16 +178,11 @@ std::unique_ptr<Run<Vec>> start_run(const std::tuple<Method<Steps>...>& methods,
                                     const Scene& scene, const scenes::State<Vec>& start, double h) {
   std::unique_ptr<Run<Vec>> run;
   std::size_t place = 0;
-  const auto start_if_chosen = [&]<class Step>(const Method<Step>& method) {
-    if (place++ == static_cast<std::size_t>(which)) {
-      if constexpr (fits_three<Vec>()) {
-        if (standing() && std::string_view(standing()->method) == method.name) {
-          run = std::make_unique<RunOfStanding<Vec, Scene>>(standing()->make(), scene, start, h);
-          return;
-        }
-      }
-      run = std::make_unique<RunOf<Vec, Scene, Step>>(method.step, scene, start, h);
-    }
+  const auto start_if_chosen = [&](const auto& method) {
+    if (place++ != static_cast<std::size_t>(which)) return;
+    with_what_stands<Vec>(method, [&]<class Taken>(const Taken& step) {
+      run = std::make_unique<RunOf<Vec, Scene, Taken>>(step, scene, start, h);
+    });
   };
   std::apply([&](const auto&... method) { (start_if_chosen(method), ...); }, methods);
   return run;

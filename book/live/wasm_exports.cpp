@@ -92,6 +92,9 @@ EXPORT(double, examined_apart)() {
   return examined.apart;
 }
 
+EXPORT(void, count_reader)() {
+  live::count_reader();
+}
 EXPORT(double*, room_to_ask)() {
   return asked;
 }

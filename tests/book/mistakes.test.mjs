@@ -52,8 +52,9 @@ for (const figure of withMistakes) {
     const chip = own => live.stage.locator(`.chips label:has([value="${own}"])`);
     const methods = choicesOf(figure, 'method');
     for (const own of choicesOf(figure, 'own').filter(name => name !== 'none')) {
-      const { header, words } = readMistake(own);
+      const { header, words, why } = readMistake(own);
       if (methods.length) await live.control('method').locator(`[value=${header}]`).check();
+      if (figure.timed) await live.stage.locator(`.ranked [data-name=${header}]`).click();
       const right = await live.scene();
       assert.equal(await live.stage.locator('.examined').textContent(), '');
       assert.equal(await chip(own).textContent(), ` ${words}`);
@@ -61,7 +62,9 @@ for (const figure of withMistakes) {
       const code = live.stage.locator('.listing:visible');
       assert.equal(await code.count(), 1);
       assert.ok((await code.locator('ins').count()) > 0, `${own}: the code has no new line`);
-      assert.match(await live.stage.locator('.examined').textContent(), /^(Order \d|With shorter steps)/);
+      const said = await live.stage.locator('.examined').textContent();
+      assert.match(said, /^(Order \d|With shorter steps)/);
+      assert.ok(why && said.endsWith(` ${why}`), `${own}: ${said}`);
       await tab.waitForFunction(name => globalThis.Live.opened[name].mistakes.run, figure.name);
       assert.ok((await live.scene()) !== right, `${own} is not seen in the scene`);
       const faint = await tab.evaluate(name => {

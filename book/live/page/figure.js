@@ -12,7 +12,8 @@
 
   // `drawing` has view(settings, width), draw(pen, run, settings, part) and tell(now, settings), which returns a sentence; and, if a
   // pointer in the picture sets something, take(x, y, settings), which returns what, and press(x, y, run, settings) for where it came
-  // down. Where the code is lit, lit(now, lines) returns the first and last line and what it finds; edits(values) lists words of the
+  // down. ghost(pen, run, settings, part) draws the run without what stands in a method's place, where draw would draw too much.
+  // Where the code is lit, lit(now, lines) returns the first and last line and what it finds; edits(values) lists words of the
   // code that a click changes, as Live.Edits has them; when(now) is a time that is not in seconds. One that is
   // "timed" also has chart(pen, run, settings) and answer(stage, run, settings), which comes before all drawing and returns a method.
   Live.figure = function (name, drawing) {
@@ -72,9 +73,9 @@
     get readerFault() {
       return this.mistakes?.isYours ? this.run.module.readerFault : null;
     }
-    // The one that is chosen, or the only one.
+    // The one that is chosen, or whose place is taken, or that is the answer, or the only one.
     get method() {
-      return this.values.method ?? Object.keys(this.methods)[0];
+      return this.values.method ?? this.mistakes?.standsFor ?? this.answered ?? Object.keys(this.methods)[0];
     }
     async open(code, name) {
       const { element, description } = this;
@@ -189,7 +190,9 @@
         return;
       }
       run.times = this.stopwatch.of(values);
-      this.showCode(drawing.answer(this.stage, run, values));
+      this.answered = drawing.answer(this.stage, run, values);
+      this.mistakes?.fit();
+      this.showCode(this.method);
       if (this.playing) this.drawChart(); // no frame draws it
     }
     time() {

@@ -17,14 +17,17 @@
   // The spring at a place of the map, as parts of its width and height, under so many steps a second.
   Live.springAt = (right, up, rate) => ({ omega: right * WIDEST * rate, zeta: up * TALLEST });
 
-  // Where the method with this label is stable and, darker, where it is true to life; `columns` are those of the table "map".
-  Live.map = function (pen, { x, y }, columns, { label, colour }, spring) {
+  // Where the method with this label is stable and, darker, where it is true to life; `columns` are those of the table "map". Nobody
+  // has drawn the map of a method that is `changed`.
+  Live.map = function (pen, { x, y }, columns, { label, colour, changed }, spring) {
     const find = words => Object.entries(columns).find(([column]) => column.toLowerCase() === words.toLowerCase())[1];
     const heights = columns.ζ.map(zeta => y(zeta / TALLEST));
-    for (const [limits, faint] of [
-      [find(label), 0.22],
-      [find(`${label} true`), 0.6],
-    ]) {
+    const parts = [
+      [label, 0.22],
+      [`${label} true`, 0.6],
+    ];
+    for (const [words, faint] of changed ? [] : parts) {
+      const limits = find(words);
       const edge = limits.map(limit => x(limit / WIDEST));
       pen.area([x(0), ...edge, x(0)], [y(0), ...heights, y(1)], { colour, faint });
     }

@@ -19,6 +19,10 @@
       const { own } = this.figure.values;
       return own === NONE ? null : own;
     }
+    // The method in whose place it stands.
+    get standsFor() {
+      return this.made && methodOf(this.made);
+    }
     offerToEdit() {
       const button = document.createElement('button');
       Object.assign(button, { type: 'button', className: 'edit', textContent: 'Edit' });
@@ -42,7 +46,7 @@
     // A mistake in a method that is no longer chosen is taken back, and those of others are not offered.
     fit() {
       const { settings, method } = this.figure;
-      if (this.made && methodOf(this.made) !== method) settings.values = { own: NONE };
+      if (this.made && this.standsFor !== method) settings.values = { own: NONE };
       const labels = [...this.chips.querySelectorAll('[data-of]')];
       for (const label of labels) label.hidden = label.dataset.of !== method;
       if (this.canEdit) this.chips.querySelector('.edit').hidden = !this.isEditable;
@@ -70,18 +74,31 @@
     get before() {
       return { trace: this.ahead.of(this.right).trace, words: this.isYours ? 'the book’s' : 'without the mistake' };
     }
+    // Why a mistake does what it does.
+    get why() {
+      return this.figure.description.controls.find(({ chips }) => chips).why[this.made];
+    }
     // What trying it has shown, once for each method: no other setting counts.
     tell() {
       const { made, figure } = this;
       if (!made) return void (this.words.textContent = this.notice ?? '');
       if (made !== this.tried || figure.reader !== this.triedBy) {
         const found = figure.run.module.examine();
-        this.found = figure.readerFault ?? sentence(found, this.isYours);
+        this.found = figure.readerFault ?? [sentence(found, this.isYours), this.why].filter(Boolean).join(' ');
         Object.assign(this, { tried: made, triedBy: figure.reader });
       }
       this.words.textContent = this.found;
     }
   };
+
+  // Whether something stands in the place of a method, by the settings; and what is called by its name then, in a list and in a sentence.
+  Live.standsFor = (method, { own = NONE }) => own !== NONE && methodOf(own) === method;
+  const named = changed => (method, label, values) => {
+    if (!Live.standsFor(method, values)) return label;
+    return values.own.startsWith(YOURS) ? 'Yours' : changed(label);
+  };
+  Live.nameInList = named(() => 'Changed');
+  Live.nameInSentence = named(label => `${label} as changed`);
 
   const isWhole = order => Math.abs(order - Math.round(order)) < 0.1;
   const digits = order => (isWhole(order) ? Math.round(order) : order.toFixed(1));

@@ -41,6 +41,7 @@
       this.yours = numbersOf(exports);
       this.room = exports.room();
       this.fault = null;
+      this.figure.count_reader();
     }
     // For a run from its start.
     begin() {

@@ -9,13 +9,18 @@
       const { values, run, pen, drawing } = this;
       pen.begin(drawing.view(values, pen.canvas.clientWidth));
       if (this.changing && this.whole) pen.faintly(0.35, () => drawing.draw(pen, this.whole, values, 1));
-      if (this.mistakes?.made && this.mistakes.run)
-        pen.faintly(0.35, () => drawing.draw(pen, this.mistakes.inStep(run), this.mistakes.right, part));
+      this.drawGhost(part);
       drawing.draw(pen, run, values, part);
       this.handle?.place(pen);
       if (!this.stopwatch || !this.playing) this.drawChart(); // an answer stays while it is played
       if (drawing.lit) this.light();
       this.say(this.sentence + (this.playing && this.clock.slow ? ' Slower than real time on this machine.' : ''));
+    }
+    drawGhost(part) {
+      const { mistakes, drawing, pen, run } = this;
+      if (!mistakes?.made || !mistakes.run) return;
+      const draw = drawing.ghost ?? drawing.draw;
+      pen.faintly(0.35, () => draw.call(drawing, pen, mistakes.inStep(run), mistakes.right, part));
     }
     // The longest sentence so far keeps its room, or the text below would jump by a line while the figure plays.
     say(words) {

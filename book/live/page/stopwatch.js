@@ -45,7 +45,7 @@
     // `description` says by `timed` which setting a time belongs to, and names the methods; `told` is called when there are new ones.
     constructor(code, name, told) {
       const { timed, methods, controls } = Live.descriptions[name];
-      const asked = controls.filter(({ page }) => !page).map(control => control.name);
+      const asked = controls.filter(({ page, chips }) => !page && !chips).map(control => control.name);
       Object.assign(this, { code, name, told, timed, methods: Object.keys(methods), asked, taken: {} });
     }
     // From now on, whatever comes up is timed; what has been is timed anew.

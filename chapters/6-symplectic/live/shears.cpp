@@ -11,8 +11,9 @@ namespace {
 constexpr std::tuple methods{Method{"symplectic_euler", measure::symplectic_euler},
                              Method{"euler", measure::euler}};
 
-// Its time is counted in steps. Euler's method moves everything over the whole of one, symplectic
-// Euler the velocities over its first half and the places over its second.
+// Its time is counted in steps. Euler's method, and whatever stands in the place of one, moves
+// everything over the whole of one, symplectic Euler the velocities over its first half and the
+// places over its second.
 class Shears final : public Figure {
   static constexpr int parts = 20;          // of each edge
   static constexpr long moves = 48;         // that make a step
@@ -45,14 +46,18 @@ class Shears final : public Figure {
   }
 
   Outline moved(const Outline& outline) const {
-    return method_ == 0 ? carried(measure::symplectic_euler, wrecking_ball, outline, h_, 1)
-                        : carried(measure::euler, wrecking_ball, outline, h_, 1);
+    const auto& [symplectic_euler, euler] = methods;
+    const auto carry = [&](const auto& step) {
+      return carried(step, wrecking_ball, outline, h_, 1);
+    };
+    return method_ == 0 ? with_what_stands<double>(symplectic_euler, carry)
+                        : with_what_stands<double>(euler, carry);
   }
 
   // How far the velocities have come in this step, and how far the places.
   std::pair<double, double> shares() const {
     const double share = double(taken_ % moves) / moves;
-    if (method_ != 0) return {share, share};
+    if (method_ != 0 || standing()) return {share, share};
     return {std::min(1.0, 2 * share), std::max(0.0, 2 * share - 1)};
   }
 

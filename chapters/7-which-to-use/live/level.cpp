@@ -18,6 +18,7 @@ constexpr long apart = 8;
 class Level final : public Figure {
   double thing_ = 5, method_ = 5, steps_in_a_frame_ = 1, tolerance_ = 0.01;
   std::vector<std::unique_ptr<Trial>> trials_;
+  Stood tried_with_;
   long frames_ = 0;
 
   std::vector<Setting> settings() override {
@@ -31,11 +32,13 @@ class Level final : public Figure {
             {"tolerance", &tolerance_}};
   }
 
-  // What the methods make of the things depends on nothing that the reader sets. All of them at
-  // once would keep the page waiting: the thing that is chosen comes at the start, and the others
-  // one by one while the first run goes on.
+  // What the methods make of the things depends on nothing that the reader sets, but on what stands
+  // in the place of one. All of them at once would keep the page waiting: the thing that is chosen
+  // comes at the start, and the others one by one while the first run goes on.
   void start() override {
     frames_ = 0;
+    if (tried_with_ != stands_now()) trials_.clear();
+    tried_with_ = stands_now();
     try_out(std::size_t(thing_));
     show_table();
     show_run();

@@ -19,9 +19,12 @@ globalThis.Live.figure('level', {
   draw(pen, run, chosen, part) {
     const size = this.narrow ? 10 : 13;
     this.table(pen, run.now, chosen, size);
+    this.ghost(pen, run, chosen, part);
+  },
+  ghost(pen, run, { method }, part) {
     const top = this.low - 0.4;
     pen.within([0.05, this.left + 5.95], [0.1, top], { colour: 'grid', width: 1 }, () =>
-      this.play(pen, run, chosen.method, part, { right: this.left + 6, top }),
+      this.play(pen, run, method, part, { right: this.left + 6, top }),
     );
   },
   table(pen, { errors, bills, tolerance }, chosen, size) {
@@ -35,7 +38,8 @@ globalThis.Live.figure('level', {
       pen.text(this.left + j + 0.5, row(-1) + (size < 13 && j % 2 ? 0.6 : 0), label, { size }),
     );
     Object.entries(this.choices('method')).forEach(([method, label], i) => {
-      pen.text(this.left - 0.1, row(i), label, { colour: method, align: 'right', size });
+      const name = globalThis.Live.nameInList(method, label, chosen);
+      pen.text(this.left - 0.1, row(i), name, { colour: method, align: 'right', size });
       things.forEach(([thing], j) => {
         const error = errors[10 * j + i];
         const misses = !(error <= tolerance);
@@ -80,8 +84,8 @@ globalThis.Live.figure('level', {
     pen.circle(...at(truth, n), 7 / pen.metre, { colour: 'exact', width: 1.2 });
     pen.dot(...at(path, n), 5, method);
   },
-  tell({ error }, { thing, method }) {
-    const label = this.choices('method')[method];
+  tell({ error }, { thing, method, own }) {
+    const label = globalThis.Live.nameInSentence(method, this.choices('method')[method], { own });
     if (!(error < 1000)) return `${label} has lost the ${thing}.`;
     return `${label} has the ${thing} ${this.amount(error).replace('<', 'less than')} from its true place.`;
   },

@@ -13,7 +13,8 @@ namespace {
 
 class SpeedAgainstAccuracy final : public Figure {
   double thing_ = 2, omega_ = 20, zeta_ = 0.1, eccentricity_ = 0.6, turn_ = 4, drag_ = 2;
-  std::vector<double> tried_with_;
+  std::vector<double> tried_;
+  Stood tried_with_;
   std::unique_ptr<Trial> trial_;
   const std::vector<std::string> paths_ = names(methods, "paths");
   const std::vector<std::string> errors_ = names(methods, "errors");
@@ -36,8 +37,9 @@ class SpeedAgainstAccuracy final : public Figure {
   void start() override {
     steps_ = 0;
     const std::vector now{thing_, omega_, zeta_, eccentricity_, turn_, drag_};
-    if (now != tried_with_) {
-      tried_with_ = now;
+    if (now != tried_ || tried_with_ != stands_now()) {
+      tried_ = now;
+      tried_with_ = stands_now();
       trial_ = try_thing();
       show_trial();
     }
@@ -83,8 +85,10 @@ class SpeedAgainstAccuracy final : public Figure {
     show("drag", trial_->drag);
     show("tried", std::vector<double>(tried_in_a_frame.begin(), tried_in_a_frame.end()));
     show("truth", trial_->truth);
+    double dearer = 1;
     for (std::size_t i = 0; i < paths_.size(); ++i) {
       const Outcome& outcome = trial_->outcomes[i];
+      dearer *= outcome.dearer;
       const auto show_list = [&](const std::string& called, const std::vector<double>& list) {
         outcome.reproducible ? show(called.c_str(), list) : show_reference(called.c_str(), list);
       };
@@ -92,6 +96,7 @@ class SpeedAgainstAccuracy final : public Figure {
       show_list(errors_[i], outcome.errors);
       show(evaluations_[i].c_str(), outcome.evaluations);
     }
+    show("dearer", dearer);
   }
 
   int bodies() const override { return int(in_a_loop); }

@@ -30,14 +30,19 @@
     isExact = told('exact');
 
   // What each method that is for this thing offers: { steps in a frame, error, time for a thousand [µs] } for each number of steps
-  // that was tried.
-  function offers({ now, times }, { thing }) {
+  // that was tried. Nobody has timed what stands in the place of a method: each of its evaluations takes as long as one of that.
+  function offers({ now, times }, { thing, own = 'none' }) {
     const known = recorded(thing);
     const fitting = Object.entries(description().methods).filter(([name]) => now[`${name} errors`].length);
-    return fitting.map(([name, label]) => {
+    return fitting.map(([name, plain]) => {
+      const label = Live.nameInList(name, plain, { own }),
+        told = Live.nameInSentence(name, plain, { own }),
+        stands = Live.standsFor(name, { own }),
+        dearer = stands ? now.dearer : 1;
       const error = i => Math.max(NOTHING, now[`${name} errors`][i]);
-      const rungs = step => [...now.tried].map((steps, i) => ({ steps, rung: i, error: error(i), time: steps * step }));
-      return { name, label, rungs: rungs((times ?? known)[name]), recorded: times && rungs(known[name]) };
+      const rungs = step =>
+        [...now.tried].map((steps, i) => ({ steps, rung: i, error: error(i), time: steps * step * dearer }));
+      return { name, label, told, stands, rungs: rungs((times ?? known)[name]), recorded: times && rungs(known[name]) };
     });
   }
 
@@ -56,8 +61,8 @@
 
   // Of all that is near enough, what takes the least time.
   function cheapest(all, { tolerance }) {
-    const near = all.flatMap(({ name, label, rungs }) =>
-      rungs.filter(({ error }) => error <= tolerance).map(rung => ({ name, label, ...rung })),
+    const near = all.flatMap(({ name, told, rungs }) =>
+      rungs.filter(({ error }) => error <= tolerance).map(rung => ({ name, told, ...rung })),
     );
     return near.reduce((least, one) => (!least || one.time < least.time ? one : least), null);
   }
@@ -102,9 +107,21 @@
       const bought = this.found.all.some(({ rungs }) => rungs.some(({ time }) => time <= price));
       return bought ? `none holds it for ${micro(price)}` : `none is to be had for ${micro(price)}`;
     },
-    row(pen, run, { name, label, bought, rank }, i, part) {
-      const low = 2 - i + 0.05,
-        high = 0.74;
+    rowAt: i => ({ low: 2 - i + 0.05, high: 0.74 }),
+    motionAt: (i, { low, high }, { omega }) => {
+      const left = Number.isNaN(omega) ? 0.01 : 0.37;
+      return { left, low, width: 0.99 - left, high };
+    },
+    // The way of the book's method, where something stands in its place.
+    ghost(pen, run, values, part) {
+      const { three } = this.found,
+        i = three.findIndex(({ stands }) => stands);
+      if (i < 0) return;
+      const { name, bought } = three[i];
+      this.motion(pen, this.motionAt(i, this.rowAt(i), run.now), run, name, bought.rung, part);
+    },
+    row(pen, run, { name, label, bought, rank, stands }, i, part) {
+      const { low, high } = this.rowAt(i);
       pen.text(0.01, low + high + 0.1, `${rank}. ${label}`, { colour: name, align: 'left' });
       pen.text(
         0.99,
@@ -112,15 +129,13 @@
         `${bought.dear ? 'too dear: ' : ''}${inSteps(bought)}, ${metres(bought.error)}`,
         { align: 'right' },
       );
-      const { omega, zeta } = run.now,
-        swings = !Number.isNaN(omega);
-      if (swings) {
+      const { omega, zeta } = run.now;
+      if (!Number.isNaN(omega)) {
         const spring = { homega: omega / FRAMES / bought.steps, zeta };
         const map = Live.frame(pen, { left: 0.01, low, width: 0.32, high });
-        Live.map(pen, map, description().tables.map, { label, colour: name }, spring);
+        Live.map(pen, map, description().tables.map, { label, colour: name, changed: stands }, spring);
       }
-      const left = swings ? 0.37 : 0.01;
-      this.motion(pen, { left, low, width: 0.99 - left, high }, run, name, bought.rung, part);
+      this.motion(pen, this.motionAt(i, { low, high }, run.now), run, name, bought.rung, part);
     },
     // The way so far, on the way that it should be.
     motion(pen, box, { now }, name, rung, part) {
@@ -185,7 +200,9 @@
           rungs.map(({ error }) => height(error)),
           look,
         );
-      const { all, three } = this.found;
+      const { all, three } = this.found,
+        book = this.book(all, run, values);
+      if (book) line(book.rungs, { colour: 'context', width: 1.4 });
       for (const { name, rungs, recorded } of all) {
         if (recorded) line(recorded, { colour: 'context', width: 1 });
         const first = three.some(one => one.name === name);
@@ -239,13 +256,11 @@
     answer(stage, run, values) {
       const all = offers(run, values),
         ranked = rank(all, values).map((offer, i) => ({ ...offer, rank: i + 1 })),
-        cheap = cheapest(
-          all.filter(({ name }) => !isExact(name)),
-          values,
-        );
+        inexactOf = list => list.filter(({ name }) => !isExact(name)),
+        cheap = cheapest(inexactOf(all), values);
       const exact = all.find(({ name }) => isExact(name));
       // The exact step would move as the truth does, which is drawn anyway. What the reader picked is one of three.
-      const inexact = ranked.filter(({ name }) => !isExact(name));
+      const inexact = inexactOf(ranked);
       const shown = inexact.filter(({ bought }) => bought && bought.error < Infinity);
       const other = inexact.find(
         ({ name }) => name === this.picked && !shown.slice(0, 2).some(one => one.name === name),
@@ -253,18 +268,21 @@
       const third = other ? { ...other, bought: other.bought ?? { ...other.rungs[0], dear: true } } : shown[2];
       const three = [...shown.slice(0, 2), ...(third ? [third] : [])];
       this.found = { all, three, cheap, exact };
-      const rows = ranked.map(({ name, label, bought, rungs }, i) => {
+      const rows = ranked.map(({ name, label, bought, rungs, stands }, i) => {
         const near = bought && bought.error <= values.tolerance;
         const off = bought ? metres(bought.error) + (near ? ' ✓' : '') : 'too dear';
         const { steps, time } = bought ?? rungs[0];
-        const cells = [steps, off, micro(time)];
+        const cells = [steps, off, (stands ? '≈\u202f' : '') + micro(time)];
         const key = `<span class="key${KIN.includes(name) ? ' dashed' : ''}" style="--key:var(--${name.replace(/_/g, '-')})"></span>`;
         return `<tr${three.some(one => one.name === name) ? ' class="shown"' : ''}><td>${bought ? i + 1 : ''}</td><th scope="row"><button type="button" data-name="${name}">${key}${label}</button></th>${cells.map(cell => `<td>${cell}</td>`).join('')}</tr>`;
       });
       const whose = { undefined: 'as recorded', null: 'being taken …' }[run.times] ?? 'taken in your browser';
-      const { name } = cheap ?? ranked.find(one => !isExact(one.name));
+      // The book has a header of its own methods alone.
+      const ofTheBook = inexact.filter(({ stands }) => !stands),
+        near = cheapest(ofTheBook, values),
+        { name } = near ?? ofTheBook[0];
       const link = method => `<a href="headers/${headerOf(method)}" download>${headerOf(method)}</a>`;
-      const why = cheap ? 'the cheapest that is near enough' : 'the nearest, though not near enough';
+      const why = near ? 'the cheapest that is near enough' : 'the nearest, though not near enough';
       const take = exact
         ? `This thing has an exact step: take ${link(exact.name)}. If other forces act as well, take ${link(name)}`
         : `Take ${link(name)}`;
@@ -272,13 +290,20 @@
         focused = list.contains(document.activeElement) && document.activeElement.dataset.name;
       list.innerHTML =
         `<table><caption class="unseen">The methods, nearest first</caption><thead><tr><th scope="col"><span class="unseen">Rank</span></th><th scope="col">Method</th><th scope="col">Steps</th><th scope="col">Off by</th><th scope="col">Time</th></tr></thead>` +
-        `<tbody>${rows.join('')}</tbody></table><p>Times: ${whose}. ✓: within ${millimetres(values.tolerance)}.</p>`;
+        `<tbody>${rows.join('')}</tbody></table><p>Times: ${whose}${all.some(({ stands }) => stands) ? '; ≈: by its evaluations, at what one takes in the method that it replaces' : ''}. ✓: within ${millimetres(values.tolerance)}.</p>`;
       list.onclick = ({ target }) => this.pick(target.closest('button')?.dataset.name);
       if (focused) list.querySelector(`[data-name="${focused}"]`)?.focus();
       stage.querySelector('.advice').innerHTML =
         `<p>${take}, ${why}. Or have all methods tried, from 1 step to 1024:</p>` +
         `<pre><code>${question(run, values)}</code></pre>`;
-      return exact?.name ?? name;
+      return all.some(one => one.name === this.picked) ? this.picked : (exact?.name ?? name);
+    },
+    // What the book's method offers, where something stands in its place.
+    book(all, run, values) {
+      const stands = all.find(one => one.stands),
+        mistakes = Live.opened[NAME]?.mistakes;
+      if (!stands || !mistakes?.run) return null;
+      return offers({ ...run, now: mistakes.inStep(run).now }, mistakes.right).find(({ name }) => name === stands.name);
     },
     pick(name) {
       if (!name) return;
@@ -293,11 +318,11 @@
       } = this.found;
       const other = exact ? `This thing has an exact step, for ${micro(exact.rungs[0].time)}. Of the others, ` : '';
       const nearest = first
-        ? `${other}${first.label} is nearest for ${micro(values.price)}: ${inSteps(first.bought)}, off by ${metres(first.bought.error)}.`
+        ? `${other}${first.told} is nearest for ${micro(values.price)}: ${inSteps(first.bought)}, off by ${metres(first.bought.error)}.`
         : `${other}${exact ? '' : 'Of all methods '}${this.noneFor(values)}.`;
       const near = millimetres(values.tolerance);
       return cheap
-        ? `${nearest} Within ${near}, ${cheap.label} is cheapest: ${inSteps(cheap)}, ${micro(cheap.time)}.`
+        ? `${nearest} Within ${near}, ${cheap.told} is cheapest: ${inSteps(cheap)}, ${micro(cheap.time)}.`
         : `${nearest} None comes within ${near}.`;
     },
   });

@@ -73,6 +73,7 @@ struct Outcome {
   std::vector<double> paths;   ///< places at the ends of frames, one run after the other [m]
   std::vector<double> errors;  ///< the largest at the end of a frame; infinite if it is gone [m]
   double evaluations = none;   ///< of a step
+  double dearer = 1;           ///< how many times those of the method in whose place it stands
   bool reproducible = true;
 };
 
@@ -114,9 +115,8 @@ class TrialOf final : public Trial {
     }
     const Path right = path(measure::dopri5, of_the_truth);
     append(truth, right);
-    std::apply(
-        [&](const auto&... method) { (outcomes.push_back(try_out(method.step, right)), ...); },
-        methods);
+    std::apply([&](const auto&... method) { (outcomes.push_back(outcome(method, right)), ...); },
+               methods);
   }
 
   double work(int which, int rounds) const override {
@@ -143,6 +143,18 @@ class TrialOf final : public Trial {
       }
     }
     return places;
+  }
+
+  // Of a method, or of what stands in its place.
+  template <class Step>
+  Outcome outcome(const Method<Step>& method, const Path& right) const {
+    Outcome found =
+        with_what_stands<Vec>(method, [&](const auto& step) { return try_out(step, right); });
+    if constexpr (is_for<Scene>(Step())) {
+      if (is_stood_in_for<Vec>(method.name))
+        found.dearer = found.evaluations / evaluations(method.step);
+    }
+    return found;
   }
 
   template <class Step>

@@ -14,22 +14,32 @@ globalThis.Live.figure('your-spring', {
     const inside = right >= 0 && right <= 1 && up >= 0 && up <= 1;
     return { method, ...(inside && Live.springAt(right, up, this.rate)) };
   },
-  draw(pen, run, { omega, zeta, rate, method }) {
+  // Where the picture of a method lies: its own in a column, from the bottom up.
+  cell(pen, name, chosen) {
+    const i = Object.keys(this.names).indexOf(name),
+      left = i % 2,
+      low = 5 - Math.floor(i / 2) + this.low;
+    const box = (at, width) =>
+      globalThis.Live.frame(pen, { left: left + at, low, width, high: this.high }, name === chosen);
+    return { left, low, box };
+  },
+  ghost(pen, run, { method }) {
+    this.path(pen, this.cell(pen, method, method).box(0.45, 0.53), method, run);
+  },
+  draw(pen, run, { omega, zeta, rate, method, own }) {
     const { Live } = globalThis,
       { tables } = Live.descriptions['your-spring'];
     this.rate = rate;
     this.lost = Object.keys(this.names).filter(name => run.trace[name].some(x => !(Math.abs(x) < run.now.far)));
-    Object.entries(this.names).forEach(([name, label], i) => {
-      const left = i % 2,
-        low = 5 - Math.floor(i / 2) + this.low;
-      pen.text(left + 0.03, low + 0.81, label, { colour: name, align: 'left' });
+    Object.entries(this.names).forEach(([name, label]) => {
+      const { left, low, box } = this.cell(pen, name, method);
+      pen.text(left + 0.03, low + 0.81, Live.nameInList(name, label, { own }), { colour: name, align: 'left' });
       if (this.lost.includes(name)) pen.text(left + 0.98, low + 0.81, 'lost', { colour: 'limit', align: 'right' });
-      const box = (at, width) => Live.frame(pen, { left: left + at, low, width, high: this.high }, name === method);
       Live.map(
         pen,
         box(this.map.left, this.map.width),
         tables.map,
-        { label, colour: name },
+        { label, colour: name, changed: Live.standsFor(name, { own }) },
         { homega: omega / rate, zeta },
       );
       this.path(pen, box(0.45, 0.53), name, run);
@@ -53,13 +63,14 @@ globalThis.Live.figure('your-spring', {
       { colour: name, width: 1.5 },
     );
   },
-  tell({ x, 'true x': truth }, { method }) {
+  tell({ x, 'true x': truth }, { method, own }) {
     const number = value => globalThis.Live.fixed(value, 2),
       lost = this.lost.includes(method);
     const count =
       this.lost.length === 0
         ? 'No method has lost it'
         : `${this.lost.length} of ${Object.keys(this.names).length} methods ${this.lost.length === 1 ? 'has' : 'have'} lost it`;
-    return `${this.names[method]} ${lost ? 'has lost it' : `has it at ${number(x)}`}, and it should be at ${number(truth)}. ${count}.`;
+    const name = globalThis.Live.nameInSentence(method, this.names[method], { own });
+    return `${name} ${lost ? 'has lost it' : `has it at ${number(x)}`}, and it should be at ${number(truth)}. ${count}.`;
   },
 });
