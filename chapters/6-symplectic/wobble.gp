@@ -5,8 +5,8 @@ set xtics 0.25
 set ytics 0.2
 set label 1 "Euler" at 0.105,1.5 left tc ls EULER
 set label 2 "symplectic Euler" at 0.5,1.29 center tc ls SYMPLECTIC_EULER
-set arrow 1 from 0.86,1.31 to 0.86,1.01 nohead ls CONTEXT
-set label 3 "its shadow energy" at 0.995,1.34 right tc ls FIRST
+set arrow 1 from 0.86,1.43 to 0.86,1.01 nohead ls CONTEXT
+set label 3 "its shadow energy" at 0.995,1.47 right tc ls FIRST
 plot file("wobble") using col("t"):(val("Euler") < 1.7 ? val("Euler") : NaN) with linespoints ls EULER lw 1.6, \
      file("wobble") using col("t"):col("shadow") with lines ls FIRST, \
      file("wobble") using col("t"):col("symplectic Euler") with linespoints ls SYMPLECTIC_EULER lw 1.4 ps 0.45, \
