@@ -11,9 +11,9 @@ namespace {
 constexpr std::tuple methods{Method{"symplectic_euler", measure::symplectic_euler},
                              Method{"euler", measure::euler}};
 
-// Its time is counted in steps. Euler's method, and whatever stands in the place of one, moves
-// everything over the whole of one, symplectic Euler the velocities over its first half and the
-// places over its second.
+// Its time is counted in steps. Euler's method moves everything over the whole of one, symplectic
+// Euler the velocities over its first half and the places over its second; and so is drawn what
+// stands in their places.
 class Shears final : public Figure {
   static constexpr int parts = 20;          // of each edge
   static constexpr long moves = 48;         // that make a step
@@ -57,7 +57,7 @@ class Shears final : public Figure {
   // How far the velocities have come in this step, and how far the places.
   std::pair<double, double> shares() const {
     const double share = double(taken_ % moves) / moves;
-    if (method_ != 0 || standing()) return {share, share};
+    if (method_ != 0) return {share, share};
     return {std::min(1.0, 2 * share), std::max(0.0, 2 * share - 1)};
   }
 

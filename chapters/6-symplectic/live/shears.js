@@ -1,14 +1,13 @@
 // The cat within a step, and arrows along which its points move.
 globalThis.Live.figure('shears', {
   view: () => ({ x: [-2.1, 2.1], y: [-1.7, 1.45] }),
-  draw(pen, { now }, { method, own }) {
+  draw(pen, { now }, { method }) {
     pen.grid([-2, -1, 0, 1, 2], [-2, -1, 0, 1, 2]);
-    const half = this.half(now, method, own),
+    const half = this.half(now, method),
       drifts = half === 'drift';
     now['from x'].forEach((x, i) => {
       const [v, toX, toV] = ['from v', 'to x', 'to v'].map(name => now[name][i]);
-      const atOnce = [x, v, toX, toV];
-      const path = { kick: [x, v, x, toV], drift: [x, toV, toX, toV], both: atOnce, changed: atOnce };
+      const path = { kick: [x, v, x, toV], drift: [x, toV, toX, toV], both: [x, v, toX, toV] };
       pen.arrow(...path[half], { colour: drifts ? 'second' : 'first', width: 1 });
     });
     pen.area(now.x, now.v, { colour: method, faint: 0.25 });
@@ -27,21 +26,17 @@ globalThis.Live.figure('shears', {
     }
     return false;
   },
-  half: ({ t }, method, own) => {
-    if (own !== 'none') return 'changed';
-    return method === 'euler' ? 'both' : (t + 1e-9) % 1 < 0.5 ? 'kick' : 'drift';
-  },
+  half: ({ t }, method) => (method === 'euler' ? 'both' : (t + 1e-9) % 1 < 0.5 ? 'kick' : 'drift'),
   when: ({ t }) => (t > 4 - 1e-9 ? 'After 4 steps' : `Step ${Math.floor(t + 1e-9) + 1}`),
   tell(now, { method, own }) {
     const what = {
-      kick: 'the kick moves each strip up or down',
-      drift: 'the drift moves each strip to the side',
-      both: 'both at once, from the old values',
-      changed: 'from where the step begins to where it ends',
+      kick: ['the kick moves each strip up or down', 'each point goes up or down'],
+      drift: ['the drift moves each strip to the side', 'and then to the side'],
+      both: ['both at once, from the old values', 'both at once'],
     };
     const area = `area is ${globalThis.Live.fixed(now.area, 1)}\u202f% of what it was.`;
     if ((method === 'euler' || own !== 'none') && this.crosses(now))
       return 'the outline crosses itself, and has no area any more.';
-    return now.t > 4 - 1e-9 ? `its ${area}` : `${what[this.half(now, method, own)]}. The ${area}`;
+    return now.t > 4 - 1e-9 ? `its ${area}` : `${what[this.half(now, method)][own === 'none' ? 0 : 1]}. The ${area}`;
   },
 });

@@ -145,30 +145,31 @@ class TrialOf final : public Trial {
     return places;
   }
 
-  // Of a method, or of what stands in its place.
+  // Of a method, or of what stands in its place and is for the same things.
   template <class Step>
   Outcome outcome(const Method<Step>& method, const Path& right) const {
-    Outcome found =
-        with_what_stands<Vec>(method, [&](const auto& step) { return try_out(step, right); });
-    if constexpr (is_for<Scene>(Step())) {
-      if (is_stood_in_for<Vec>(method.name))
+    if constexpr (!is_for<Scene>(Step())) {
+      return {};
+    } else {
+      Outcome found =
+          with_what_stands<Vec>(method, [&](const auto& step) { return try_out(step, right); });
+      if (is_stood_in_for<Vec>(method.name)) {
         found.dearer = found.evaluations / evaluations(method.step);
+      }
+      return found;
     }
-    return found;
   }
 
   template <class Step>
   Outcome try_out(Step step, const Path& right) const {
     Outcome outcome;
-    if constexpr (is_for<Scene>(Step())) {
-      outcome.reproducible = is_reproducible(step);
-      for (const int in_a_frame : tried_in_a_frame) {
-        const Path places = path(step, in_a_frame);
-        append(outcome.paths, places);
-        outcome.errors.push_back(largest_error(places, right));
-      }
-      outcome.evaluations = evaluations(step);
+    outcome.reproducible = is_reproducible(step);
+    for (const int in_a_frame : tried_in_a_frame) {
+      const Path places = path(step, in_a_frame);
+      append(outcome.paths, places);
+      outcome.errors.push_back(largest_error(places, right));
     }
+    outcome.evaluations = evaluations(step);
     return outcome;
   }
 
@@ -186,6 +187,8 @@ class TrialOf final : public Trial {
   double evaluations(Step step) const {
     const CostCounted<Scene> billed{scene_};
     auto memory = measure::start(step, scene_.start(), frame, billed);
+    // What a reader's step keeps, it asks for in the first one.
+    if constexpr (std::is_same_v<Step, StandIn>) measure::advance(step, memory, 0.0, frame, billed);
     billed.evaluations = 0;
     measure::advance(step, memory, 0.0, frame, billed);
     return double(std::max(1L, billed.evaluations));
