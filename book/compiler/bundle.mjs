@@ -1,7 +1,7 @@
 // Makes what a page loads when somebody wants to edit:  node bundle.mjs OUT
 //
 // editor.js (CodeMirror and what joins it to the pages), worker.js (the compiler's thread, as text) and part-NN.js (the
-// compiler's files and, behind them, standard.h precompiled by it, compressed and in Base64, since a page on disk can load a
+// compiler's files and, behind them, headers precompiled by it, compressed and in Base64, since a page on disk can load a
 // script and nothing else), and the licences of all.
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -10,17 +10,20 @@ import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { runClang } from '@yowasp/clang';
 import { bundled } from './bundled.mjs';
-import { PRECOMPILED, precompileArguments } from './page/program-source.js';
+import { ABOVE, EXERCISE, FILM, STANDARD, headersOf } from './page/precompiled.js';
+import { precompileArguments, treeOf } from './page/program-source.js';
+import { givenIn, sourceForPage } from '../weave/page-sources.mjs';
 
 const PART = 4 << 20; // letters of Base64 in a script
 const [out] = process.argv.slice(2);
 const modules = fileURLToPath(new URL('../../node_modules/', import.meta.url));
 const here = fileURLToPath(new URL('.', import.meta.url));
+const project = fileURLToPath(new URL('../../', import.meta.url));
 const clang = dirname(createRequire(import.meta.url).resolve('@yowasp/clang'));
 
 // Base64 in whole groups of four letters, so that each part can be decoded by itself.
 function partsOf(file, bytes) {
-  const base64 = gzipSync(bytes, { level: 9 }).toString('base64');
+  const base64 = gzipSync(bytes, { level: 7 }).toString('base64');
   return Array.from({ length: Math.ceil(base64.length / PART) }, (_, i) => ({
     file,
     base64: base64.slice(i * PART, (i + 1) * PART),
@@ -28,15 +31,27 @@ function partsOf(file, bytes) {
   }));
 }
 
+// The book's own headers that each one includes, as the page has them.
+const drawn = Object.fromEntries(
+  ['chapters/play.h', 'chapters/play/player.h'].map(path => [path, sourceForPage(project, path)]),
+);
+const INCLUDED = { [STANDARD]: {}, [FILM]: treeOf(drawn), [EXERCISE]: treeOf(givenIn(project)) };
+
+// Each by the compiler of the page, and those above on top of the first.
 async function precompiled() {
-  let said = '';
-  const decoder = new TextDecoder();
-  const stderr = bytes => bytes && (said += decoder.decode(bytes, { stream: true }));
-  const header = readFileSync(join(here, 'standard.h'), 'utf8');
+  const standard = readFileSync(join(here, 'standard.h'), 'utf8');
   await runClang(null, {}, { fetchProgress: () => {} }); // without words of its own
-  const made = await runClang(precompileArguments, { 'standard.h': header }, { stderr }).catch(() => ({}));
-  if (!made[PRECOMPILED]) throw new Error(`book/compiler/standard.h can't be precompiled:\n${said}`);
-  return made[PRECOMPILED];
+  const made = {};
+  for (const name of [STANDARD, ...Object.keys(ABOVE)]) {
+    let said = '';
+    const decoder = new TextDecoder();
+    const stderr = bytes => bytes && (said += decoder.decode(bytes, { stream: true }));
+    const files = { ...headersOf([STANDARD, name], standard), ...made, ...INCLUDED[name] };
+    const all = await runClang(precompileArguments(name), files, { stderr }).catch(() => ({}));
+    if (!all[name]) throw new Error(`${name} can't be made of its header:\n${said}`);
+    made[name] = all[name];
+  }
+  return made;
 }
 
 const write = (file, text) => writeFileSync(join(out, file), text);
@@ -48,7 +63,7 @@ const own = readdirSync(clang)
   .filter(file => /\.(wasm|tar)$/.test(file))
   .sort()
   .flatMap(file => partsOf(file, readFileSync(join(clang, file))));
-const parts = [...own, ...partsOf(PRECOMPILED, await precompiled())];
+const parts = [...own, ...Object.entries(await precompiled()).flatMap(([name, bytes]) => partsOf(name, bytes))];
 parts.forEach(({ file, base64, last }, i) =>
   write(`part-${String(i).padStart(2, '0')}.js`, `Compiled.part(${JSON.stringify(file)}, "${base64}", ${last});\n`),
 );

@@ -38,16 +38,28 @@
     }
   }
 
+  // A film and the program that a link brings for it, as film-editor.js has packed it.
+  const [, broughtFor, program] = location.hash.match(/^#([\w-]+)\?program=([\w-]+)$/) ?? [];
+
+  function welcome(figure) {
+    for (let fold = figure; (fold = fold.closest('details:not([open])'));) fold.open = true;
+    const notice = document.createElement('small');
+    notice.textContent = ' This link brings a program of its own, which runs once you press Edit.';
+    figure.querySelector('.sources').append(notice);
+    figure.scrollIntoView();
+  }
+
   if (!('compiler' in document.documentElement.dataset)) return;
   for (const frame of document.querySelectorAll('.film iframe[data-source]')) {
     const figure = frame.closest('figure');
     // A change that is applied there is taken back: the program that opens is the book's.
     const edit = async () => {
       figure.querySelector('.changed .apply')?.click();
-      (await globalThis.loadEditing()).film(figure);
+      (await globalThis.loadEditing()).film(figure, figure.id === broughtFor ? program : null);
     };
     const name = frame.dataset.source.split('/').at(-1);
     figure.querySelector('.sources').append(' ', pressTo('Edit', `Edit ${name}`, edit));
+    if (figure.id === broughtFor) welcome(figure);
   }
   for (const starter of document.querySelectorAll('.starter[data-exercise]')) {
     const { exercise } = starter.dataset;

@@ -11,6 +11,9 @@ const withoutMarks = text =>
     .filter(line => !isMark(line))
     .join('\n');
 
+/** The text of a source as the page has it. */
+export const sourceForPage = (source, path) => withoutMarks(readFileSync(join(source, path), 'utf8'));
+
 // The programs of the films, and the headers that a reader's may include, for the compiler in the page.
 function sourcesFor({ config: { source }, programs }) {
   const headers = ['code/integrate', 'code/shelf', 'code/scenes', 'chapters/play'].flatMap(folder =>
@@ -20,7 +23,7 @@ function sourcesFor({ config: { source }, programs }) {
   );
   const films = [...programs.values()].flatMap(({ films }) => [...films.values()].map(film => film.source));
   const paths = ['chapters/play.h', ...headers, ...films].filter(path => existsSync(join(source, path)));
-  return Object.fromEntries(paths.map(path => [path, withoutMarks(readFileSync(join(source, path), 'utf8'))]));
+  return Object.fromEntries(paths.map(path => [path, sourceForPage(source, path)]));
 }
 
 const read = new WeakMap(); // of a book, once
@@ -42,12 +45,17 @@ export const tryAttribute = (book, { file }) =>
 export const sourcesScript = book =>
   `Object.assign((globalThis.Compiled ??= {}), { sources: ${JSON.stringify(sourcesOf(book))} });\n`;
 
+/** What all exercises are given: { file: text }. */
+export function givenIn(source) {
+  const harness = join(source, 'exercises/grader/harness');
+  const headers = readdirSync(harness).filter(file => file.endsWith('.h'));
+  return Object.fromEntries(headers.map(file => [file, readFileSync(join(harness, file), 'utf8')]));
+}
+
 // What the exercises begin with, and what they are given.
 export function exercisesScript({ config: { source }, chapters }) {
   const read = path => readFileSync(join(source, path), 'utf8');
-  const harness = 'exercises/grader/harness';
-  const headers = readdirSync(join(source, harness)).filter(file => file.endsWith('.h'));
-  const given = Object.fromEntries(headers.map(file => [file, read(`${harness}/${file}`)]));
+  const given = givenIn(source);
   const all = [...chapters.values()].flatMap(({ page }) => [...page.tasks.values()]);
   const tasks = all.map(({ exercise, folder }) => [
     exercise,

@@ -108,6 +108,44 @@ for (const [what, code, words] of [
     await run(words);
   });
 
+test('a link brings the program, and it runs once Edit is pressed', async () => {
+  await figure.getByRole('button', { name: 'play.cpp', exact: true }).click();
+  await write('#include "../play.h"\nint main() {\n  std::cout << "from afar\\n";\n}\n');
+  await figure.getByRole('button', { name: 'Link to this program' }).click();
+  await status('Link copied|in the address bar');
+  const address = await tab.evaluate(() => location.href);
+  assert.ok(address.length < 400, `${address.length} letters`);
+  for (const [there, printed] of [
+    [address, 'from afar'],
+    [address.slice(0, -9), quoted.trim()], // cut short on its way
+  ]) {
+    const other = await openTab();
+    await other.goto(there);
+    const film = other.locator('figure:has(iframe[data-source="chapters/2-euler/play.cpp"])');
+    await film.locator('.sources', { hasText: 'This link brings a program of its own' }).waitFor();
+    await film.locator('.sources .edit').click();
+    await other.waitForFunction(
+      expected => document.querySelector('.printed')?.textContent.trim() === expected,
+      printed,
+      { timeout: 120_000 },
+    );
+    assert.deepEqual(other.faults, []);
+    await other.close();
+  }
+});
+
+test('what draws the film may be changed, too', async () => {
+  await figure.getByRole('button', { name: 'play.cpp', exact: true }).click();
+  await write('#include "../play.h"\nint main() {\n  std::cout << play::length({3, 4}) << "\\n";\n}\n');
+  await run('It wrote no film');
+  assert.equal((await figure.locator('.printed').textContent()).trim(), '5');
+  await figure.getByRole('button', { name: 'play.h', exact: true }).click();
+  const drawing = await tab.evaluate(() => globalThis.Compiled.sources['chapters/play.h']);
+  await write(drawing.replace('return std::sqrt(', 'return 2 * std::sqrt('));
+  await run('It wrote no film');
+  assert.equal((await figure.locator('.printed').textContent()).trim(), '10');
+});
+
 test('one press is back at the book’s', async () => {
   await figure.getByRole('button', { name: 'Back to the book’s' }).click();
   assert.match(await figure.locator('iframe').getAttribute('src'), /^films\/2-euler-play\.html/);

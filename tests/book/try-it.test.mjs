@@ -57,3 +57,18 @@ test('where a method is picked, its example can be tried', async () => {
   assert.match(await printed(), /^x is -?[\d.]+, v is -?[\d.]+\n$/);
   assert.deepEqual(tab.faults, []);
 });
+
+test('a browser with too little memory for the compiler says so', async () => {
+  await visit(tab, 'integrate-euler.html');
+  await tab.evaluate(() => {
+    let thread;
+    const full = `WebAssembly.compile = WebAssembly.instantiate = async () => {
+      throw new RangeError('WebAssembly.instantiate(): Out of memory');
+    };\n`;
+    const worker = { get: () => full + thread, set: text => (thread = text) };
+    Object.defineProperty((globalThis.Compiled ??= {}), 'worker', worker);
+  });
+  await tab.getByRole('button', { name: 'Try it: euler.h' }).click();
+  await told('^This browser has not enough memory for the compiler\\.$');
+  tab.faults.length = 0;
+});

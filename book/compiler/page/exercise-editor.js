@@ -16,7 +16,8 @@ function withoutLine(said) {
   if (missing) return `${missing} is declared, but never defined.`;
   const twice = /duplicate symbol: (.*)/.exec(said)?.[1];
   if (twice) return `${twice} is there twice: the library has one of that name.`;
-  const error = /error: (.*)/.exec(said)?.[1] ?? said.trim().split('\n')[0];
+  const error = /error: (.*)/.exec(said)?.[1];
+  if (!error) return said.trim().split('\n')[0];
   return `This is not what the exercise calls; compare with the starter. ${error}`;
 }
 

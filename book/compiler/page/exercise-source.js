@@ -1,11 +1,21 @@
 // A student's header and the harness of its exercise, as files for the compiler in the page.
+import { EXERCISE } from './precompiled.js';
 import { programArguments, treeOf } from './program-source.js';
 
 const includes = (...names) => names.map(name => `#include "${name}"\n`).join('');
 
 const OUTPUT = ['-o', 'program.wasm'];
-// The checks that a submission of grade has: an index out of range, a sum that overflows, a function without its return.
-const CHECKED = ['-I.', '-fsanitize=array-bounds,undefined', '-fsanitize-trap=all', '-Wextra', '-Wno-unused-parameter'];
+// The checks that a submission of grade has: an index out of range, a sum that overflows, a function without its return. Those of
+// each pointer's size and sum would take as long as all else, and find next to nothing.
+const CHECKED = [
+  '-I.',
+  '-fsanitize=array-bounds,undefined',
+  '-fno-sanitize=alignment,object-size,pointer-overflow',
+  '-fsanitize-trap=all',
+  '-Wextra',
+  '-Wno-unused-parameter',
+];
+const ARGUMENTS = [...programArguments('main.cpp', EXERCISE).slice(0, -2), ...CHECKED];
 // A stack that overflows is a trap, and the student's own main is known by its name.
 const MODULE = [
   '-mexec-model=reactor',
@@ -22,7 +32,7 @@ const filesOf = ({ given, harness }, header, text, main) =>
 
 /** What compiles a header with its harness into a module for the judges: { args, files }. */
 export const judgedSource = (task, header, text) => ({
-  args: [...programArguments('main.cpp').slice(0, -2), ...CHECKED, '-DGRADING', ...MODULE, 'harness.o', ...OUTPUT],
+  args: [...ARGUMENTS, ...MODULE, 'harness.o', ...OUTPUT],
   files: {
     ...filesOf(task, header, text, includes('given.h', ...rootOf(text), header, 'exercise/harness.h')),
     'harness.o': task.object,
@@ -31,8 +41,13 @@ export const judgedSource = (task, header, text) => ({
 
 /** What compiles a header with a main of its own: { args, files }. */
 export const ownSource = (task, header, text) => ({
-  args: [...programArguments('main.cpp').slice(0, -2), ...CHECKED, ...OUTPUT],
-  files: filesOf(task, header, text, `#include <cstdio>\n${includes('given.h', ...rootOf(text), header)}`),
+  args: [...ARGUMENTS, ...OUTPUT],
+  files: filesOf(
+    task,
+    header,
+    text,
+    `#undef GRADING\n#include <cstdio>\n${includes('given.h', ...rootOf(text), header)}`,
+  ),
 });
 
 /** Whether a header has a main, to be run by. */

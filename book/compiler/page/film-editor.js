@@ -4,17 +4,19 @@ import { askForCompiler } from './ask.js';
 import { openEditor } from './code-editor.js';
 import { element, press } from './element.js';
 import { loadScript, runProgram } from './compiler.js';
-import { keep, kept } from './kept-code.js';
+import { keep, kept, packed, unpacked } from './kept-code.js';
 import { messagesOf } from './messages.js';
+import { FILM, STANDARD } from './precompiled.js';
 import { pathsOf, programArguments, treeOf } from './program-source.js';
 
 class FilmEditor {
-  constructor(figure) {
+  // `brought`: what a link has of the program, { path: text } of what is not the book's.
+  constructor(figure, brought) {
     const frame = figure.querySelector('.film iframe');
-    Object.assign(this, { book: frame.closest('.film'), path: frame.dataset.source });
+    Object.assign(this, { figure, book: frame.closest('.film'), path: frame.dataset.source });
     this.texts = { ...globalThis.Compiled.sources };
     this.paths = pathsOf(this.texts, this.path).filter(path => !path.endsWith('/player.h'));
-    for (const path of this.paths) this.texts[path] = kept(path) ?? this.texts[path];
+    for (const path of this.paths) this.texts[path] = (brought ? brought[path] : kept(path)) ?? this.texts[path];
   }
 
   open() {
@@ -22,11 +24,12 @@ class FilmEditor {
     this.status.setAttribute('role', 'status');
     this.tabs = element('span', { className: 'tabs' });
     this.run = press('Run', () => this.runIt());
+    const link = press('Link to this program', () => this.link());
     const back = press('Back to the book’s', () => this.goBack());
     this.box = element(
       'div',
       { className: 'listing edited program' },
-      element('p', {}, this.run, this.status, back),
+      element('p', {}, this.run, this.status, link, back),
       this.tabs,
     );
     this.prints = element('pre', { className: 'printed' });
@@ -69,7 +72,10 @@ class FilmEditor {
     return (this.own ??= await this.filmOf(globalThis.Compiled.sources));
   }
   async filmOf(texts) {
-    const { made, said } = await this.compiler.compile(programArguments(this.path), treeOf(texts), 'program.wasm');
+    const { sources } = globalThis.Compiled;
+    const isDrawnAlike = pathsOf(sources, 'chapters/play.h').every(path => texts[path] === sources[path]);
+    const args = programArguments(this.path, isDrawnAlike ? FILM : STANDARD);
+    const { made, said } = await this.compiler.compile(args, treeOf(texts), 'program.wasm');
     if (!made) return { said };
     const { printed, ended, files } = await runProgram(made);
     const film = Object.entries(files).find(([name]) => name.endsWith('.html'))?.[1];
@@ -116,6 +122,19 @@ class FilmEditor {
     this.shown = film;
   }
 
+  async link() {
+    const { sources } = globalThis.Compiled;
+    const own = this.paths.filter(path => this.texts[path] !== sources[path]);
+    const program = await packed(JSON.stringify(Object.fromEntries(own.map(path => [path, this.texts[path]]))));
+    history.replaceState(null, '', `#${this.figure.id}?program=${program}`);
+    const written = globalThis.isSecureContext && navigator.clipboard?.writeText(location.href);
+    const isCopied = await Promise.resolve(written || Promise.reject()).then(
+      () => true,
+      () => false,
+    );
+    this.say(isCopied ? 'Link copied.' : 'The link is in the address bar.');
+  }
+
   goBack() {
     const { sources } = globalThis.Compiled;
     for (const [path, { editor }] of this.editors) editor.write(sources[path]);
@@ -128,11 +147,24 @@ class FilmEditor {
 
 const editors = new WeakMap();
 
-/** Opens the program of the film that a figure shows. */
-export async function editFilm(figure) {
+// What a link brings; nothing where somebody has cut it short.
+async function programIn(packed) {
+  try {
+    const texts = Object.entries(JSON.parse(await unpacked(packed)) ?? {});
+    return Object.fromEntries(texts.filter(([, text]) => typeof text === 'string'));
+  } catch {
+    return null;
+  }
+}
+
+/**
+ * Opens the program of the film that a figure shows.
+ * @param packed  what a link brings of it, if it does
+ */
+export async function editFilm(figure, packed) {
   if (!globalThis.Compiled?.sources) await loadScript('sources.js');
   if (!editors.has(figure)) {
-    const editor = new FilmEditor(figure);
+    const editor = new FilmEditor(figure, packed && (await programIn(packed)));
     editors.set(figure, editor);
     editor.open();
     await editor.runIt();

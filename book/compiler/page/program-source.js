@@ -1,4 +1,5 @@
 // A program of the book and what it includes, as files for the compiler in the page.
+import { ABOVE, STANDARD } from './precompiled.js';
 
 // Its file system knows no "..": what lies beside a chapter's folder is found from the folder of all chapters.
 const found = text => text.replace(/^#include "\.\.\//gm, '#include "');
@@ -40,18 +41,26 @@ const CLANG = [
   '-Wall',
 ];
 
-/** Of standard.h, which the build makes; the compiler's thread adds both to a program whose arguments name the second. */
-export const PRECOMPILED = 'standard.pch';
-export const precompileArguments = [...CLANG, '-x', 'c++-header', 'standard.h', '-o', PRECOMPILED];
+const FOLDERS = ['-Icode', '-Icode/integrate', '-Icode/shelf', '-Ichapters'];
 
-export const programArguments = path => [
+/** What precompiles one of precompiled.js, templates and all: what uses it need not go over them again. */
+export const precompileArguments = name => [
+  ...CLANG,
+  ...(name === STANDARD ? [] : ['-include-pch', STANDARD, ...FOLDERS]),
+  '-fpch-instantiate-templates',
+  '-x',
+  'c++-header',
+  name === STANDARD ? 'standard.h' : ABOVE[name].header,
+  '-o',
+  name,
+];
+
+/** @param precompiled  one of precompiled.js; the compiler's thread adds it */
+export const programArguments = (path, precompiled = STANDARD) => [
   ...CLANG,
   '-include-pch',
-  PRECOMPILED,
-  '-Icode',
-  '-Icode/integrate',
-  '-Icode/shelf',
-  '-Ichapters',
+  precompiled,
+  ...FOLDERS,
   '-Wl,--strip-all',
   '-Wl,--max-memory=134217728',
   path,

@@ -2,13 +2,20 @@
 import { addPart, shipped } from './worker-files.js'; // before the compiler, whose loader takes its `fetch` from there
 import { runClang } from '@yowasp/clang';
 import header from '../standard.h';
-import { PRECOMPILED } from './program-source.js';
+import { headersOf, precompiledFor } from './precompiled.js';
 
 const ready = runClang(null, {}, { fetchProgress: () => {} }); // without words of its own in the console
 let turn = Promise.resolve();
 
-// Clang wants to see the header, too.
-const standard = async () => ({ 'standard.h': header, [PRECOMPILED]: await shipped(PRECOMPILED) });
+async function precompiled(args) {
+  if (!args.includes('-include-pch')) return {};
+  const names = precompiledFor(args);
+  const made = names.map(async name => [name, await shipped(name)]);
+  return { ...headersOf(names, header), ...Object.fromEntries(await Promise.all(made)) };
+}
+
+const wordsOf = fault =>
+  /memory/i.test(fault) ? 'This browser has not enough memory for the compiler.' : String(fault);
 
 async function compile({ args, files, wanted }) {
   const decoder = new TextDecoder();
@@ -18,11 +25,10 @@ async function compile({ args, files, wanted }) {
   };
   try {
     await ready;
-    const more = args.includes(PRECOMPILED) ? await standard() : {};
-    const all = await runClang(args, { ...more, ...files }, { stderr });
+    const all = await runClang(args, { ...(await precompiled(args)), ...files }, { stderr });
     return { made: all[wanted], said };
   } catch (fault) {
-    return { made: null, said: said || String(fault) };
+    return { made: null, said: said || wordsOf(fault) };
   }
 }
 
