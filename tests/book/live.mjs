@@ -70,8 +70,13 @@ export async function hold(tab, { name }) {
         [name, settings],
       ),
     control: control => stage.locator(`[data-control="${control}"]`),
-    // Some controls are for one choice of another alone: makes that choice.
-    reach: async ({ for: choice = {} }) => {
+    // Some controls are for one choice of another alone: makes that choice. In a list of methods, that of a mistake to make.
+    reach: async ({ for: choice = {}, chips, choices }) => {
+      const ranked = stage.locator('.ranked');
+      if (chips && (await ranked.count())) {
+        const [, mistake] = Object.keys(choices);
+        await ranked.locator(`[data-name=${mistake.split('/')[0]}]`).click();
+      }
       for (const [control, value] of Object.entries(choice))
         await stage.locator(`[data-control="${control}"] [value="${[value].flat()[0]}"]`).check();
     },

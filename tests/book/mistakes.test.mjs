@@ -1,5 +1,6 @@
 // The mistakes that a live figure lets its reader make: each is seen, in code, scene and chart, beside the run without it; its order is
-// said; and it is taken back.
+// said; and it is taken back.  node mistakes.test.mjs BUILD [others]
+// Each is made in the first figure that has it; with "others", in the others.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -12,6 +13,7 @@ import { figures, module, open } from './live.mjs';
 
 const choicesOf = ({ controls }, wanted) => Object.keys(controls.find(({ name }) => name === wanted)?.choices ?? {});
 const withMistakes = figures.filter(figure => choicesOf(figure, 'own').length);
+const others = process.argv.includes('others');
 const mistakes = [...new Set(withMistakes.flatMap(figure => choicesOf(figure, 'own')))].filter(name => name !== 'none');
 
 // What each is known to do: the order that is left, and the method that it turns into.
@@ -46,12 +48,15 @@ test('each mistake has the order that is known of it, and that its method has wi
   }
 });
 
+const first = own => withMistakes.find(figure => choicesOf(figure, 'own').includes(own));
 for (const figure of withMistakes) {
+  const asked = choicesOf(figure, 'own').filter(own => own !== 'none' && (first(own) !== figure) === others);
+  if (!asked.length) continue;
   test(`${figure.name}: each mistake is made, seen and taken back`, async () => {
     const live = await open(tab, figure);
     const chip = own => live.stage.locator(`.chips label:has([value="${own}"])`);
     const methods = choicesOf(figure, 'method');
-    for (const own of choicesOf(figure, 'own').filter(name => name !== 'none')) {
+    for (const own of asked) {
       const { header, words, why } = readMistake(own);
       if (methods.length) await live.control('method').locator(`[value=${header}]`).check();
       if (figure.timed) await live.stage.locator(`.ranked [data-name=${header}]`).click();
