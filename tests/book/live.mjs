@@ -64,6 +64,7 @@ export async function hold(tab, { name }) {
         ([of, query]) => {
           const figure = globalThis.Live.opened[of];
           figure.settings.query = query;
+          figure.mistakes?.fit();
           figure.reset();
           figure.showWhole();
         },
