@@ -176,15 +176,17 @@ const wrongCode = (book, live, method) =>
       );
     });
 
-// One press makes a mistake, and one takes it back.
+// One press makes a mistake, and one takes it back. Those of the method that comes first are there at once, so that nothing moves when the
+// figure runs; which one a timed figure answers with is not known before.
 function chipsHtml(live) {
   const [none, ...mistakes] = mistakesOf(live);
   if (!none) return '';
+  const first = live.controls.find(({ name }) => name === 'method')?.start ?? methodsOf(live)[0].name;
   const radio = ([value, text], of = '') =>
-    `<label${of && ` data-of="${of}"`}><input type="radio" name="${live.name}-own" value="${value}"${of ? '' : ' checked'}> ${escapeHtml(smarten(text))}</label>`;
+    `<label${of && ` data-of="${of}"${of === first ? '' : ' hidden'}`}><input type="radio" name="${live.name}-own" value="${value}"${of ? '' : ' checked'}> ${escapeHtml(smarten(text))}</label>`;
   const { name, label } = live.controls.find(({ chips }) => chips);
   return (
-    `<fieldset class="chips" data-control="${name}"><legend>${label}</legend>${radio(none)}` +
+    `<fieldset class="chips" data-control="${name}"${live.timed ? ' hidden' : ''}><legend>${label}</legend>${radio(none)}` +
     `${mistakes.map(mistake => radio(mistake, mistake[0].split('/')[0])).join('')}</fieldset><p class="examined" role="status"></p>`
   );
 }

@@ -108,11 +108,11 @@
         .map(control => control.wordsOf(values[control.name]))
         .join(', ');
     }
-    // One that is for another choice than the one made is not seen.
+    // One that is for another choice than the one made is not seen; which mistakes are, Live.Mistakes says.
     tell(now) {
       const { values } = this;
       for (const control of this.controls) {
-        control.element.hidden = !isFor(control, values);
+        if (!control.chips) control.element.hidden = !isFor(control, values);
         control.tell(now);
       }
     }
