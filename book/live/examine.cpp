@@ -33,14 +33,38 @@ double apart(const State& a, const State& b) {
   return std::hypot((a.x - b.x).norm(), (a.v - b.v).norm());
 }
 
-double order_of(Own& own) {
+// How well a method does, by two runs of steps that are short.
+struct Fit {
+  double order = NAN, error = NAN;
+};
+
+Fit fit_of(Own& own) {
   constexpr double seconds = 2;
   constexpr int steps = 128;
   OwnOf<measure::Rk4> true_enough;
   const State end = after(true_enough, seconds / 8192, 8192);
   const double coarse = apart(after(own, seconds / steps, steps), end);
   const double fine = apart(after(own, seconds / (2 * steps), 2 * steps), end);
-  return coarse > fine ? std::log2(coarse / fine) : NAN;
+  return {coarse > fine ? std::log2(coarse / fine) : NAN, fine};
+}
+
+class Constant final : public Force {
+  Vec3 push_;
+  Vec3 operator()(const Vec3&, const Vec3&, double) const override { return push_; }
+
+ public:
+  explicit Constant(const Vec3& push) : push_(push) {}
+};
+
+// From rest, or pushed by nothing: how far along its way a step gets.
+double share(Own& own, const Vec3& velocity, const Vec3& push) {
+  constexpr double h = 0.1;
+  const Constant constant(push);
+  own.start({Vec3::Zero(), velocity}, h, constant);
+  own.step(0, h, constant);
+  const auto [x, v] = own.now(h, h, constant);
+  return push.isZero() ? x.dot(velocity) / (h * velocity.squaredNorm())
+                       : v.dot(push) / (h * push.squaredNorm());
 }
 
 void for_each_known(auto&& act) {
@@ -50,22 +74,26 @@ void for_each_known(auto&& act) {
 
 }  // namespace
 
-double order_in_whose_place(const Stand& stand) {
-  double order = NAN;
-  for_each_known([&]<class Step>(const Step&) {
-    OwnOf<Step> known;
-    if (Step::function == stand.method) order = order_of(known);
-  });
-  return order;
-}
-
-Examined examine(Own& own) {
+Examined examine(const Stand& stand) {
   constexpr double h = 0.1, alike = 1e-12;
   constexpr int steps = 3;
-  const State yours = after(own, h, steps);
-  Examined found{order_of(own), "", alike};
+  const std::unique_ptr<Own> own = stand.make();
+  const State yours = after(*own, h, steps);
+  const Fit fit = fit_of(*own);
+  Examined found{.order = fit.order,
+                 .right_order = NAN,
+                 .off = NAN,
+                 .is = "",
+                 .apart = alike,
+                 .drifts = share(*own, {0.4, 0.8, -0.5}, Vec3::Zero()),
+                 .kicks = share(*own, Vec3::Zero(), {0.3, -0.2, 0.1})};
   for_each_known([&]<class Step>(const Step&) {
     OwnOf<Step> known;
+    if (Step::function == stand.method) {
+      const Fit right = fit_of(known);
+      found.right_order = right.order;
+      found.off = fit.error / right.error;
+    }
     const State other = after(known, h, steps);
     const double off = apart(yours, other) / std::hypot(other.x.norm(), other.v.norm());
     if (off < found.apart) found.apart = off, found.is = Step::name.data();

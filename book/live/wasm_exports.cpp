@@ -13,7 +13,6 @@ namespace {
 std::unique_ptr<live::Figure> figure;
 std::vector<live::Setting> settings;
 live::Examined examined{};
-double right_order = 0;
 double asked[7];
 
 const live::Setting& setting(int i) {
@@ -76,14 +75,22 @@ EXPORT(int, shown_changes)(int i) {
 }
 
 EXPORT(void, examine)() {
-  examined = live::examine(*live::standing()->make());
-  right_order = live::order_in_whose_place(*live::standing());
+  examined = live::examine(*live::standing());
 }
 EXPORT(double, examined_right_order)() {
-  return right_order;
+  return examined.right_order;
 }
 EXPORT(double, examined_order)() {
   return examined.order;
+}
+EXPORT(double, examined_off)() {
+  return examined.off;
+}
+EXPORT(double, examined_drifts)() {
+  return examined.drifts;
+}
+EXPORT(double, examined_kicks)() {
+  return examined.kicks;
 }
 EXPORT(const char*, examined_is)() {
   return examined.is;

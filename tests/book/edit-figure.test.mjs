@@ -83,6 +83,28 @@ for (const [what, code] of [
     assert.equal(await tab.evaluate(() => 1 + 1), 2);
   });
 
+for (const [what, code, words] of [
+  [
+    'half of each kick',
+    'v = v + h / 2 * acceleration(x, v, t); x = x + h * v;',
+    'changes the velocity by 0\\.5 times what it should',
+  ],
+  [
+    'a drift twice',
+    'v = v + h * acceleration(x, v, t); x = x + 2 * h * v;',
+    'moves the place by 2 times what it should',
+  ],
+  [
+    'a term that was doubled',
+    'const Vec a = acceleration(x, v, t); x = x + h * v - h * h / 2 * a; v = v + h * a;',
+    /^Order 1, as the book’s, and in the same short steps [\d.]+ times as far off\.$/,
+  ],
+])
+  test(`${what} is told from others`, async () => {
+    await write(code);
+    await seen('.examined', words);
+  });
+
 test('what is not a number is drawn as nothing', async () => {
   await write('x = x / 0; x = x - x;');
   await seen('.examined', 'it has no order');

@@ -51,11 +51,13 @@ test('in the ranking it has its errors, and the price of its evaluations', async
   await stage.locator('.ranked [data-name=euler]').click();
   await write(name, RK4);
   const now = await nowOf(name);
-  assert.equal(now.dearer, 4);
+  assert.equal(now['euler evaluations'], 4);
   Object.values(now['euler errors']).forEach((error, i) => close(error, now['rk4 errors'][i], `rung ${i}`));
   const row = stage.locator('.ranked tr', { hasText: 'Yours' });
-  assert.match(await row.locator('td').last().textContent(), /^≈/);
-  assert.match(await stage.locator('.ranked p').textContent(), /≈: by its evaluations/);
+  const timeOf = one => one.locator('td').last().textContent();
+  const rk4 = await timeOf(stage.locator('.ranked tr:has([data-name=rk4])'));
+  assert.equal(await timeOf(row), `≈\u202f${rk4}`);
+  assert.match(await stage.locator('.ranked p').textContent(), /≈: as RK4 takes for as many evaluations/);
   // Another method's row is watched meanwhile, and the reader's lines stay.
   await stage.locator('.ranked [data-name=yoshida4]').click();
   assert.equal(await stage.locator('.listing.edited:visible').count(), 1);

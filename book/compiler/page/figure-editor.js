@@ -30,7 +30,7 @@ class FigureEditor {
     this.box = element(
       'div',
       { className: 'listing edited' },
-      element('p', {}, element('b', { textContent: `Your ${title}` }), this.status, back),
+      element('p', {}, element('b', { textContent: `Yours, for ${title}` }), this.status, back),
     );
     Object.assign(this.box.dataset, { method: this.method, own: this.own });
     this.listing.after(this.box);

@@ -31,6 +31,7 @@
       const edge = limits.map(limit => x(limit / WIDEST));
       pen.area([x(0), ...edge, x(0)], [y(0), ...heights, y(1)], { colour, faint });
     }
+    if (changed) pen.text(x(0.5), y(0.85), 'no map', { size: 11 });
     const at = [x(Math.min(1, spring.homega / WIDEST)), y(Math.min(1, spring.zeta / TALLEST))];
     pen.dot(...at, 5, 'paper');
     pen.dot(...at, 3.5);

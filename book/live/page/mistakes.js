@@ -72,7 +72,7 @@
     }
     // As a chart has what was before a change.
     get before() {
-      return { trace: this.ahead.of(this.right).trace, words: this.isYours ? 'the book’s' : 'without the mistake' };
+      return { trace: this.ahead.of(this.right).trace, words: this.isYours ? 'the book’s' : 'without the change' };
     }
     // Why a mistake does what it does.
     get why() {
@@ -104,13 +104,27 @@
   const digits = order => (isWhole(order) ? Math.round(order) : order.toFixed(1));
   const power = value => Math.ceil(Math.log10(value));
 
-  function sentence({ order, rightOrder, is, apart }, isYours) {
+  // Of an order that is right: whether the errors are, too.
+  const asFarOff = ({ is, off }) =>
+    is || !(Math.abs(off - 1) > 0.05) ? '' : `, and in the same short steps ${Live.digits(off, 2)} times as far off`;
+
+  // Why there is none.
+  function cause({ drifts, kicks }) {
+    const isWrong = share => Number.isFinite(share) && Math.abs(share - 1) > 1e-3;
+    const times = share => `${Live.digits(share, 2)} times what it should`;
+    if (isWrong(drifts)) return ` Where nothing pushes, a step of 0.1\u202fs moves the place by ${times(drifts)}.`;
+    if (isWrong(kicks)) return ` Under a constant push, a step of 0.1\u202fs changes the velocity by ${times(kicks)}.`;
+    return '';
+  }
+
+  function sentence(found, isYours) {
+    const { order, rightOrder, is, apart } = found;
     const measured =
       order > 0.5
         ? digits(order) === digits(rightOrder)
-          ? `Order ${digits(order)}, as ${isYours ? 'the book’s' : 'without the mistake'}.`
+          ? `Order ${digits(order)}, as ${isYours ? 'the book’s' : 'without the change'}${isYours ? asFarOff(found) : ''}.`
           : `Order ${digits(order)} in place of ${digits(rightOrder)}.`
-        : 'With shorter steps it comes no nearer to the truth: it has no order.';
+        : `With shorter steps it comes no nearer to the truth: it has no order.${isYours ? cause(found) : ''}`;
     const named = is && ` Its steps are those of ${is}, ${apart > 0 ? `to 1e${power(apart)}` : 'to the last bit'}.`;
     return measured + named;
   }

@@ -141,7 +141,8 @@
         reader.timed(() => module.advance(steps));
         return look();
       },
-      // What stands in the place of a method: its order and that method's, and which method of the book takes its steps, if one does.
+      // What stands in the place of a method: its order and that method's, how many times as far off it is, which method of the book
+      // takes its steps, if one does, and which shares of what is right a step moves the place and changes the velocity by.
       examine() {
         reader.timed(() => module.examine());
         return {
@@ -149,6 +150,9 @@
           rightOrder: module.examined_right_order(),
           is: text(module.examined_is()),
           apart: module.examined_apart(),
+          off: module.examined_off(),
+          drifts: module.examined_drifts(),
+          kicks: module.examined_kicks(),
         };
       },
       useReader: compiledReader => reader.use(compiledReader),

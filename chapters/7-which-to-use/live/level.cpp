@@ -85,7 +85,7 @@ class Level final : public Figure {
         errors.push_back(outcome.errors[place_of_steps()]);
         for (std::size_t k = 0; k < tried_in_a_frame.size(); ++k) {
           if (outcome.errors[k] > tolerance_) continue;
-          least = std::min(least, outcome.evaluations * tried_in_a_frame[k]);
+          least = std::min(least, outcome.asks() * tried_in_a_frame[k]);
         }
       }
       bills.push_back(least);

@@ -19,6 +19,7 @@ class SpeedAgainstAccuracy final : public Figure {
   const std::vector<std::string> paths_ = names(methods, "paths");
   const std::vector<std::string> errors_ = names(methods, "errors");
   const std::vector<std::string> evaluations_ = names(methods, "evaluations");
+  const std::vector<std::string> book_evaluations_ = names(methods, "book evaluations");
   long steps_ = 0;
 
   std::vector<Setting> settings() override {
@@ -85,18 +86,16 @@ class SpeedAgainstAccuracy final : public Figure {
     show("drag", trial_->drag);
     show("tried", std::vector<double>(tried_in_a_frame.begin(), tried_in_a_frame.end()));
     show("truth", trial_->truth);
-    double dearer = 1;
     for (std::size_t i = 0; i < paths_.size(); ++i) {
       const Outcome& outcome = trial_->outcomes[i];
-      dearer *= outcome.dearer;
       const auto show_list = [&](const std::string& called, const std::vector<double>& list) {
         outcome.reproducible ? show(called.c_str(), list) : show_reference(called.c_str(), list);
       };
       show_list(paths_[i], outcome.paths);
       show_list(errors_[i], outcome.errors);
-      show(evaluations_[i].c_str(), outcome.evaluations);
+      show(evaluations_[i].c_str(), outcome.asks());
+      show(book_evaluations_[i].c_str(), outcome.evaluations);
     }
-    show("dearer", dearer);
   }
 
   int bodies() const override { return int(in_a_loop); }

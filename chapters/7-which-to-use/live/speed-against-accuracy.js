@@ -8,6 +8,7 @@
   const KIN = ['dopri5', 'trapezoid', 'linear_damping_implicit_last', 'backward_euler_spring']; // share a colour: dashed and hollow
   const FRAME = 1e6 / FRAMES; // [µs]
   const GRIP = 10; // how near to a line or a dot a pointer takes it [px]
+  const EXPLICIT = ['euler', 'symplectic_euler', 'velocity_verlet', 'midpoint', 'yoshida4', 'rk4', 'dopri5']; // for every thing
   const NOTHING = 1e-9; // of an error: what is less is rounding, or as good as that [m]
   const description = () => Live.descriptions[NAME];
   const metres = error => (error === Infinity ? 'gone' : error > NOTHING ? Live.metres(error) : '<\u202f1\u202fnm');
@@ -29,8 +30,20 @@
   const headerOf = told('header'),
     isExact = told('exact');
 
+  // Nobody has timed what stands in the place of a method: it takes what the book's explicit method takes that asks as often, or most
+  // nearly so. Returns that one's name, and how many times its time.
+  function likened(name, now) {
+    const asks = now[`${name} evaluations`];
+    const off = one => Math.abs(now[`${one} book evaluations`] - asks);
+    const like = EXPLICIT.reduce(
+      (near, one) => (off(one) < off(near) ? one : near),
+      EXPLICIT.includes(name) ? name : EXPLICIT[0],
+    );
+    return { like, times: asks / now[`${like} book evaluations`] };
+  }
+
   // What each method that is for this thing offers: { steps in a frame, error, time for a thousand [µs] } for each number of steps
-  // that was tried. Nobody has timed what stands in the place of a method: each of its evaluations takes as long as one of that.
+  // that was tried.
   function offers({ now, times }, { thing, own = 'none' }) {
     const known = recorded(thing);
     const fitting = Object.entries(description().methods).filter(([name]) => now[`${name} errors`].length);
@@ -38,11 +51,12 @@
       const label = Live.nameInList(name, plain, { own }),
         told = Live.nameInSentence(name, plain, { own }),
         stands = Live.standsFor(name, { own }),
-        dearer = stands ? now.dearer : 1;
+        timed = stands ? likened(name, now) : { like: name, times: 1 };
       const error = i => Math.max(NOTHING, now[`${name} errors`][i]);
       const rungs = step =>
-        [...now.tried].map((steps, i) => ({ steps, rung: i, error: error(i), time: steps * step * dearer }));
-      return { name, label, told, stands, rungs: rungs((times ?? known)[name]), recorded: times && rungs(known[name]) };
+        [...now.tried].map((steps, i) => ({ steps, rung: i, error: error(i), time: steps * step * timed.times }));
+      const of = all => rungs(all[timed.like]);
+      return { name, label, told, stands, like: timed.like, rungs: of(times ?? known), recorded: times && of(known) };
     });
   }
 
@@ -122,7 +136,7 @@
     },
     row(pen, run, { name, label, bought, rank, stands }, i, part) {
       const { low, high } = this.rowAt(i);
-      pen.text(0.01, low + high + 0.1, `${rank}. ${label}`, { colour: name, align: 'left' });
+      pen.text(0.01, low + high + 0.1, bought.dear ? label : `${rank}. ${label}`, { colour: name, align: 'left' });
       pen.text(
         0.99,
         low + high + 0.1,
@@ -220,7 +234,7 @@
       for (const { name, bought, rank } of three) {
         const at = [Math.log10(bought.time), height(bought.error)];
         pen.dot(...at, 9, name);
-        pen.text(...at, `${rank}`, { colour: 'paper' });
+        if (!bought.dear) pen.text(...at, `${rank}`, { colour: 'paper' });
       }
       this.lines = { price, tolerance };
     },
@@ -263,7 +277,8 @@
       const inexact = inexactOf(ranked);
       const shown = inexact.filter(({ bought }) => bought && bought.error < Infinity);
       const other = inexact.find(
-        ({ name }) => name === this.picked && !shown.slice(0, 2).some(one => one.name === name),
+        ({ name, stands }) =>
+          (this.picked ? name === this.picked : stands) && !shown.slice(0, 2).some(one => one.name === name),
       );
       const third = other ? { ...other, bought: other.bought ?? { ...other.rungs[0], dear: true } } : shown[2];
       const three = [...shown.slice(0, 2), ...(third ? [third] : [])];
@@ -290,13 +305,17 @@
         focused = list.contains(document.activeElement) && document.activeElement.dataset.name;
       list.innerHTML =
         `<table><caption class="unseen">The methods, nearest first</caption><thead><tr><th scope="col"><span class="unseen">Rank</span></th><th scope="col">Method</th><th scope="col">Steps</th><th scope="col">Off by</th><th scope="col">Time</th></tr></thead>` +
-        `<tbody>${rows.join('')}</tbody></table><p>Times: ${whose}${all.some(({ stands }) => stands) ? '; ≈: by its evaluations, at what one takes in the method that it replaces' : ''}. ✓: within ${millimetres(values.tolerance)}.</p>`;
+        `<tbody>${rows.join('')}</tbody></table><p>Times: ${whose}${this.estimated(all)}. ✓: within ${millimetres(values.tolerance)}. A name shows its code, which can be changed.</p>`;
       list.onclick = ({ target }) => this.pick(target.closest('button')?.dataset.name);
       if (focused) list.querySelector(`[data-name="${focused}"]`)?.focus();
       stage.querySelector('.advice').innerHTML =
         `<p>${take}, ${why}. Or have all methods tried, from 1 step to 1024:</p>` +
         `<pre><code>${question(run, values)}</code></pre>`;
       return all.some(one => one.name === this.picked) ? this.picked : (exact?.name ?? name);
+    },
+    estimated(all) {
+      const { like } = all.find(({ stands }) => stands) ?? {};
+      return like ? `; ≈: as ${description().methods[like]} takes for as many evaluations` : '';
     },
     // What the book's method offers, where something stands in its place.
     book(all, run, values) {

@@ -72,9 +72,12 @@ inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 struct Outcome {
   std::vector<double> paths;   ///< places at the ends of frames, one run after the other [m]
   std::vector<double> errors;  ///< the largest at the end of a frame; infinite if it is gone [m]
-  double evaluations = none;   ///< of a step
-  double dearer = 1;           ///< how many times those of the method in whose place it stands
+  double evaluations = none;   ///< of a step of the method
+  double in_place = none;      ///< the same of what stands in its place, if something does
   bool reproducible = true;
+
+  /// Of a step of what was tried.
+  double asks() const { return std::isnan(in_place) ? evaluations : in_place; }
 };
 
 /// The outcomes of all methods on one thing.
@@ -153,9 +156,8 @@ class TrialOf final : public Trial {
     } else {
       Outcome found =
           with_what_stands<Vec>(method, [&](const auto& step) { return try_out(step, right); });
-      if (is_stood_in_for<Vec>(method.name)) {
-        found.dearer = found.evaluations / evaluations(method.step);
-      }
+      if (is_stood_in_for<Vec>(method.name)) found.in_place = evaluations(StandIn());
+      found.evaluations = evaluations(method.step);
       return found;
     }
   }
@@ -169,7 +171,6 @@ class TrialOf final : public Trial {
       append(outcome.paths, places);
       outcome.errors.push_back(largest_error(places, right));
     }
-    outcome.evaluations = evaluations(step);
     return outcome;
   }
 
