@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { accessibility } from './accessibility.mjs';
 import { openTab, visit } from './browser.mjs';
+import { RK4 } from './typed.mjs';
 
 const PAGE = '2-euler.html';
 const NAME = 'drone-spiral';
@@ -23,12 +24,6 @@ const write = async text => {
   await tab.keyboard.press('Control+A');
   await tab.keyboard.insertText(text);
 };
-const RK4 = `const Vec a1 = acceleration(x, v, t), v2 = v + h / 2 * a1;
-const Vec a2 = acceleration(x + h / 2 * v, v2, t + h / 2), v3 = v + h / 2 * a2;
-const Vec a3 = acceleration(x + h / 2 * v2, v3, t + h / 2), v4 = v + h * a3;
-const Vec a4 = acceleration(x + h * v3, v4, t + h);
-x = x + h / 6 * (v + 2 * (v2 + v3) + v4);
-v = v + h / 6 * (a1 + 2 * (a2 + a3) + a4);`;
 const SWAPPED = 'const Vec a = acceleration(x, v, t);\nv = v + h * a;\nx = x + h * v;';
 
 test('nothing of the compiler is there before somebody presses Edit', async () => {
