@@ -67,6 +67,7 @@
       undo.push(put(element('p', 'changed', 'Changed: ', link(box, title), '. ', back), after));
     };
     const places = [];
+    box.querySelector('details').open = true;
     const film = document.querySelector(`.film:has([data-program="${program}"])`);
     undo.push(put(filmOf(film, box, title), all('.diff', box).at(-1)));
     const shown = filmOf(film, box, title);
@@ -104,7 +105,17 @@
     return line;
   }
 
+  // A guess comes first: what a change does is folded until it is applied, or until somebody wants to know.
+  function foldOutcome(box) {
+    const outcome = element('div');
+    const last = all('.diff', box).at(-1);
+    while (last.nextElementSibling?.matches(':not(template)')) outcome.append(last.nextElementSibling);
+    const fold = element('details', '', element('summary', '', 'What it does'), outcome);
+    last.after(fold);
+  }
+
   for (const box of all('.change[data-film]')) {
+    foldOutcome(box);
     const button = press('Apply', () => {
       if (applied.get(box.dataset.program)?.button === button) takeBack(box.dataset.program);
       else apply(box, button);

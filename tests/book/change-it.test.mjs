@@ -49,7 +49,10 @@ for (const page of withChanges) {
     await visit(tab, page);
     const before = await shown();
     for (const box of boxes) {
+      const outcome = tab.locator(`#${box.name} details .codebox`);
+      assert.equal(await outcome.isVisible(), false, 'what it does is told before anybody can guess');
       await apply(box.title).click();
+      assert.equal(await outcome.isVisible(), true);
       const now = await shown();
       const listed = now.listings.join('\n');
       for (const line of box.put)
@@ -67,6 +70,7 @@ for (const page of withChanges) {
     }
     assert.equal(await tab.locator('.change .film').count(), new Set(boxes.map(box => box.program)).size);
     assert.deepEqual(tab.faults, []);
+    await tab.evaluate(() => scrollTo({ top: 0, behavior: 'instant' })); // so that the bar lies over nothing to press
     assert.deepEqual(await accessibility(tab), []); // which knocks at the films' frames, and they don't answer
     for (const back of (await tab.getByRole('button', { name: /^Take it back: / }).all()).reverse()) await back.click();
     assert.deepEqual(await shown(), before);
