@@ -33,16 +33,21 @@ double apart(const State& a, const State& b) {
   return std::hypot((a.x - b.x).norm(), (a.v - b.v).norm());
 }
 
+constexpr double seconds = 2;  // of a run
+
+State true_end() {
+  constexpr int steps = 8192;
+  OwnOf<measure::Rk4> true_enough;
+  return after(true_enough, seconds / steps, steps);
+}
+
 // How well a method does, by two runs of steps that are short.
 struct Fit {
   double order = NAN, error = NAN;
 };
 
-Fit fit_of(Own& own) {
-  constexpr double seconds = 2;
+Fit fit_of(Own& own, const State& end) {
   constexpr int steps = 128;
-  OwnOf<measure::Rk4> true_enough;
-  const State end = after(true_enough, seconds / 8192, 8192);
   const double coarse = apart(after(own, seconds / steps, steps), end);
   const double fine = apart(after(own, seconds / (2 * steps), 2 * steps), end);
   return {coarse > fine ? std::log2(coarse / fine) : NAN, fine};
@@ -79,7 +84,8 @@ Examined examine(const Stand& stand) {
   constexpr int steps = 3;
   const std::unique_ptr<Own> own = stand.make();
   const State yours = after(*own, h, steps);
-  const Fit fit = fit_of(*own);
+  const State end = true_end();
+  const Fit fit = fit_of(*own, end);
   Examined found{.order = fit.order,
                  .right_order = NAN,
                  .off = NAN,
@@ -90,7 +96,7 @@ Examined examine(const Stand& stand) {
   for_each_known([&]<class Step>(const Step&) {
     OwnOf<Step> known;
     if (Step::function == stand.method) {
-      const Fit right = fit_of(known);
+      const Fit right = fit_of(known, end);
       found.right_order = right.order;
       found.off = fit.error / right.error;
     }

@@ -122,7 +122,7 @@
     const measured =
       order > 0.5
         ? digits(order) === digits(rightOrder)
-          ? `Order ${digits(order)}, as ${isYours ? 'the book’s' : 'without the change'}${isYours ? asFarOff(found) : ''}.`
+          ? `Order ${digits(order)}, as ${isYours ? `the book’s${asFarOff(found)}` : 'without the change'}.`
           : `Order ${digits(order)} in place of ${digits(rightOrder)}.`
         : `With shorter steps it comes no nearer to the truth: it has no order.${isYours ? cause(found) : ''}`;
     const named = is && ` Its steps are those of ${is}, ${apart > 0 ? `to 1e${power(apart)}` : 'to the last bit'}.`;
