@@ -74,14 +74,21 @@ class Film {
     shape("label", centre, "scenery") << ",'" << words << "']";
   }
 
+  /// The page, as text.
+  std::string page() const {
+    std::ostringstream text;
+    text << player_head << "const view = [" << low.x << ", " << low.y << ", " << high.x << ", "
+         << high.y << "], speed = " << speed << ", names = [" << names.str() << "], pictures = [[0"
+         << pictures.str() << "]];" << player_tail;
+    return text.str();
+  }
+
   /// Writes the page, and says where it is.
   /// @returns what main returns: 0, or 1 if the file can't be written
   int write(const std::string& file) const {
-    std::ofstream page(file);
-    page << player_head << "const view = [" << low.x << ", " << low.y << ", " << high.x << ", "
-         << high.y << "], speed = " << speed << ", names = [" << names.str() << "], pictures = [[0"
-         << pictures.str() << "]];" << player_tail;
-    if (page.close(); !page)
+    std::ofstream out(file);
+    out << page();
+    if (out.close(); !out)
       return std::cerr << "can't write " << file << "; is its folder there?\n", 1;
     return std::cout << "Open " << file << " in a browser.\n", 0;
   }

@@ -48,13 +48,13 @@ const colours = {
   light: {
     'Euler': '#ca3e00', 'symplectic Euler': '#0063b2', 'velocity Verlet': '#30613b', 'RK4': '#6e009c',
     'backward Euler': '#622a00', 'predicted Euler': '#622a00', 'midpoint': '#168a9a', 'Störmer–Verlet': '#30613b', 'leapfrog': '#30613b',
-    'Yoshida 4': '#748043', 'BDF2': '#6a7adf', 'trapezoid': '#a53065', 'true': '#3a3835',
+    'Yoshida 4': '#748043', 'BDF2': '#6a7adf', 'trapezoid': '#a53065', 'true': '#3a3835', 'yours': '#a08b14',
     'scenery': '#938c81', 'paper': '#fffefb', 'ink': '#22211f',
   },
   dark: {
     'Euler': '#ff5a00', 'symplectic Euler': '#0089d9', 'velocity Verlet': '#00b68a', 'RK4': '#c392f5',
     'backward Euler': '#c5a872', 'predicted Euler': '#c5a872', 'midpoint': '#7adff0', 'Störmer–Verlet': '#00b68a', 'leapfrog': '#00b68a',
-    'Yoshida 4': '#c3cc58', 'BDF2': '#7a8db3', 'trapezoid': '#f89fc6', 'true': '#e4e0d8',
+    'Yoshida 4': '#c3cc58', 'BDF2': '#7a8db3', 'trapezoid': '#f89fc6', 'true': '#e4e0d8', 'yours': '#fbf04a',
     'scenery': '#77747a', 'paper': '#17171a', 'ink': '#dedad2',
   },
 };

@@ -55,10 +55,25 @@ std::uint64_t seed(const Options& options) {
   throw Usage("the seed file must hold a whole number below 2^64 and nothing else");
 }
 
+[[noreturn]] void no_exercise(const std::string& name) {
+  throw Usage("there is no exercise '" + printable_name(name) + "'; did you mean '" +
+              nearest_exercise(name) + "'? grade list names all");
+}
+
 Exercise exercise_named(const std::string& name) {
   if (const std::optional<Exercise> found = exercise(name)) return *found;
-  throw Usage("there is no exercise '" + printable_name(name) + "'; did you mean '" +
-              nearest_exercise(name) + "'? --list names all");
+  no_exercise(name);
+}
+
+/// By its name, with or without the chapter, or by that of its header, wherever it lies.
+Exercise exercise_meant(const std::string& name) {
+  if (const std::optional<Exercise> found = exercise(name)) return *found;
+  std::string file = std::filesystem::path(name).filename().string();
+  if (!file.ends_with(".h")) file += ".h";
+  const std::vector<Exercise> all = exercises();
+  const auto found = std::ranges::find(all, file, &Exercise::header);
+  if (found != all.end()) return *found;
+  no_exercise(name);
 }
 
 std::set<Emit> emits(const Options& options) {
@@ -153,11 +168,27 @@ void add_class(Command& command, const Options& options) {
   work.emits = emits(options);
 }
 
+/// An exercise and a file, or a header whose name says which exercise it is for: that is one's own.
+void add_submission(Command& command, const Options& options) {
+  const std::string& name = options.exercise;
+  if (!options.file.empty() || exercise(name)) {
+    command.request.exercise = exercise_named(name);
+    if (options.file.empty()) throw Usage("name the file to grade behind the exercise");
+    command.request.submission = options.file;
+  } else {
+    command.request.exercise = exercise_meant(name);
+    command.request.submission = name;
+    command.at_home = true;
+  }
+}
+
 void add_one(Command& command, const Options& options) {
-  if (options.exercise.empty()) throw Usage("name an exercise and a file; --help says more");
-  command.request.exercise = exercise_named(options.exercise);
-  if (options.file.empty()) throw Usage("name the file to grade behind the exercise");
-  command.request.submission = options.file;
+  if (command.what == What::watch) {
+    command.at_home = true;
+    if (!options.out.empty()) throw Usage("name an exercise and a file before --out");
+  } else {
+    add_submission(command, options);
+  }
   command.request.seed = seed(options);
   if (options.sandbox == "none") command.request.sandbox = cage::Sandbox::none;
   if (!options.out.empty()) command.out = folder(options.out);
@@ -171,6 +202,26 @@ void add_one(Command& command, const Options& options) {
   }
 }
 
+void add_word(Command& command, const Options& options) {
+  command.what = *options.word;
+  if (!options.exercise.empty() || !options.submissions.empty() || !options.out.empty())
+    throw Usage("grade " + options.said + " grades nothing; grade " + options.said +
+                " --help says what it takes");
+  if (options.sandbox == "none") command.request.sandbox = cage::Sandbox::none;
+  if (command.what == What::list) {
+    command.listed = options.first;
+  } else if (command.what == What::run) {
+    command.own = options.first;
+  } else if (command.what == What::play) {
+    command.request.exercise = exercise_meant(options.first);
+    command.request.submission = options.first;
+    command.request.seed = seed(options);
+  } else {
+    command.request.exercise = exercise_meant(options.first);
+    command.own = options.second;
+  }
+}
+
 }  // namespace
 
 Command read_command_line(int argc, char** argv) {
@@ -178,21 +229,16 @@ Command read_command_line(int argc, char** argv) {
   if (!read) return {};
   const Options& options = *read;
   Command command;
-  if (options.list || options.version) {
-    if (!options.submissions.empty()) throw Usage("--list and --version grade nothing");
-    command.what = options.list ? Command::What::list : Command::What::version;
-    command.listed = options.exercise;
-  } else if (!options.run.empty()) {
-    if (!options.exercise.empty() || !options.submissions.empty())
-      throw Usage("--run takes one header, and grades nothing");
-    command.what = Command::What::run;
-    command.own = options.run;
-    if (options.sandbox == "none") command.request.sandbox = cage::Sandbox::none;
+  if (options.word) {
+    add_word(command, options);
+  } else if (options.version) {
+    if (!options.submissions.empty()) throw Usage("--version grades nothing");
+    command.what = What::version;
   } else if (!options.submissions.empty()) {
-    command.what = Command::What::whole_class;
+    command.what = What::whole_class;
     add_class(command, options);
   } else {
-    command.what = Command::What::one;
+    command.what = options.exercise.empty() ? What::watch : What::one;
     add_one(command, options);
   }
   return command;

@@ -10,13 +10,13 @@
 
 #include "class/class.h"
 #include "grade_submission.h"
+#include "options.h"
 #include "report/folder.h"
 
 namespace grade {
 
 /// A command with everything that it takes; checked.
 struct Command {
-  enum class What { one, whole_class, list, version, run, nothing };
   What what = What::nothing;
   Request request;  ///< of one submission
   std::optional<std::filesystem::path> out;
@@ -24,10 +24,11 @@ struct Command {
   bool limits_given = false;  ///< by the grader of a class, that calibrated them
   bool unchecked = false;     ///< for a class: no word on how it uses memory
   bool exit_by_verdict = false;
+  bool at_home = false;       ///< for whoever wrote it: where no cage can be had, without one
   std::string listed;         ///< part of the names that are listed; empty for all
   bool all = false;           ///< of the tests that failed in full
   Class classroom;            ///< of a whole class
-  std::filesystem::path own;  ///< header whose own main is run
+  std::filesystem::path own;  ///< header whose own main is run; folder to start in
 };
 
 /// Bad input: one line that says what is wrong and what to do.

@@ -7,13 +7,14 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "done.h"
 #include "exit_codes.h"
+#include "home/done.h"
+#include "home/own_command.h"
+#include "home/run_own.h"
 #include "installed.h"
 #include "judge/session.h"
 #include "printable.h"
 #include "report/terminal.h"
-#include "run_own.h"
 #include "time_limits.h"
 
 namespace grade {
@@ -66,51 +67,61 @@ Report grade_fairly(Command& command) {
   return slow && met_a_time_limit(report) ? grade_submission(calibrated, so_far) : report;
 }
 
-/// A program in this folder needs its folder's name, or a shell looks for it elsewhere.
-std::string as_command(const std::filesystem::path& program) {
-  return (program.has_parent_path() ? program : "." / program).string();
-}
-
 /// From where it was called. The students of a class will call it from where they are.
 Place place(const Command& command) {
   if (command.limits_given) return {};
-  const auto own = std::filesystem::read_symlink("/proc/self/exe");
-  return {as_command(std::filesystem::proximate(own)),
-          std::filesystem::proximate(installed().exercises).string(),
-          command.request.submission.string()};
-}
-
-void print(const Report& report, bool all, const Place& place) {
-  if (report.unreadable) {
-    refuse(Exit::unreadable, printable(report.why));
-    return;
-  }
-  const bool colour = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
-  std::fputs(terminal(report, colour, all, place).c_str(), stdout);
+  return {own_name(), command.request.submission.string()};
 }
 
 }  // namespace
 
-int grade_and_report(Command command) {
+void do_without_a_cage_that_cannot_be_had(Request& request) {
+  if (request.sandbox == cage::Sandbox::none) return;
+  const auto why = unsafe();
+  if (!why) return;
+  std::fprintf(stderr, "No cage can be had here, so your code runs like any program of yours: %s\n",
+               printable(why->substr(0, why->find('\n'))).c_str());
+  request.sandbox = cage::Sandbox::none;
+}
+
+Graded grade_one(Command command) {
+  if (command.at_home) do_without_a_cage_that_cannot_be_had(command.request);
   const bool done_before = !command.unchecked && is_done(command.request.exercise);
   // A class has folders of its own.
   if (command.out && !command.limits_given) refuse_foreign_files(*command.out);
   if (command.out) keep_provisional(blank_report(command.request), *command.out, command.emits);
-  Report report = grade_fairly(command);
-  const Place seen = place(command);
-  if (command.out) keep(report, *command.out, command.emits, seen);
+  Graded graded{grade_fairly(command), place(command)};
+  Report& report = graded.report;
+  if (command.out) keep(report, *command.out, command.emits, graded.place);
   if (!command.unchecked) {
     check_memory(command.request, report);
-    if (command.out && !report.memory.empty()) keep(report, *command.out, command.emits, seen);
+    if (command.out && !report.memory.empty())
+      keep(report, *command.out, command.emits, graded.place);
   }
-  print(report, command.all, seen);
   if (report.verdict == Verdict::accepted && !command.unchecked && !done_before)
     note_done(command.request.exercise);
-  return exit_code(report, command.exit_by_verdict);
+  return graded;
+}
+
+void print(const Graded& graded, bool all) {
+  if (graded.report.unreadable) {
+    refuse(Exit::unreadable, printable(graded.report.why));
+    return;
+  }
+  const bool colour = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+  std::fputs(terminal(graded.report, colour, all, graded.place).c_str(), stdout);
+}
+
+int grade_and_report(const Command& command) {
+  const Graded graded = grade_one(command);
+  print(graded, command.all);
+  return exit_code(graded.report, command.exit_by_verdict);
 }
 
 int run_and_print(const Command& command) {
-  const Ran ran = run_own(command.own, command.request.sandbox);
+  Request request = command.request;
+  do_without_a_cage_that_cannot_be_had(request);
+  const Ran ran = run_own(command.own, request.sandbox);
   std::fputs(printable(ran.out).c_str(), stdout);
   std::fflush(stdout);
   std::fputs(printable(ran.err).c_str(), stderr);

@@ -1,12 +1,28 @@
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "command_line.h"
+#include "report/words.h"
 
 namespace grade {
 
+/// Where no cage can be had, code of one's own runs without one, and a line says so.
+void do_without_a_cage_that_cannot_be_had(Request& request);
+
+/// A report, and from where the grader was called for it.
+struct Graded {
+  Report report;
+  Place place;
+};
+
+/// Grades one submission, keeps the report if there is a folder for it, and remembers what is done.
+Graded grade_one(Command command);
+
+/// On a terminal with colours, unless somebody wants none.
+void print(const Graded& graded, bool all);
+
 /// Grades one submission, keeps the report if there is a folder for it, and prints it.
 /// @returns the exit code
-int grade_and_report(Command command);
+int grade_and_report(const Command& command);
 
 /// Runs the student's own main and prints what it printed.
 /// @returns the exit code: 0; 1 if it did not run, or not to a good end

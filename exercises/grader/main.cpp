@@ -7,6 +7,10 @@
 #include "command_line.h"
 #include "exit_codes.h"
 #include "grade_command.h"
+#include "home/hint.h"
+#include "home/play_own.h"
+#include "home/start.h"
+#include "home/watch.h"
 #include "printable.h"
 #include "report/files.h"
 #include "task.h"
@@ -14,6 +18,7 @@
 namespace {
 
 using grade::Command;
+using grade::What;
 
 void versions() {
   for (const grade::Exercise& exercise : grade::exercises()) {
@@ -25,25 +30,33 @@ void list(const std::string& part) {
   const std::string found = grade::list_of_exercises(part);
   if (found.empty())
     throw grade::Usage("no exercise has '" + grade::printable(part, 100) +
-                       "' in its name; --list alone names all");
+                       "' in its name; grade list names all");
   std::fputs(found.c_str(), stdout);
 }
 
 int run(const Command& command) {
   switch (command.what) {
-    case Command::What::one:
+    case What::one:
       return grade::grade_and_report(command);
-    case Command::What::whole_class:
+    case What::watch:
+      return grade::watch(command);
+    case What::whole_class:
       return grade::grade_class(command.classroom);
-    case Command::What::list:
+    case What::start:
+      return grade::start(command.request.exercise, command.own);
+    case What::hint:
+      return grade::show_hint(command.request.exercise);
+    case What::run:
+      return grade::run_and_print(command);
+    case What::play:
+      return grade::play_own(command);
+    case What::list:
       list(command.listed);
       break;
-    case Command::What::run:
-      return grade::run_and_print(command);
-    case Command::What::version:
+    case What::version:
       versions();
       break;
-    case Command::What::nothing:
+    case What::nothing:
       break;
   }
   return grade::Exit::graded;

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <utility>
 
 #include "command_line.h"
 #include "printable.h"
@@ -11,18 +12,50 @@ namespace grade {
 namespace {
 
 constexpr const char* about =
-    "Grades exercises: your own,  grade EXERCISE FILE,  or those of a class,\n"
-    "  grade --class FOLDER --out FOLDER.";
+    "Grades exercises: your own,  grade FILE,  or those of a class,\n"
+    "  grade --class FOLDER --out FOLDER.\n"
+    "Without any word it grades what you save in this folder, as often as you save it.";
 
 constexpr const char* codes =
     "A class hands in FOLDER/STUDENT/CHAPTER/EXERCISE.h. Graded again, it skips what is done.\n"
-    "Exit codes: 0 graded, whatever the verdict, or run by --run, and 1 where that did not come to "
-    "a\n"
-    "  good end; 2 bad input; 3 the submission is not there or may not be read, while a pipe or\n"
+    "Exit codes: 0 graded, whatever the verdict, or run or played, and 1 where that did not come\n"
+    "  to a good end; 2 bad input; 3 the submission is not there or may not be read, while a pipe "
+    "or\n"
     "  another thing that is no file is REJECTED;\n"
     "  42 the grader failed and will again; 75 it failed, try again.\n"
-    "Examples: grade 2-euler/orbit-drift my_euler.h\n"
+    "Examples: grade start orbit-drift\n"
+    "          grade orbit-drift.h\n"
+    "          grade 2-euler/orbit-drift my_euler.h\n"
     "          grade --class submissions/ --seed-file seed.txt --jobs 2 --out results/";
+
+struct Word {
+  What what;
+  const char *word, *first, *second, *about;  ///< what stands behind it, if anything
+  bool needs_first;
+};
+
+constexpr Word words[] = {
+    {What::start, "start", "EXERCISE", "FOLDER", "Put an exercise's starter here, or into a folder",
+     true},
+    {What::list, "list", "PART", nullptr,
+     "Name exercises, all or by a part of a name, and what is done", false},
+    {What::hint, "hint", "EXERCISE", nullptr, "Show the exercise's next hint", true},
+    {What::run, "run", "FILE", nullptr,
+     "Run a header's own main and show what it prints: not graded", true},
+    {What::play, "play", "FILE", nullptr, "Write a page in which a header's code moves", true},
+};
+
+void declare_words(CLI::App& app, Options& options) {
+  for (const Word& each : words) {
+    CLI::App* const word = app.add_subcommand(each.word, each.about)->fallthrough();
+    word->final_callback([&options, &each] {
+      options.word = each.what;
+      options.said = each.word;
+    });
+    if (each.first) word->add_option(each.first, options.first)->required(each.needs_first);
+    if (each.second) word->add_option(each.second, options.second);
+  }
+}
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("EXERCISE", options.exercise, "Chapter and exercise, such as 2-euler/orbit-drift");
@@ -56,14 +89,33 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--shard", options.shard, "i/n: only each n-th submission, from the i-th")
       ->needs(whole_class);
   app.add_flag("--all", options.all, "Show each test that failed in full");
-  app.add_option("--run", options.run,
-                 "Run this header's own main and show what it prints: not graded");
-  app.add_flag("--list", options.list,
-               "Name exercises, all or by a part of a name, and what is done");
   app.add_flag("--version", options.version, "Say which grader this is, exercise by exercise");
   app.add_option("--limits", options.limits)->group("");
   app.add_flag("--unchecked", options.unchecked)->group("");
 }
+
+/// Words as they were written before they were words: `--list`, `PART --list`, `--run FILE`.
+struct Old {
+  bool list = false;
+  std::string run;
+
+  void declare(CLI::App& app) {
+    app.add_flag("--list", list)->group("");
+    app.add_option("--run", run)->group("");
+  }
+
+  void put_into(Options& options) const {
+    if (list) {
+      options.word = What::list;
+      options.said = "list";
+      options.first = std::exchange(options.exercise, "");
+    } else if (!run.empty()) {
+      options.word = What::run;
+      options.said = "run";
+      options.first = run;
+    }
+  }
+};
 
 }  // namespace
 
@@ -71,7 +123,10 @@ std::optional<Options> read_options(int argc, char** argv) {
   CLI::App app{about, "grade"};
   app.footer(codes);
   Options options;
+  Old old;
   declare(app, options);
+  declare_words(app, options);
+  old.declare(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -85,6 +140,7 @@ std::optional<Options> read_options(int argc, char** argv) {
     if (std::ranges::find(values, "") != values.end())
       throw Usage(option->get_name() + " needs a value; '' is none");
   }
+  old.put_into(options);
   return options;
 }
 

@@ -6,13 +6,17 @@
 
 namespace grade {
 
+enum class What { nothing, one, whole_class, version, watch, start, list, hint, run, play };
+
 /// The command line as it was typed, before it is checked.
 struct Options {
-  std::string exercise, file, out, seed, seed_file, shard, limits, submissions, run, assigned;
+  std::optional<What> word;         ///< `start` and the like
+  std::string said, first, second;  ///< it, and what stands behind it
+  std::string exercise, file, out, seed, seed_file, shard, limits, submissions, assigned;
   std::string sandbox = "bubblewrap", exit_status = "grader";
   std::vector<std::string> emits, exercises;
   std::string jobs;  ///< empty: as many as there are processors
-  bool list = false, version = false, all = false, unchecked = false;
+  bool version = false, all = false, unchecked = false;
 };
 
 /// Nothing if only the help was asked for, which is printed then.

@@ -4,7 +4,8 @@
 #include <cstdio>
 #include <sstream>
 
-#include "done.h"
+#include "home/done.h"
+#include "judge/session.h"
 #include "report/files.h"
 
 namespace grade {
@@ -13,6 +14,12 @@ namespace {
 // The rest of a line that starts like this; empty if it starts otherwise.
 std::string behind(const std::string& line, const std::string& start) {
   return line.starts_with(start) ? line.substr(start.size()) : "";
+}
+
+int points_of(const Exercise& exercise) {
+  int sum = 0;
+  for (const TestResult& test : judge::tests_of(exercise.name)) sum += test.points;
+  return sum;
 }
 
 }  // namespace
@@ -39,9 +46,10 @@ std::string list_of_exercises(const std::string& part) {
       continue;
     }
     char line[256];
-    std::snprintf(line, sizeof line, "%-4s %-36s %-9s level %s %3s min  %s\n",
+    std::snprintf(line, sizeof line, "%-4s %-36s %-9s level %s %3s min  %2d points  %s\n",
                   is_done(exercise) ? "done" : "", exercise.name.c_str(), about.kind.c_str(),
-                  about.difficulty.c_str(), about.minutes.c_str(), about.title.c_str());
+                  about.difficulty.c_str(), about.minutes.c_str(), points_of(exercise),
+                  about.title.c_str());
     text += line;
   }
   return text;

@@ -166,6 +166,11 @@ Known::Known(const char* exercise, void (*right)(harness::Call& call), std::vect
   all()[exercise] = {right, std::move(wrong)};
 }
 
+void (*Known::right(const std::string& exercise))(harness::Call& call) {
+  const auto known = all().find(exercise);
+  return known == all().end() ? nullptr : known->second.right;
+}
+
 std::vector<std::string> Known::recognised(const std::string& exercise, const Programs& programs) {
   const auto found = all().find(exercise);
   if (found == all().end()) return {};

@@ -24,14 +24,17 @@ std::string_view entity(char c) {
 
 }  // namespace
 
-std::string html(std::string_view text) {
-  const std::string shown = printable(text);
+std::string html_to_the_letter(std::string_view text) {
   std::string result;
-  for (const char c : std::string_view(shown)) {
+  for (const char c : text) {
     const std::string_view replacement = entity(c);
     result += replacement.empty() ? std::string_view(&c, 1) : replacement;
   }
   return result;
+}
+
+std::string html(std::string_view text) {
+  return html_to_the_letter(printable(text));
 }
 
 }  // namespace grade

@@ -9,41 +9,12 @@
 #include "report/plot.h"
 #include "report/shortened.h"
 #include "report/words.h"
+#include "report/wrapped.h"
 
 namespace grade {
 namespace {
 
-constexpr std::size_t columns = 80;
 constexpr std::size_t label_width = 11;
-
-std::size_t characters(std::string_view text) {
-  std::size_t count = 0;
-  for (; !text.empty(); ++count) {
-    text.remove_prefix(std::max<std::size_t>(1, utf8_character(text)));
-  }
-  return count;
-}
-
-/// Words over as many lines as they need, all but the first indented.
-std::string wrapped(const std::string& text, std::size_t indent) {
-  std::istringstream words(printable(text));
-  std::string result;
-  std::size_t column = indent;
-  for (std::string word; words >> word;) {
-    const std::size_t length = characters(word);
-    const bool first = column == indent;
-    if (!first && column + 1 + length > columns) {
-      result += "\n" + std::string(indent, ' ');
-      column = indent;
-    } else if (!first) {
-      result += " ";
-      ++column;
-    }
-    result += word;
-    column += length;
-  }
-  return result + "\n";
-}
 
 /// Lines as they are, each behind a bar.
 std::string barred(const std::string& text) {

@@ -32,29 +32,20 @@ bool has_ended(Verdict verdict) {
   return !is_judged(verdict) && std::ranges::find(before, verdict) == std::end(before);
 }
 
-/// A name as one word for a shell, and no option; empty if it has letters that nobody could see.
-std::string word(const std::string& file) {
-  if (file.empty() || printable_name(file) != file) return "";
-  const std::string path = file[0] == '-' ? "./" + file : file;
-  return is_plain(path) ? path : "'" + replace_all(path, "'", "'\\''") + "'";
-}
-
 /// The place as it was called, if a shell can be told so.
 Place sayable(const Place& place) {
   const Place unseen{.file = place.file};
-  return word(place.grade).empty() || word(place.exercises).empty() ? unseen : place;
+  return shell_word(place.grade).empty() ? unseen : place;
 }
 
-/// The commands to begin the exercise behind this one in the book.
-std::vector<std::string> commands_for_next(const std::string& exercise, const Place& place) {
-  const std::string grade = word(place.grade);
+/// The command that begins the exercise behind this one in the book, beside it.
+std::string command_for_next(const std::string& exercise, const Place& place) {
   const std::vector<Exercise> all = exercises();
   auto next = std::ranges::find(all, exercise, &Exercise::name);
-  if (next == all.end() || ++next == all.end()) return {grade + " --list"};
-  const std::string starter = place.exercises + "/" + next->name + "/starter.h";
-  const auto beside = std::filesystem::path(place.file).replace_filename(next->header()).string();
-  const std::string header = word(beside).empty() ? next->header() : word(beside);
-  return {"cp -n " + word(starter) + " " + header, grade + " " + next->name + " " + header};
+  const std::string grade = shell_word(place.grade);
+  if (next == all.end() || ++next == all.end()) return grade + " list";
+  const std::string beside = shell_word(std::filesystem::path(place.file).parent_path().string());
+  return grade + " start " + next->task() + (beside.empty() ? "" : " " + beside);
 }
 
 }  // namespace
@@ -140,14 +131,20 @@ bool has_plot(const Finding& finding) {
 
 std::vector<std::string> next_commands(const Report& report, const Place& seen) {
   const Place place = sayable(seen);
-  if (report.verdict == Verdict::accepted) return commands_for_next(report.exercise, place);
-  const std::string file = word(place.file);
+  if (report.verdict == Verdict::accepted) return {command_for_next(report.exercise, place)};
+  const std::string file = shell_word(place.file);
   const std::string own = Exercise{report.exercise, {}}.header();
   std::string command =
-      word(place.grade) + " " + report.exercise + " " + (file.empty() ? own : file);
+      shell_word(place.grade) + " " + report.exercise + " " + (file.empty() ? own : file);
   if (report.seed != public_seed) command += " --seed " + std::to_string(report.seed);
   if (report.no_cage) command += " --sandbox none";
   return {command};
+}
+
+std::string shell_word(const std::string& file) {
+  if (file.empty() || printable_name(file) != file) return "";
+  const std::string path = file[0] == '-' ? "./" + file : file;
+  return is_plain(path) ? path : "'" + replace_all(path, "'", "'\\''") + "'";
 }
 
 std::string provenance(const Report& report) {

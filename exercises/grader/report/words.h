@@ -38,9 +38,12 @@ std::vector<Line> lines(const Finding& finding);
 /// Returns whether its picture can be drawn.
 bool has_plot(const Finding& finding);
 
-/// The places of the grader, the exercises and the submission, as a shell finds them.
+/// A name as one word for a shell, and no option; empty if it has letters that nobody could see.
+std::string shell_word(const std::string& file);
+
+/// The places of the grader and the submission, as a shell finds them.
 struct Place {
-  std::string grade = "build/exercises/grade", exercises = "exercises";
+  std::string grade = "build/exercises/grade";
   std::string file = {};  ///< empty: a header with the exercise's own name
 };
 

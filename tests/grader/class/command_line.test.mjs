@@ -69,7 +69,7 @@ refuses(2, /chroot not in/, '1-first/one', 'full.h', '--sandbox', 'chroot');
 refuses(2, /--seed needs a value/, '1-first/one', 'full.h', '--seed', '');
 refuses(2, /--out needs a value/, '1-first/one', 'full.h', '--out', '');
 refuses(2, /can't read the seed file '\/dev\/zero'/, '1-first/one', 'full.h', '--seed-file', '/dev/zero');
-refuses(2, /grade nothing/, '--list', '--class', 'class', '--out', 'o');
+refuses(2, /grade list grades nothing/, '--list', '--class', 'class', '--out', 'o');
 refuses(2, /--limits/, '1-first/one', 'full.h', '--limits', '1,2,3');
 refuses(2, /--jobs requires --class/, '1-first/one', 'full.h', '--jobs', '2');
 refuses(2, /--class requires --out/, '--class', 'class');
@@ -81,7 +81,15 @@ refuses(2, /names no exercise/, '--class', 'class', '--out', 'o', '--assigned', 
 refuses(2, /did you mean/, '--class', 'class', '--out', 'o', '--assigned', 'words');
 refuses(2, /--assigned requires --class/, '1-first/one', 'full.h', '--assigned', 'words');
 refuses(2, /no exercise has '3-none' in its name/, '3-none', '--list');
-refuses(2, /--run takes one header/, '1-first/one', '--run', 'full.h');
+refuses(2, /grade run grades nothing/, '1-first/one', '--run', 'full.h');
+refuses(2, /grade hint grades nothing/, 'hint', '1-first/one', 'full.h');
+refuses(2, /grade start grades nothing/, 'start', '1-first/one', '--out', 'o');
+refuses(2, /EXERCISE is required/, 'start');
+refuses(2, /FILE is required/, 'run');
+refuses(2, /no exercise 'five'; did you mean '1-first\/one'/, 'hint', 'five');
+refuses(2, /no exercise 'full.h'; did you mean '1-first\/one'/, 'full.h');
+refuses(2, /name an exercise and a file before --out/, '--out', 'o');
+refuses(3, /two.h cannot be read|two.h/, 'two.h');
 refuses(2, /no exercise '1-first\/four'/, '--class', 'class', '--out', 'o', '--exercise', '1-first/four');
 for (const shard of ['0/2', '3/2', '1/0', '2', '/', 'a/b', '1/2/3']) {
   refuses(2, /--shard takes/, '--class', 'class', '--out', 'o', '--shard', shard);
@@ -176,7 +184,7 @@ test('what the grader keeps beside itself is read only if it is a file', () => {
   const grade = (...words) => spawnSync(join(own, 'grade'), words, { encoding: 'utf8', cwd: folder, timeout: 20000 });
   for (const [name, words] of [
     ['done.txt', ['1-first/one', 'full.h']],
-    ['installed.txt', ['1-first/one', 'full.h']],
+    ['installed.txt', ['run', 'full.h']],
   ]) {
     for (const make of [pipe, path => symlinkSync('/dev/zero', path)]) {
       for (const old of ['done.txt', 'installed.txt']) rmSync(join(own, old), { force: true });
@@ -262,7 +270,8 @@ test('the grader lists exercises, says its version and helps', () => {
   assert.match(run('--version').stdout, /^1-first\/one +one$/m);
   const { status, stdout } = run('--help');
   assert.equal(status, 0);
-  for (const word of ['EXERCISE', '--class', '--shard', 'Exit codes']) assert.ok(stdout.includes(word), word);
+  for (const word of ['EXERCISE', '--class', '--shard', 'Exit codes', 'start', 'hint', 'grade FILE'])
+    assert.ok(stdout.includes(word), word);
   assert.ok(!stdout.includes('--limits'));
   assert.ok(stdout.split('\n').every(line => line.length <= 100));
 });

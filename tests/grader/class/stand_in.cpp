@@ -16,7 +16,9 @@
 #include <fstream>
 #include <functional>
 
+#include "exit_codes.h"
 #include "grade_submission.h"
+#include "home/play_own.h"
 #include "judge/session.h"
 #include "submission.h"
 
@@ -79,8 +81,12 @@ std::string Exercise::chapter() const {
   return name.substr(0, name.find('/'));
 }
 
+std::string Exercise::task() const {
+  return name.substr(name.find('/') + 1);
+}
+
 std::string Exercise::header() const {
-  return name.substr(name.find('/') + 1) + ".h";
+  return task() + ".h";
 }
 
 std::vector<Exercise> exercises() {
@@ -124,6 +130,10 @@ std::optional<Obstacle> calibrate(Request& request) {
 }
 
 void check_memory(const Request&, Report&) {}
+
+int play_own(const Command&) {
+  return Exit::graded;
+}
 
 Report grade_submission(const Request& request, const SoFar& so_far) {
   Report report = blank_report(request);

@@ -135,14 +135,14 @@ TEST_CASE("full marks lead to the next exercise of the book") {
   report.verdict = Verdict::accepted;
   report.exercise = exercises().front().name;
   const Exercise next = exercises()[1];
-  CHECK(next_commands(report) ==
-        std::vector<std::string>{"cp -n exercises/" + next.name + "/starter.h " + next.header(),
-                                 "build/exercises/grade " + next.name + " " + next.header()});
+  const std::vector<std::string> starts{"build/exercises/grade start " + next.task()};
+  CHECK(next_commands(report) == starts);
+  CHECK(next_commands(report, {.file = "a.h"}) == starts);
   // It lies beside the last one.
-  CHECK(next_commands(report, {.file = "mine/a.h"}).back() ==
-        "build/exercises/grade " + next.name + " mine/" + next.header());
+  CHECK(next_commands(report, {.file = "my work/a.h"}) ==
+        std::vector<std::string>{starts.front() + " 'my work'"});
   report.exercise = exercises().back().name;
-  CHECK(next_commands(report) == std::vector<std::string>{"build/exercises/grade --list"});
+  CHECK(next_commands(report) == std::vector<std::string>{"build/exercises/grade list"});
 }
 
 TEST_CASE("where no cage can be had, the next command does without") {
@@ -168,11 +168,11 @@ TEST_CASE("a command names the file and the grader as they were called") {
   CHECK(names("$(reboot).h", "'$(reboot).h'"));
   CHECK(names("a'b.h", "'a'\\''b.h'"));
   CHECK(names("-x.h", "./-x.h"));
-  CHECK(command("drift.h", {"../build/exercises/grade", "../exercises"})
+  CHECK(command("drift.h", {"../build/exercises/grade"})
             .starts_with("../build/exercises/grade 2-euler/orbit-drift drift.h "));
-  CHECK(command("drift.h", {"/home/j\xc3\xbcrgen/grade", "exercises"})
+  CHECK(command("drift.h", {"/home/j\xc3\xbcrgen/grade"})
             .starts_with("'/home/j\xc3\xbcrgen/grade' 2-euler/orbit-drift drift.h "));
-  CHECK(command("drift.h", {"a\nb/grade", "exercises"})
+  CHECK(command("drift.h", {"a\nb/grade"})
             .starts_with("build/exercises/grade 2-euler/orbit-drift drift.h "));
   for (const char* strange : {"", "a\nb.h", "a\xe2\x80\xae.h", "\x1b.h"}) {
     CAPTURE(strange);
@@ -181,7 +181,7 @@ TEST_CASE("a command names the file and the grader as they were called") {
 }
 
 TEST_CASE("feedback names the same command as the terminal") {
-  const Place seen{"../grade", "../exercises", "mine/drift.h"};
+  const Place seen{"../grade", "mine/drift.h"};
   const std::string command = next_commands(sample(), seen).front();
   CHECK(has(command, "mine/drift.h"));
   CHECK(has(feedback(sample(), seen), "\n" + command + "\n"));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
 /// The exercises that a student has done: those for which this program, called for one submission,
-/// gave full marks. Their names stand in `done.txt` beside the program.
+/// gave full marks. Their names stand in the state `done.txt`.
 #pragma once
 #include "exercise.h"
 

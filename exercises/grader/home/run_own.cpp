@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT-0
-#include "run_own.h"
+#include "home/run_own.h"
 
 #include "compile.h"
 #include "kit.h"

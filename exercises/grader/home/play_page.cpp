@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT-0
+#include "home/play_page.h"
+
+#include <algorithm>
+#include <array>
+
+#include "class/page_style.h"
+#include "home/plot_film.h"
+#include "report/escape.h"
+#include "report/plot.h"
+#include "report/shortened.h"
+#include "report/words.h"
+#include "task.h"
+
+namespace grade {
+namespace {
+
+constexpr const char* made_by = "<!-- made by grade play -->";
+
+constexpr const char* film_style = R"css(
+iframe { display: block; width: 100%; border: 0; margin: 1rem 0; }
+main { max-width: 46rem; }
+dt { color: var(--soft); font-size: .85rem; }
+dd { margin: 0 0 .6rem; white-space: pre-wrap; overflow-wrap: anywhere; }
+.key { font-size: .9rem; }
+.key b { color: #a08b14; }
+.key i { color: var(--ink); font-style: normal; }
+@media (prefers-color-scheme: dark) { .key b { color: #fbf04a; } }
+)css";
+
+/// A film grows to the height that it needs.
+constexpr const char* fit_films = R"js(<script>
+for (const frame of document.querySelectorAll('iframe')) {
+  const fit = () => (frame.style.height = `${frame.contentDocument.documentElement.scrollHeight}px`);
+  frame.addEventListener('load', () => (fit(), new ResizeObserver(fit).observe(frame.contentDocument.body)));
+}
+</script>
+)js";
+
+std::string frame(const Stage& stage, const std::string& title) {
+  return "<iframe title=\"" + html(title) + "\" srcdoc=\"" + html_to_the_letter(stage.page()) +
+         "\"></iframe>\n";
+}
+
+/// In the order, and the colours, in which film_of() draws them.
+std::string key(const Plot& plot) {
+  constexpr std::array marks{"b", "i", "span"};
+  std::string text;
+  for (std::size_t n = 0; n < plot.curves.size(); ++n) {
+    const std::string mark = marks[std::min(n, marks.size() - 1)];
+    text += "<" + mark + ">●</" + mark + "> " + html(plot.curves[n].name) + " ";
+  }
+  return "<p class=\"key\">" + text + "</p>\n";
+}
+
+std::string failing_run(const TestResult& test) {
+  std::string text = "<h2>" + html(test.name) + "</h2>\n<p>This did not hold.</p>\n";
+  for (const Finding& finding : test.findings) {
+    if (finding.held) continue;
+    if (can_be_drawn(finding.plot)) {
+      text += "<p>" + html(finding.plot.title) + "</p>\n" +
+              frame(film_of(finding.plot), finding.plot.title) + key(finding.plot);
+    }
+    text += "<dl>\n";
+    for (const Line& line : lines(finding))
+      text += "<dt>" + html(line.label) + "</dt><dd>" + html(shortened(line.text)) + "</dd>\n";
+    text += "</dl>\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string play_page(const Played& played, const Report& report) {
+  const std::string title = task(*exercise(report.exercise)).title;
+  std::string text = "<!doctype html>\n" + std::string(made_by) +
+                     "\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
+                     "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
+                     html(title) + "</title>\n<style>" + page_style + film_style +
+                     "</style>\n<main>\n<h1>" + html(title) + "</h1>\n<p>" +
+                     html(played.scene.caption) + "</p>\n" + frame(played.stage, title) +
+                     "<p class=\"key\"><b>●</b> yours <i>●</i> as it should be</p>\n";
+  if (!played.why.empty()) text += "<p>It came no further: " + html(played.why) + "</p>\n";
+  text += "<p>" + html(headline(report)) + "</p>\n";
+  const auto failed = std::ranges::find_if(
+      report.tests, [](const TestResult& test) { return test.ran && !test.held; });
+  if (failed != report.tests.end()) text += failing_run(*failed);
+  return text + "</main>\n" + fit_films + "</html>\n";
+}
+
+bool is_play_page(const std::string& text) {
+  return text.find(made_by) != std::string::npos;
+}
+
+}  // namespace grade

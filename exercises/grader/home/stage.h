@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// The film of a student's code.
+#pragma once
+#include <map>
+#include <string>
+
+#include "harness/given.h"
+#include "play.h"
+
+namespace grade {
+
+/// What the pictures of a film show.
+struct View {
+  play::Vec from, to;  ///< opposite corners, the lower left one first [m]
+  double pace = 1;     ///< how many seconds of the game are played in one
+};
+
+/// A film whose shapes stay somewhere, whatever the code that moves them answers: what is no number
+/// stands where it was last, and what has left the picture stays near it.
+///
+/// Colours are the film's names: "yours", "true" and "scenery". Of a place, x and y are seen.
+class Stage {
+ public:
+  explicit Stage(const View& view);
+
+  /// Begins a picture, which stands for so many seconds of the game.
+  void picture(double seconds);
+
+  /// @param name  of the thing, by which it is found in the picture before
+  void ball(const std::string& name, const Vec& at, double radius, const std::string& colour);
+  void line(const Vec& from, const Vec& to, const std::string& colour);
+
+  /// Draws on, from where the same trail was in the picture before. All pictures have the same
+  /// trails, in the same order.
+  void trail(const std::string& name, const Vec& to, const std::string& colour);
+  void label(const Vec& centre, const std::string& words);
+
+  /// The page of what was drawn.
+  std::string page() const { return film_.page(); }
+
+ private:
+  play::Vec seen(const std::string& name, const Vec& at);
+
+  View view_;
+  play::Film film_;
+  std::map<std::string, play::Vec> last_;
+};
+
+}  // namespace grade
