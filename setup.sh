@@ -5,7 +5,7 @@
 #   ./setup.sh          the book and its tests
 #   ./setup.sh thorough these, and what the tests need that the preset `test` leaves out
 #   ./setup.sh peers    the first, and the libraries that the benchmark sets beside the book's methods
-#   ./setup.sh grader   only what the grader needs: to compile it, or, among what students get, to run it
+#   ./setup.sh grader   only what the grader needs: to compile it, and to run it
 set -euo pipefail
 
 fail() {
@@ -29,9 +29,7 @@ chromium=chromium-headless-shell firefox=firefox-esr
 # packages: what for
 needs="cmake ninja-build g++: to build the programs and the tests
 gnuplot-nox: figures
-bubblewrap: the cage in which exercises are graded"
-compiled=exercises/grader/compiled/grade  # students get it so
-[ -e "$compiled" ] || needs+="
+bubblewrap: the cage in which exercises are graded
 libeigen3-dev: vectors and linear systems
 catch2: C++ tests, version 3
 libcli11-dev: command lines, of the chooser of methods and of the grader

@@ -26,7 +26,7 @@ export function taskFoot({ book, hold }, { name, exercise, folder }) {
   const starter = `${folder}/starter.h`;
   const code = readFileSync(join(book.config.source, starter), 'utf8').replace(/\n+$/, '');
   const lines = highlightLines(code, 'h');
-  const commands = `cp -n ${starter} ${name}.h\nbuild/exercises/grade ${exercise} ${name}.h`;
+  const commands = `build/exercises/grade start ${name}\nbuild/exercises/grade ${name}.h`;
   return (
     `<details class="starter"${book.config.judges ? ` data-exercise="${exercise}"` : ''}><summary>The starter</summary><div><figure class="listing"><figcaption><span class="head"></span>` +
     `<a class="file" href="${sourceHref(starter)}">${escapeHtml(starter).replace(/\//g, '/<wbr>')}</a></figcaption>` +

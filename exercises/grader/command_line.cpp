@@ -216,7 +216,7 @@ void add_word(Command& command, const Options& options) {
     command.request.exercise = exercise_meant(options.first);
     command.request.submission = options.first;
     command.request.seed = seed(options);
-  } else {
+  } else if (command.what != What::check) {
     command.request.exercise = exercise_meant(options.first);
     command.own = options.second;
   }

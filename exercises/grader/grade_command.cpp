@@ -73,6 +73,17 @@ Place place(const Command& command) {
   return {own_name(), command.request.submission.string()};
 }
 
+/// What else a student may do with it.
+void print_offers(const Graded& graded) {
+  const std::string task = exercise(graded.report.exercise)->task();
+  if (graded.report.verdict == Verdict::accepted)
+    std::printf("See it move: %s\nOther ways:  %s\n",
+                own_command({"play", graded.place.file}).c_str(),
+                own_command({"ways", task}).c_str());
+  else if (is_judged(graded.report.verdict))
+    std::printf("A hint: %s\n", own_command({"hint", task}).c_str());
+}
+
 }  // namespace
 
 void do_without_a_cage_that_cannot_be_had(Request& request) {
@@ -90,7 +101,7 @@ Graded grade_one(Command command) {
   // A class has folders of its own.
   if (command.out && !command.limits_given) refuse_foreign_files(*command.out);
   if (command.out) keep_provisional(blank_report(command.request), *command.out, command.emits);
-  Graded graded{grade_fairly(command), place(command)};
+  Graded graded{grade_fairly(command), place(command), command.limits_given};
   Report& report = graded.report;
   if (command.out) keep(report, *command.out, command.emits, graded.place);
   if (!command.unchecked) {
@@ -110,6 +121,7 @@ void print(const Graded& graded, bool all) {
   }
   const bool colour = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
   std::fputs(terminal(graded.report, colour, all, graded.place).c_str(), stdout);
+  if (!graded.of_a_class) print_offers(graded);
 }
 
 int grade_and_report(const Command& command) {

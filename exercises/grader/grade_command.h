@@ -12,6 +12,7 @@ void do_without_a_cage_that_cannot_be_had(Request& request);
 struct Graded {
   Report report;
   Place place;
+  bool of_a_class = false;
 };
 
 /// Grades one submission, keeps the report if there is a folder for it, and remembers what is done.

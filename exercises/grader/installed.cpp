@@ -18,19 +18,17 @@ std::filesystem::path home() {
   for (auto above = beside; above.has_relative_path(); above = above.parent_path()) {
     if (std::filesystem::exists(above / "exercises/installed.txt")) return above / "exercises";
   }
-  throw std::runtime_error("there is no " + (beside / "installed.txt").string() +
-                           ": run cmake --workflow --preset grader where the exercises lie");
+  throw std::runtime_error(
+      "there is no " + (beside / "installed.txt").string() +
+      ": unpack the archive again, or build the grader: cmake --workflow --preset grader");
 }
 
 Installed read() {
   Installed all;
-  const std::map<std::string, std::string*> single{
-      {"exercises", &all.exercises}, {"kit", &all.kit}, {"compiler", &all.compiler}};
+  const std::map<std::string, std::string*> single{{"exercises", &all.exercises},
+                                                   {"kit", &all.kit}};
   const std::map<std::string, std::vector<std::string>*> many{
-      {"student_flags+", &all.student_flags},
-      {"checked_flags+", &all.checked_flags},
-      {"shown_to_compiler+", &all.shown_to_compiler},
-      {"shown_to_checked+", &all.shown_to_checked}};
+      {"student_flags+", &all.student_flags}, {"checked_flags+", &all.checked_flags}};
   const std::filesystem::path folder = home();
   std::istringstream file(read_whole(folder / "installed.txt").value_or(""));
   for (std::string word, value; std::getline(file, word, '=') && std::getline(file, value);) {

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT-0
 // Grades a submission, or those of a class.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 
 #include "command_line.h"
 #include "exit_codes.h"
 #include "grade_command.h"
+#include "home/check.h"
 #include "home/hint.h"
 #include "home/play_own.h"
+#include "home/ready.h"
+#include "home/right_ways.h"
 #include "home/start.h"
 #include "home/watch.h"
 #include "printable.h"
@@ -19,6 +24,10 @@ namespace {
 
 using grade::Command;
 using grade::What;
+
+void write(const std::string& bytes) {
+  std::fwrite(bytes.data(), 1, bytes.size(), stdout);
+}
 
 void versions() {
   for (const grade::Exercise& exercise : grade::exercises()) {
@@ -35,6 +44,9 @@ void list(const std::string& part) {
 }
 
 int run(const Command& command) {
+  constexpr What without_code[] = {What::nothing, What::version, What::start, What::list,
+                                   What::hint,    What::ways,    What::seal,  What::check};
+  if (std::ranges::find(without_code, command.what) == std::end(without_code)) grade::make_ready();
   switch (command.what) {
     case What::one:
       return grade::grade_and_report(command);
@@ -50,6 +62,13 @@ int run(const Command& command) {
       return grade::run_and_print(command);
     case What::play:
       return grade::play_own(command);
+    case What::ways:
+      return grade::show_right_ways(command.request.exercise);
+    case What::seal:
+      write(grade::sealed_right_ways(command.request.exercise));
+      break;
+    case What::check:
+      return grade::check_machine();
     case What::list:
       list(command.listed);
       break;

@@ -43,11 +43,16 @@ constexpr Word words[] = {
     {What::run, "run", "FILE", nullptr,
      "Run a header's own main and show what it prints: not graded", true},
     {What::play, "play", "FILE", nullptr, "Write a page in which a header's code moves", true},
+    {What::ways, "ways", "EXERCISE", nullptr, "Show other right ways, once you have full marks",
+     true},
+    {What::seal, "seal", "EXERCISE", nullptr, "", true},
+    {What::check, "check", nullptr, nullptr, "Try what grading needs on this machine", false},
 };
 
 void declare_words(CLI::App& app, Options& options) {
   for (const Word& each : words) {
     CLI::App* const word = app.add_subcommand(each.word, each.about)->fallthrough();
+    if (*each.about == '\0') word->group("");  // not for students
     word->final_callback([&options, &each] {
       options.word = each.what;
       options.said = each.word;

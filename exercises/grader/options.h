@@ -6,7 +6,21 @@
 
 namespace grade {
 
-enum class What { nothing, one, whole_class, version, watch, start, list, hint, run, play };
+enum class What {
+  nothing,
+  one,
+  whole_class,
+  version,
+  watch,
+  start,
+  list,
+  hint,
+  run,
+  play,
+  ways,
+  seal,
+  check
+};
 
 /// The command line as it was typed, before it is checked.
 struct Options {

@@ -5,9 +5,9 @@ cmake_path(GET OUT PARENT_PATH into)
 cmake_path(GET OUT STEM name)
 set(top ${into}/handout/${name})
 file(REMOVE_RECURSE ${into}/handout)
-file(COPY ${SOURCE}/LICENSE ${SOURCE}/setup.sh ${SOURCE}/code DESTINATION ${top})
-file(COPY ${SOURCE}/exercises/handout/CMakeLists.txt ${SOURCE}/exercises/handout/CMakePresets.json
-          ${SOURCE}/exercises/handout/README.md DESTINATION ${top})
+file(COPY ${SOURCE}/LICENSE ${SOURCE}/code ${SOURCE}/exercises/handout/README.md DESTINATION ${top})
+# A container for systems on which the grader is no program.
+file(COPY ${SOURCE}/exercises/handout/devcontainer/ DESTINATION ${top}/.devcontainer)
 file(COPY ${BUILD}/book DESTINATION ${top} PATTERN *.pdf EXCLUDE)
 # Where the book has been printed, its front page leads to the PDF.
 file(READ ${top}/book/index.html front)
@@ -25,15 +25,24 @@ foreach(file IN LISTS handed)
   file(COPY ${SOURCE}/${file} DESTINATION ${top}/${folder})
 endforeach()
 
-# Of the grader its program, which holds the tests, and what the student's own compiler makes a kit of.
-set(grader ${SOURCE}/exercises/grader)
-file(COPY ${grader}/kit.cmake ${grader}/compiler.cmake ${grader}/bwrap.apparmor ${grader}/harness
-  DESTINATION ${top}/exercises/grader)
-set(kit ${BUILD}/exercises/grader/kit)
-file(COPY ${BUILD}/exercises/grade ${kit}/canary ${kit}/limited ${kit}/run.bpf ${kit}/check.bpf ${kit}/compile.bpf
-  DESTINATION ${top}/exercises/grader/compiled)
+# Of the grader its program, which holds the tests, where the book says that it is; and what it makes its kit of, when it first
+# runs, with the student's own compiler.
+file(COPY ${SOURCE}/exercises/grader/bwrap.apparmor ${SOURCE}/exercises/grader/harness DESTINATION ${top}/exercises/grader)
+set(built ${top}/build/exercises)
+file(COPY ${BUILD}/exercises/grade ${BUILD}/exercises/installed.txt DESTINATION ${built})
+set(kit exercises/grader/kit)
+foreach(part IN ITEMS canary limited run.bpf check.bpf compile.bpf)
+  file(COPY ${BUILD}/${kit}/${part} DESTINATION ${top}/build/${kit})
+endforeach()
+foreach(file IN LISTS handed)
+  if(file MATCHES "exercises/(.*/([^/]*))/task[.]md$")
+    file(MAKE_DIRECTORY ${built}/ways)
+    execute_process(COMMAND ${BUILD}/exercises/grade seal ${CMAKE_MATCH_1} OUTPUT_FILE ${built}/ways/${CMAKE_MATCH_2}.sealed
+      COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+endforeach()
 include(${SOURCE}/exercises/handout/licences.cmake)
-put_licences(${top}/exercises/grader/compiled/licences)
+put_licences(${built}/licences)
 
 execute_process(COMMAND ${NODE} ${SOURCE}/book/publish/zip.mjs ${top} ${OUT}.new COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME ${OUT}.new ${OUT})

@@ -286,10 +286,12 @@ async function grey(png) {
 test('a film has the colours that the book has', async () => {
   const { methods, others, value } = readPalette(source, build);
   const names = Object.fromEntries([
-    ...[...methods, { ...others.EXACT, name: 'true' }, { ...others.SECOND, name: 'yours' }, { ...others.CONTEXT, name: 'scenery' }].map(style => [
-      style.name,
-      `plot-${style.colour}`,
-    ]),
+    ...[
+      ...methods,
+      { ...others.EXACT, name: 'true' },
+      { ...others.SECOND, name: 'yours' },
+      { ...others.CONTEXT, name: 'scenery' },
+    ].map(style => [style.name, `plot-${style.colour}`]),
     ['paper', 'paper'],
     ['ink', 'ink'],
   ]);

@@ -8,9 +8,9 @@ execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE=${SOURCE} -DBUILD=${BUILD} -DG
 file(ARCHIVE_EXTRACT INPUT ${zip} DESTINATION ${WORK})
 set(top ${WORK}/one-step-at-a-time)
 
-set(wanted README.md LICENSE compile_flags.txt .vscode/c_cpp_properties.json setup.sh CMakeLists.txt CMakePresets.json book/index.html
+set(wanted README.md LICENSE compile_flags.txt .vscode/c_cpp_properties.json .devcontainer/Dockerfile book/index.html
   code/integrate/euler.h exercises/grader/harness/given.h
-  exercises/grader/compiled/grade exercises/grader/compiled/licences/README.md exercises/grader/compiled/licences/libc6-dev.txt)
+  build/exercises/grade build/exercises/licences/README.md build/exercises/licences/libc6-dev.txt)
 foreach(name IN LISTS NAMES)
   foreach(file task.md starter.h harness.h)
     list(APPEND wanted exercises/${name}/${file})
@@ -32,7 +32,7 @@ foreach(file IN LISTS all)
 endforeach()
 
 # The grader knows the solutions and the mistakes, compiled only.
-execute_process(COMMAND ${NODE} ${CMAKE_CURRENT_LIST_DIR}/compiled_only.mjs ${top}/exercises/grader ${SOURCE}/exercises
+execute_process(COMMAND ${NODE} ${CMAKE_CURRENT_LIST_DIR}/compiled_only.mjs ${top}/build/exercises ${SOURCE}/exercises
   RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
   message(SEND_ERROR "the handout shows what students should find out")
@@ -52,9 +52,11 @@ endforeach()
 list(GET NAMES 0 first)
 is_clean(${SOURCE}/exercises ${first})
 
-# It is ready in seconds, and grades as here.
-execute_process(COMMAND ${CMAKE_COMMAND} --workflow --preset grader
-  WORKING_DIRECTORY ${top} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+# It makes itself ready, and grades as here.
+execute_process(COMMAND ${top}/build/exercises/grade check OUTPUT_VARIABLE said RESULT_VARIABLE result)
+if(NOT result EQUAL 0 OR NOT said MATCHES "compiler    ok .*memory      ok")
+  message(SEND_ERROR "the handout's grader is not ready: ${said}")
+endif()
 function(is_graded file name wanted)
   execute_process(COMMAND ${top}/build/exercises/grade ${name} ${SOURCE}/exercises/${name}/${file}
     --exit-status verdict OUTPUT_VARIABLE said RESULT_VARIABLE result)
@@ -75,9 +77,9 @@ file(WRITE ${WORK}/own.h "#pragma once
 int main() { std::vector<int> a(2); return a.data()[2]; }
 #endif
 ")
-execute_process(COMMAND ${top}/build/exercises/grade --run ${WORK}/own.h ERROR_VARIABLE said)
+execute_process(COMMAND ${top}/build/exercises/grade run ${WORK}/own.h ERROR_VARIABLE said)
 if(NOT said MATCHES "reads outside of the memory that it has, in line 4")
-  message(FATAL_ERROR "--run does not name the line that misuses memory, but says: ${said}")
+  message(FATAL_ERROR "grade run does not name the line that misuses memory, but says: ${said}")
 endif()
 
 # A copy grades by what lies in it, not by the folder that it was copied from.
@@ -85,13 +87,13 @@ list(GET NAMES 0 first)
 set(copy ${WORK}/copy)
 file(COPY ${top}/build ${top}/exercises DESTINATION ${copy})
 file(WRITE ${copy}/exercises/${first}/task.md "# Another title\n")
-execute_process(COMMAND ${copy}/build/exercises/grade --list ${first} OUTPUT_VARIABLE said)
+execute_process(COMMAND ${copy}/build/exercises/grade list ${first} OUTPUT_VARIABLE said)
 if(NOT said MATCHES "Another title")
   message(SEND_ERROR "a copy of the handout reads another folder's exercises: ${said}")
 endif()
-file(REMOVE_RECURSE ${copy}/build/exercises/grader/kit/harness)
+file(REMOVE_RECURSE ${copy}/build/exercises/grader/kit/harness ${copy}/exercises/grader/harness)
 execute_process(COMMAND ${copy}/build/exercises/grade ${first} ${SOURCE}/exercises/${first}/solution.h
-  OUTPUT_VARIABLE said RESULT_VARIABLE result)
+  OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE result)
 if(result EQUAL 0)
   message(SEND_ERROR "a copy of the handout uses another folder's kit: ${said}")
 endif()

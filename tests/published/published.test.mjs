@@ -74,7 +74,7 @@ test('the book opens at its front page, which leads to the same PDF', () => {
 test('the handout can be run, and its book leads to no PDF', () => {
   execFileSync(cmake, ['-E', 'tar', 'xf', join(published, `${name}-handout.zip`)], { cwd: work });
   const folder = join(work, 'one-step-at-a-time');
-  execFileSync(join(folder, 'exercises/grader/compiled/grade'), ['--help']);
+  execFileSync(join(folder, 'build/exercises/grade'), ['--help']);
   assert.doesNotMatch(readFileSync(join(folder, 'book/index.html'), 'utf8'), /\.pdf/);
   assert.deepEqual(
     filesOf(folder).filter(file => file.name.endsWith('.pdf')),

@@ -46,8 +46,8 @@ std::string not_started(const Ended& ended) {
 
 std::string not_whole(const std::string& lacks) {
   return "the grader is not whole: " + lacks +
-         " cannot be read. Delete the folder build, and make the grader ready again: cmake "
-         "--workflow --preset grader";
+         " cannot be read. Unpack its archive again, or build it again: cmake --workflow --preset "
+         "grader";
 }
 
 }  // namespace

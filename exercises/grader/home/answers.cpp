@@ -18,7 +18,7 @@ std::vector<Answer> answers(const std::filesystem::path& folder) {
       if (!gone) all.push_back({exercise, file, saved, size});
     }
   }
-  std::ranges::stable_sort(all, std::ranges::greater(), &Answer::saved);
+  std::ranges::sort(all, std::ranges::greater(), &Answer::saved);
   return all;
 }
 

@@ -22,6 +22,8 @@ std::string plain_formulas(std::string text) {
   text = std::regex_replace(text, std::regex(R"(\\(mathrm|text)\{([^}]*)\})"), "$2");
   text = std::regex_replace(text, std::regex(R"(\\mathbf +)"), "");
   text = std::regex_replace(text, std::regex(R"(\\tfrac(\d)(\d))"), "$1/$2");
+  text = std::regex_replace(text, std::regex(R"(\{([^{}])\})"), "$1");
+  text = std::regex_replace(text, std::regex(R"(\{([^{}]*)\})"), "($1)");
   for (const auto& [command, letter] : letters) text = replace_all(text, command, letter);
   return text;
 }

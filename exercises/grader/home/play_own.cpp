@@ -60,7 +60,7 @@ int play_own(const Command& command) {
   const Submission taken =
       read_submission(request.submission, request.exercise.chapter(), request.exercise.header());
   if (!taken.refused.empty()) return refuse(Exit::unreadable, printable(taken.refused));
-  const cage::Kit kit = kit_in(installed().kit);
+  const cage::Kit kit = own_kit();
   const std::string harness = read_whole(request.exercise.folder / "harness.h").value_or("");
   const Compiled compiled = compile(taken.text, request.exercise.header(), harness, request.sandbox,
                                     kit, request.compile_limits);

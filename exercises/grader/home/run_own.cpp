@@ -43,7 +43,7 @@ std::string ending(const cage::Ended& ended) {
 Ran run_own(const std::filesystem::path& file, cage::Sandbox sandbox) {
   const Submission submission = read_submission(file, "", file.filename().string());
   if (!submission.refused.empty()) return {"", "", submission.refused, submission.unreadable};
-  const cage::Kit kit = kit_in(installed().kit);
+  const cage::Kit kit = own_kit();
   if (sandbox == cage::Sandbox::bubblewrap) {
     if (const auto why = cage::unsafe(kit)) return {"", "", *why, false};
   }

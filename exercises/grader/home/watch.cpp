@@ -51,14 +51,7 @@ void show(const Command& command, const Answer& answer) {
   const Graded seen = grade_answer(command, answer);
   show_on_empty_screen(bar_of_all());
   print(seen, command.all);
-  const std::string task = answer.exercise.task();
-  if (seen.report.verdict == Verdict::accepted) {
-    std::printf("Next: %s\n", how_to_begin().c_str());
-  } else {
-    std::printf("A hint: %s\nSave it again, and it is graded again.",
-                own_command({"hint", task}).c_str());
-  }
-  std::printf(" Ctrl-C ends this.\n");
+  std::printf("Save it again, and it is graded again. Ctrl-C ends this.\n");
   std::fflush(stdout);
 }
 

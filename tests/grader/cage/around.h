@@ -22,7 +22,7 @@ inline std::string kit_folder() {
 }
 
 inline cage::Kit kit() {
-  return grade::kit_in(kit_folder());
+  return grade::kit_in(kit_folder(), kit_folder());
 }
 
 /// A program that stands beside this one.

@@ -10,6 +10,7 @@
 
 #include "around.h"
 #include "diagnostics.h"
+#include "kit/compiler.h"
 #include "signature.h"
 
 using cage::Sandbox;
@@ -388,26 +389,13 @@ cage::Kit scattered(const Folder& folder) {
   return kit;
 }
 
-/// What the build finds out of a compiler.
-std::vector<std::string> shown_to(const std::string& compiler) {
-  const std::string ask =
-      "\"" CMAKE "\" -DCOMPILER=" + compiler + " -P " + beside("shown_to.cmake");
-  const cage::Ended done = cage::Process(shell(ask), {}, {}).finish();
-  REQUIRE(done.how == cage::Ended::How::exited);
-  REQUIRE(done.code == 0);
-  std::istringstream said(done.err);
-  std::vector<std::string> folders;
-  for (std::string line; std::getline(said, line);) folders.push_back(line);
-  return folders;
-}
-
 }  // namespace
 
 TEST_CASE("A compiler whose parts lie elsewhere finds them in the cage") {
   const Folder folder;
   cage::Kit kit = scattered(folder);
   const std::string text = "#ifndef FROM_ELSEWHERE\n#error another cc1plus\n#endif\n" + good;
-  kit.shown = shown_to(kit.compiler);
+  kit.shown = grade::folders_of(kit.compiler);
   const Compiled whole = grade::compile(text, "drift.h", asks, Sandbox::bubblewrap, kit, usual());
   INFO(whole.message);
   CHECK_FALSE(whole.failed);
