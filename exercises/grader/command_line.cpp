@@ -212,6 +212,11 @@ void add_word(Command& command, const Options& options) {
     command.listed = options.first;
   } else if (command.what == What::run) {
     command.own = options.first;
+  } else if (command.what == What::play && options.first == "level") {
+    command.what = What::level;
+    command.request.seed = seed(options);
+    command.own = options.second;
+    command.exit_by_verdict = options.exit_status == "verdict";
   } else if (command.what == What::play) {
     command.request.exercise = exercise_meant(options.first);
     command.request.submission = options.first;

@@ -11,6 +11,7 @@
 #include "grade_command.h"
 #include "home/check.h"
 #include "home/hint.h"
+#include "home/level_own.h"
 #include "home/play_own.h"
 #include "home/ready.h"
 #include "home/right_ways.h"
@@ -62,6 +63,8 @@ int run(const Command& command) {
       return grade::run_and_print(command);
     case What::play:
       return grade::play_own(command);
+    case What::level:
+      return grade::play_level(command);
     case What::ways:
       return grade::show_right_ways(command.request.exercise);
     case What::seal:

@@ -17,6 +17,7 @@ enum class What {
   hint,
   run,
   play,
+  level,
   ways,
   seal,
   check

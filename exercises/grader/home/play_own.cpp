@@ -3,34 +3,26 @@
 
 #include <cstdio>
 
-#include "compile.h"
 #include "exit_codes.h"
 #include "grade_command.h"
+#include "home/own_driver.h"
 #include "home/play_page.h"
 #include "home/scene.h"
-#include "judge/called.h"
-#include "judge/driver.h"
-#include "judge/known.h"
 #include "judge/session.h"
-#include "kit.h"
 #include "printable.h"
 #include "report/files.h"
-#include "submission.h"
 
 namespace grade {
 namespace {
 
 /// Draws what the student's code does, as far as it comes.
-Played played(const Scene& scene, const Request& request, const judge::Caged& caged) {
+Played played(const Scene& scene, const OwnDriver& own) {
   Played played{scene, Stage(scene.view), ""};
   judge::Session& session = judge::session();
   session = {};
-  session.exercise = request.exercise.name;
+  session.exercise = scene.exercise;
   try {
-    session.begin = [&] { return judge::begin_called(judge::Known::right(scene.exercise)); };
-    judge::Student right;
-    session.begin = [&] { return judge::begin_driver(caged); };
-    judge::Student yours;
+    judge::Student right = begin_right(scene.exercise), yours = own.begin();
     scene.film(played.stage, yours, right);
   } catch (const judge::Stopped&) {
   }
@@ -57,21 +49,12 @@ int play_own(const Command& command) {
   const Scene* const scene = scene_of(request.exercise.name);
   if (!scene) return refuse(Exit::bad_input, "nothing moves in " + request.exercise.name);
   do_without_a_cage_that_cannot_be_had(request);
-  const Submission taken =
-      read_submission(request.submission, request.exercise.chapter(), request.exercise.header());
-  if (!taken.refused.empty()) return refuse(Exit::unreadable, printable(taken.refused));
-  const cage::Kit kit = own_kit();
-  const std::string harness = read_whole(request.exercise.folder / "harness.h").value_or("");
-  const Compiled compiled = compile(taken.text, request.exercise.header(), harness, request.sandbox,
-                                    kit, request.compile_limits);
-  if (compiled.failed) return refuse(Exit::did_not_run, printable(compiled.message));
-  const judge::Caged caged{.kit = kit,
-                           .driver = compiled.driver,
-                           .sandbox = request.sandbox,
-                           .limits = request.run_limits};
-  const Played seen = played(*scene, request, caged);
+  const OwnDriver own(request);
+  if (!own.why_not.empty())
+    return refuse(own.unreadable ? Exit::unreadable : Exit::did_not_run, printable(own.why_not));
+  const Played seen = played(*scene, own);
   request.runs = 1;
-  const Report report = grade_driver(request, compiled.driver);
+  const Report report = grade_driver(request, own.driver());
   write_whole(page, play_page(seen, report));
   std::printf("Open %s in a browser.\n", printable_name(page.string()).c_str());
   return seen.why.empty() ? Exit::graded : refuse(Exit::did_not_run, printable(seen.why));

@@ -24,6 +24,7 @@ struct Session {
   std::uint64_t seed = 1;
   std::string only;       ///< the one test to run, by its name; all, if empty
   bool diagnoses = true;  ///< whether known wrong ways are looked for
+  bool remembers = true;  ///< whether exchanges are kept, for diagnoses
 
   // Found.
   std::string exercise;  ///< of the tests that run

@@ -23,6 +23,7 @@ Path as_path(const Start& start, double h, int every, const std::vector<double>&
 
 // To be held beside the known wrong ways; what is as long as a film is not gone through again.
 void keep(std::size_t program, const Exchange& exchange) {
+  if (!session().remembers) return;
   constexpr std::size_t longest = 100'000;
   const bool brief = exchange.arguments.size() + exchange.answer.size() < longest;
   if (brief) session().programs.at(program).push_back(exchange);

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT-0
+// What the clock steps sixty times a second: the spring, the rope, the replay.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "judge/numbers.h"
+#include "things.h"
+
+namespace level {
+namespace {
+
+void hold(Hour& hour, double off, int step) {
+  hour.whole = hour.whole && std::isfinite(off);
+  if (!(off > hour.off)) return;
+  hour.off = off;
+  hour.where = "after " + std::to_string(step / 60) + " s";
+}
+
+}  // namespace
+
+Hour spring_hour(judge::Student& yours, judge::Student&) {
+  constexpr double omega = 40, amplitude = 0.1;
+  const double told = yours.call(1, {omega, h}, 1)[0];
+  const std::vector<double> swing =
+      yours.call(0, judge::as_numbers(amplitude, 0, h, told, 0, steps), 2 * steps);
+  Hour hour;
+  for (int n = 1; n <= steps; ++n)
+    hold(hour, std::abs(swing[2 * (n - 1)] - amplitude * std::cos(omega * h * n)), n);
+  return hour;
+}
+
+namespace {
+
+/// A lantern on a chain of two links, each pulled twice a step.
+struct Chain {
+  static constexpr int links = 2, pulls = 2;
+  static constexpr double longest = 0.6, shortest = 0.5, drag = 0.3, gust = 1.5;
+  static constexpr double inverse[links + 1] = {0, 4, 1};
+  Vec x[links + 1], before[links + 1];
+
+  Chain() {
+    for (int i = 0; i <= links; ++i) x[i] = before[i] = longest * i * Vec{0.39, -0.92, 0};
+  }
+
+  void step(judge::Student& whose, double time) {
+    for (int i = 1; i <= links; ++i) {
+      const Vec v = (x[i] - before[i]) / h;
+      const Vec wind{gust * std::sin(time), 0, 0};
+      const Vec next = 2 * x[i] - before[i] + h * h * (Vec{0, -9.81, 0} + wind - drag * v);
+      before[i] = x[i];
+      x[i] = next;
+    }
+    for (int n = 0; n < pulls; ++n) {
+      for (int i = 1; i <= links; ++i) {
+        const auto asked =
+            judge::as_numbers(x[i - 1], x[i], shortest, longest, inverse[i - 1], inverse[i]);
+        const std::vector<Vec> ends = judge::as_vectors(whose.call(0, asked, 6));
+        x[i - 1] = ends[0];
+        x[i] = ends[1];
+      }
+    }
+  }
+
+  /// By how much a link is too long or too short, or has left its nail.
+  double off() const {
+    double most = length(x[0]);
+    for (int i = 0; i < links; ++i) {
+      const double now = length(x[i + 1] - x[i]);
+      most = judge::larger(most, std::max(now - longest, shortest - now));
+    }
+    return most;
+  }
+};
+
+}  // namespace
+
+Hour rope_hour(judge::Student& yours, judge::Student&) {
+  Hour hour;
+  Chain chain;
+  for (int n = 1; n <= steps && hour.whole; ++n) {
+    chain.step(yours, n * h);
+    hold(hour, chain.off(), n);
+  }
+  return hour;
+}
+
+Hour replay_hour(judge::Student& yours, judge::Student& right) {
+  constexpr double distance = 10, turn = 20;  // [m], [s]
+  constexpr int minute = 3600;
+  const double rate = 2 * std::numbers::pi / turn;
+  const harness::Force planet{harness::Force::orbit, {rate * rate * std::pow(distance, 3)}};
+  const judge::Start start{{distance, 0, 0}, {0, rate * distance, 0}};
+  const judge::Path path = yours.run(start, h, steps, minute, planet);
+  const judge::Path wanted_path = right.run(start, h, steps, minute, planet);
+  Hour hour;
+  for (std::size_t n = 0; n < path.states.size(); ++n)
+    hold(hour, length(path.states[n].x - wanted_path.states[n].x), static_cast<int>(n) * minute);
+  // The last minute, wound back.
+  const judge::State end = path.states.back(), wanted = path.states[path.states.size() - 2];
+  const judge::Path back = yours.run({end.x, end.v, steps * h}, -h, minute, minute, planet, 1);
+  hold(hour, length(back.states.back().x - wanted.x), steps);
+  constexpr int counted = 60;
+  const judge::Path watched = yours.watch(start, h, counted, planet);
+  hour.evaluations = static_cast<double>(watched.evaluations.size()) / counted;
+  return hour;
+}
+
+}  // namespace level
