@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "class/class.h"
+#include "course/grade_course.h"
 #include "grade_submission.h"
 #include "report/folder.h"
 
@@ -16,7 +17,7 @@ namespace grade {
 
 /// A command with everything that it takes; checked.
 struct Command {
-  enum class What { one, whole_class, list, version, run, nothing };
+  enum class What { one, whole_class, course, list, version, run, nothing };
   What what = What::nothing;
   Request request;  ///< of one submission
   std::optional<std::filesystem::path> out;
@@ -27,6 +28,7 @@ struct Command {
   std::string listed;         ///< part of the names that are listed; empty for all
   bool all = false;           ///< of the tests that failed in full
   Class classroom;            ///< of a whole class
+  CourseWork course;          ///< and of a course
   std::filesystem::path own;  ///< header whose own main is run
 };
 

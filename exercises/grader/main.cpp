@@ -35,6 +35,8 @@ int run(const Command& command) {
       return grade::grade_and_report(command);
     case Command::What::whole_class:
       return grade::grade_class(command.classroom);
+    case Command::What::course:
+      return grade::grade_course(command.course);
     case Command::What::list:
       list(command.listed);
       break;

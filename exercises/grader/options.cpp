@@ -51,10 +51,13 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--assigned", options.assigned,
                  "File with a line for each exercise that all have to hand in")
       ->needs(whole_class);
-  app.add_option("--jobs", options.jobs, "Submissions at a time, of a student one")
-      ->needs(whole_class);
+  app.add_option("--jobs", options.jobs, "Submissions at a time, of a student one");
   app.add_option("--shard", options.shard, "i/n: only each n-th submission, from the i-th")
       ->needs(whole_class);
+  CLI::Option* const course =
+      app.add_option("--course", options.course, "Grade the assignments of this course.toml");
+  app.add_option("--round", options.round, "Only this assignment of the course")->needs(course);
+  course->excludes(whole_class)->excludes(out)->excludes(seed);
   app.add_flag("--all", options.all, "Show each test that failed in full");
   app.add_option("--run", options.run,
                  "Run this header's own main and show what it prints: not graded");

@@ -9,6 +9,7 @@ namespace grade {
 /// The command line as it was typed, before it is checked.
 struct Options {
   std::string exercise, file, out, seed, seed_file, shard, limits, submissions, run, assigned;
+  std::string course, round;
   std::string sandbox = "bubblewrap", exit_status = "grader";
   std::vector<std::string> emits, exercises;
   std::string jobs;  ///< empty: as many as there are processors
