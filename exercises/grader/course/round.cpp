@@ -13,6 +13,8 @@
 #include "command_line.h"
 #include "course/handed_in_at.h"
 #include "course/marks.h"
+#include "course/student_page.h"
+#include "course/zip.h"
 #include "exit_codes.h"
 #include "given_files.h"
 #include "printable.h"
@@ -72,12 +74,37 @@ std::vector<Job> jobs_of(const Class& work, const Participants& students) {
   return all_jobs(work, folders, work.assigned);
 }
 
+/// A page for each student who has a folder, and an archive of all of them by the names of these
+/// folders, for whoever sends each folder back to where it came from.
+void write_pages(const Course& course, const Participants& students, const Marks& marks,
+                 const std::vector<Job>& jobs, const std::filesystem::path& results) {
+  std::vector<ZipFile> archive;
+  std::filesystem::create_directories(results / "pages");
+  auto job = jobs.begin();
+  for (std::size_t s = 0; s < students.all.size(); ++s) {
+    const Participant& one = students.all[s];
+    if (!one.folder) continue;
+    std::vector<PageExercise> exercises;
+    for (const Mark& mark : marks.students[s].marks) {
+      exercises.push_back({mark, kept_report(*job), job->out});
+      ++job;
+    }
+    const std::string called = one.member.name.empty() ? one.member.key : one.member.name;
+    const std::string page = student_page(
+        {course.name, marks.assignment, printable_name(called), course.show_seed}, exercises);
+    write_whole(results / "pages" / page_name(one.member.key), page);
+    archive.push_back({one.folder->name + "/feedback.html", page});
+  }
+  write_whole(results / "pages.zip", zip(archive));
+}
+
 void write_round(const Course& course, const Assignment& assignment, const Class& work,
                  const Participants& students, const HandedInAt& handed_in_at) {
   const std::vector<Job> jobs = jobs_of(work, students);
   const Marks marks = marks_of(course, assignment, students, jobs, work.seed, handed_in_at);
   std::filesystem::create_directories(work.results);
   write_whole(work.results / "late.csv", late_csv(marks));
+  write_pages(course, students, marks, jobs, work.results);
   write_whole(marks_file(course, assignment), marks_json(marks));
 }
 
