@@ -14,6 +14,7 @@
 #include "course/handed_in_at.h"
 #include "course/marks.h"
 #include "course/student_page.h"
+#include "course/write_equal.h"
 #include "course/zip.h"
 #include "exit_codes.h"
 #include "given_files.h"
@@ -104,6 +105,7 @@ void write_round(const Course& course, const Assignment& assignment, const Class
   const Marks marks = marks_of(course, assignment, students, jobs, work.seed, handed_in_at);
   std::filesystem::create_directories(work.results);
   write_whole(work.results / "late.csv", late_csv(marks));
+  write_equal(work, students, jobs);
   write_pages(course, students, marks, jobs, work.results);
   write_whole(marks_file(course, assignment), marks_json(marks));
 }

@@ -323,7 +323,10 @@ test('links are not followed: not as a folder, not as a file, not in the results
     'bob,Bob,0,0,10',
     'cy,Cy,0,0,10',
   ]);
-  for (const name of ['grades.csv', 'week-1/marks.json', 'week-1/late.csv']) {
+  for (const name of [
+    'grades.csv',
+    ...['marks.json', 'late.csv', 'equal.csv', 'pages.zip'].map(name => `week-1/${name}`),
+  ]) {
     const kept = room.read(name);
     rmSync(room.path(`results/${name}`));
     symlinkSync(room.path('roster.csv'), room.path(`results/${name}`));
@@ -346,10 +349,52 @@ test("a table of yours, or a class's, is not lost", () => {
   }
 });
 
+test('equal work is listed for a look, but not what is right, or the starter, and on no page', () => {
+  const own = '// score 4\n// got 0.12345678901234567';
+  const room = rostered(
+    {},
+    {
+      'submissions/ada/one': `${own}\n// my own words`,
+      'submissions/bob/one': `${own}\n// and mine`,
+      'submissions/cy/one': '// score 4\n// got 0.12345678901234568',
+    },
+  );
+  const { status, stderr, stdout } = room.grade();
+  assert.deepEqual([status, stderr], [0, '']);
+  assert.match(stdout, /^Equal work in 1 place, to look at: see results\/week-1\/equal\.csv$/m);
+  const head = 'exercise,equal,how many,students,where';
+  assert.deepEqual(rows(room.read('week-1/equal.csv')), [
+    head,
+    '1-first/one,wrong numbers,2,"ada; bob",the second test',
+  ]);
+  assert.doesNotMatch(room.read('week-1/pages/ada.html'), /bob|equal/i);
+  room.handIn('submissions/cy/one', `${own}\n// and mine`);
+  room.grade();
+  assert.deepEqual(rows(room.read('week-1/equal.csv')).slice(1), [
+    '1-first/one,file,2,"bob; cy",PARTIAL',
+    '1-first/one,wrong numbers,3,"ada; bob; cy",the second test',
+  ]);
+  room.write('exercises/1-first/one/starter.h', own);
+  const exercises = { STAND_IN_EXERCISES: room.path('exercises') };
+  assert.deepEqual(room.grade([], exercises).graded, ['starter.h 1-first/one']);
+  assert.deepEqual(rows(room.read('week-1/equal.csv')).slice(1), ['1-first/one,file,2,"bob; cy",PARTIAL']);
+  assert.deepEqual(room.grade([], exercises).graded, []);
+  for (const name of ['ada', 'bob', 'cy']) room.write(`submissions/${name}/one.h`, own.replaceAll('\n', '\r\n'));
+  room.grade([], exercises);
+  assert.deepEqual(rows(room.read('week-1/equal.csv')), [head]);
+});
+
 test('marks are for nobody else to read', () => {
   const room = rostered({}, { 'submissions/ada/one': '// score 10' });
   room.grade();
-  for (const file of ['grades.csv', 'week-1/marks.json', 'week-1/late.csv'])
+  for (const file of [
+    'grades.csv',
+    'week-1/marks.json',
+    'week-1/late.csv',
+    'week-1/equal.csv',
+    'week-1/pages.zip',
+    'week-1/pages/ada.html',
+  ])
     assert.equal(statSync(room.path(`results/${file}`)).mode & 0o077, 0, file);
 });
 
