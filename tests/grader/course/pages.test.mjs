@@ -37,6 +37,7 @@ function graded(more) {
     'submissions/cy/one': '// fails',
   });
   mkdirSync(room.path(`submissions/${hostile}`));
+  writeFileSync(room.path(`submissions/${hostile}/<img src=x onerror=alert(2)>`), '');
   room.write('seed', '98765\n');
   const keys = [
     'ada,Ada <b>Lovelace</b>',
@@ -155,6 +156,13 @@ test('pages are those of whoever has a folder, by their keys, and none tells of 
     assert.doesNotMatch(room.page(name), others);
 });
 
+test('names of files and of students are text on a page, and nothing else', () => {
+  const page = room.page('%3Cscript%3Ealert%281%29%3C%7Escript%3E');
+  assert.match(page, /there is &lt;img src=x onerror=alert\(2\)&gt;/);
+  assert.match(page, /<h1>week-1: &lt;img src=x onerror=alert\(1\)&gt;<\/h1>/);
+  assert.doesNotMatch(page, /<img|<script/);
+});
+
 test('who was not graded reads that it is no grade', () => {
   assert.match(room.page('cy'), /<h2>1-first\/one: no grade<\/h2>\s*<p class="said">The grader failed, not your code/);
   assert.match(room.page('cy'), /no sum, since the grader failed/);
@@ -195,6 +203,7 @@ test('a picture that is a link is not on the page, and neither is one from elsew
   const report = readFileSync(`${folder}/report.json`, 'utf8');
   assert.match(report, /"plots\/test-2\.svg"/);
   assert.match(linked.page('ada'), /<img /);
+  mkdirSync(`${folder}/plots/test-`);
   linked.write('results/week-1/ada/secret.svg', 'secret');
   writeFileSync(`${folder}/report.json`, report.replace('plots/test-2.svg', 'plots/test-/../../../../secret.svg'));
   linked.grade();

@@ -133,9 +133,9 @@ test('a table of times is believed in place of the files, and what it does not s
     'times.csv',
     [
       'student,assignment,exercise,time',
-      'ada,,1-first/one,2020-02-08T12:00:00',
       'ada,week-1,,2020-02-09 23:59',
       'ada,,1-first/one,2020-02-08T23:58:59-01:00',
+      'ada,,1-first/one,2020-02-08T12:00:00',
       'ada,week-2,,2021-01-01T00:00:00Z',
       '',
     ].join('\n'),
@@ -323,6 +323,7 @@ test('links are not followed: not as a folder, not as a file, not in the results
     'bob,Bob,0,0,10',
     'cy,Cy,0,0,10',
   ]);
+  assert.match(room.read('week-1/late.csv'), /^cy,Cy,1-first\/one,/m); // by the link's own time
   for (const name of [
     'grades.csv',
     ...['marks.json', 'late.csv', 'equal.csv', 'pages.zip'].map(name => `week-1/${name}`),
