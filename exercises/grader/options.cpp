@@ -22,7 +22,8 @@ constexpr const char* codes =
     "  another thing that is no file is REJECTED;\n"
     "  42 the grader failed and will again; 75 it failed, try again.\n"
     "Examples: grade 2-euler/orbit-drift my_euler.h\n"
-    "          grade --class submissions/ --seed-file seed.txt --jobs 2 --out results/";
+    "          grade --class submissions/ --seed-file seed.txt --jobs 2 --out results/\n"
+    "          grade --course course.toml --round week-2";
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("EXERCISE", options.exercise, "Chapter and exercise, such as 2-euler/orbit-drift");

@@ -68,7 +68,8 @@ Marks marks_of(const Course& course, const Assignment& assignment, const Partici
       mark.asked = job->asked;
       if (mark.asked) {
         add_grade(mark, *job, seed);
-        add_lateness(mark, handed_in_at(one, exercise), end, assignment, course.zone);
+        const auto at = has(*one.folder, exercise) ? handed_in_at(one, exercise) : std::nullopt;
+        add_lateness(mark, at, end, assignment, course.zone);
       }
       ++job;
     }

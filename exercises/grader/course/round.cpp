@@ -49,6 +49,18 @@ void check_times(const Course& course, const Assignment& assignment, const Parti
   }
 }
 
+/// Where there is no roster that knew better.
+void print_unused_extensions(const Course& course, const Assignment& assignment,
+                             const Participants& students) {
+  std::vector<std::string> names;
+  for (const Extension& one : course.extensions) {
+    const bool known = std::ranges::any_of(
+        students.all, [&](const Participant& other) { return other.member.key == one.student; });
+    if (one.assignment == assignment.name && !known) names.push_back(one.student);
+  }
+  print_some("An extension of nobody who has a folder", names);
+}
+
 Class class_of(const Course& course, const Assignment& assignment, const Participants& students,
                std::size_t jobs) {
   std::map<std::string, bool> due_by_folder;
@@ -136,6 +148,7 @@ int grade_round(const Course& course, const Assignment& assignment,
   if (!course.times.empty()) check_times(course, assignment, students, handed_in_at);
   std::printf("%s\n", assignment.name.c_str());
   print_some("Not graded, since on no line of the roster", students.unmatched);
+  print_unused_extensions(course, assignment, students);
   const Class work = class_of(course, assignment, students, jobs);
   const bool anybody = std::ranges::any_of(
       students.all, [](const Participant& one) { return one.folder.has_value(); });

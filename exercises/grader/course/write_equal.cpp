@@ -69,7 +69,9 @@ void grade_starters(const Class& work, const std::vector<HandedIn>& exercises) {
     const Job job = starter_job(work, one.exercise);
     if (!is_done(job, work.seed)) jobs.push_back(job);
   }
-  if (!jobs.empty()) grade_all(jobs, work);
+  if (jobs.empty()) return;
+  if (const auto obstacle = grade_all(jobs, work))
+    std::fprintf(stderr, "grade: equal numbers are not listed, since %s\n", obstacle->why.c_str());
 }
 
 /// The starter's report if it has one, or none can be.

@@ -1,8 +1,10 @@
 // Whole rounds of a course, graded by the stand-in:   node rounds.test.mjs STAND_IN
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { cpSync, mkdirSync, renameSync, rmSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, readFileSync, renameSync, rmSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import Ajv from 'ajv/dist/2020.js';
 import { classOf, onTime, rows, time, usual } from './course.mjs';
 
 const roster = 'student,name\nada,Ada Lovelace\nbob,Bob\ncy,Cy\n';
@@ -115,6 +117,25 @@ test('an extension is for its student and its assignment alone', () => {
     'bob,Bob,0,0,10,0,0,10,,,',
     'cy,Cy,0,0,10,,,,,,',
   ]);
+});
+
+test('without a roster an extension of somebody who has no folder is named', () => {
+  const extension = ['ada', 'aad'].map(student => ({ student, assignment: 'week-1', due: far }));
+  const { stdout } = classOf(usual({ extension }), { 'submissions/ada/one': '// score 10' }).grade();
+  assert.deepEqual(stdout.match(/^An extension of nobody.*$/gm), ['An extension of nobody who has a folder: aad']);
+});
+
+test('what was never handed in is not late, whatever a table of times says of its assignment', () => {
+  const room = rostered(
+    { times: 'times.csv', assignment: [week(1, ['1-first/one', '1-first/two'])] },
+    { 'submissions/ada/one': '// score 10' },
+  );
+  room.write('times.csv', 'student,assignment,time\nada,week-1,2021-01-01T00:00:00Z\n');
+  room.grade();
+  assert.deepEqual(
+    room.marks('week-1').students[0].marks.map(mark => mark.days_late),
+    [328, 0],
+  );
 });
 
 test('a table of times is believed in place of the files, and what it does not say is not guessed', () => {
@@ -377,12 +398,43 @@ test('equal work is listed for a look, but not what is right, or the starter, an
   ]);
   room.write('exercises/1-first/one/starter.h', own);
   const exercises = { STAND_IN_EXERCISES: room.path('exercises') };
+  const broken = room.grade([], { ...exercises, STAND_IN_BROKEN: '1-first/one' });
+  assert.match(broken.stderr, /^grade: equal numbers are not listed, since the grader gives its own solution/);
+  assert.deepEqual(rows(room.read('week-1/equal.csv')).slice(1), ['1-first/one,file,2,"bob; cy",PARTIAL']);
   assert.deepEqual(room.grade([], exercises).graded, ['starter.h 1-first/one']);
   assert.deepEqual(rows(room.read('week-1/equal.csv')).slice(1), ['1-first/one,file,2,"bob; cy",PARTIAL']);
   assert.deepEqual(room.grade([], exercises).graded, []);
   for (const name of ['ada', 'bob', 'cy']) room.write(`submissions/${name}/one.h`, own.replaceAll('\n', '\r\n'));
   room.grade([], exercises);
   assert.deepEqual(rows(room.read('week-1/equal.csv')), [head]);
+});
+
+test('marks.json is what its schema says, whatever became of a submission', () => {
+  const schema = JSON.parse(
+    readFileSync(fileURLToPath(new URL('../../../exercises/grader/course/marks.schema.json', import.meta.url)), 'utf8'),
+  );
+  const isMarks = new Ajv({ allErrors: true, allowUnionTypes: true }).compile(schema);
+  const room = rostered(
+    { late: { points_a_day: 1 }, assignment: [week(1, ['1-first/one', '1-first/two'])] },
+    {
+      'submissions/ada/one': ['// score 10', '2020-02-10T12:00:00Z'],
+      'submissions/ada/two': '// fails',
+      'submissions/bob/two': 'no such thing',
+    },
+  );
+  room.grade();
+  const marks = room.marks('week-1');
+  assert.ok(isMarks(marks), JSON.stringify(isMarks.errors));
+  for (const spoil of [
+    one => delete one.students[0].marks[0].points,
+    one => (one.students[0].marks[0].verdict = 'FINE'),
+    one => (one.students[0].extra = 1),
+    one => (one.students[0].marks[1].points = 1.5),
+  ]) {
+    const spoilt = structuredClone(marks);
+    spoil(spoilt);
+    assert.ok(!isMarks(spoilt), `${spoil}`);
+  }
 });
 
 test('marks are for nobody else to read', () => {
