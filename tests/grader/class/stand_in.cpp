@@ -161,6 +161,7 @@ Report grade_submission(const Request& request, const SoFar& so_far) {
     return report;
   }
   report.sha256 = sha256(taken.text);
+  report.ignored = taken.ignored;
   if (so_far) so_far(report);
   decide(taken.text, report, so_far);
   return report;

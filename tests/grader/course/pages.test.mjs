@@ -38,6 +38,7 @@ function graded(more) {
   });
   mkdirSync(room.path(`submissions/${hostile}`));
   writeFileSync(room.path(`submissions/${hostile}/<img src=x onerror=alert(2)>`), '');
+  room.write('submissions/ada/1-first/notes', '');
   room.write('seed', '98765\n');
   const keys = [
     'ada,Ada <b>Lovelace</b>',
@@ -134,11 +135,13 @@ test('a page says what the feedback says: verdict, reason, tests, findings, pict
     '2-second/three: 0 of 10',
     'COMPILE_ERROR, 0 of 10 points. The compiler refused it.',
     '</pre><script>alert(1)</script>',
+    'Not looked at: notes.',
     'build/exercises/grade 1-first/two two.h --seed 98765',
     'Graded with seed 98765, by grader one.',
   ])
     assert.ok(text.includes(part), `${part} in ${text}`);
   assert.deepEqual(await tab.$$eval('img', all => all.map(one => one.alt)), ['a <curve>']);
+  assert.doesNotMatch(text, /Not looked at: [^.]*(one|two|three)\.h/);
   assert.doesNotMatch(room.page('ada'), /\u001b|\u202e|<script/);
 });
 
