@@ -33,7 +33,7 @@ bubblewrap: the cage in which exercises are graded
 libeigen3-dev: vectors and linear systems
 catch2: C++ tests, version 3
 libcli11-dev: command lines, of the chooser of methods and of the grader
-libseccomp-dev nlohmann-json3-dev: the grader
+libseccomp-dev nlohmann-json3-dev libtomlplusplus-dev: the grader
 nodejs: to make the mistakes that the grader knows"
 [ "$*" = grader ] || needs+="
 clang-19 libclang-rt-19-dev: the second compiler, and its sanitizers

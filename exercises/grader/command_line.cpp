@@ -2,57 +2,27 @@
 #include "command_line.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <sstream>
 #include <system_error>
 #include <thread>
 
+#include "given_files.h"
 #include "options.h"
 #include "printable.h"
-#include "report/files.h"
 #include "time_limits.h"
 
 namespace grade {
 namespace {
 
-/// Nothing if it is no whole number, or none below 2^64.
-std::optional<std::uint64_t> number(const std::string& text) {
-  std::uint64_t value = 0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-/// A file that somebody has written by hand, perhaps where a link leads to, and perhaps with the
-/// mark that some editors begin a file with: no pipe that never ends, and nothing of many
-/// megabytes.
-std::optional<std::string> small_file(const std::filesystem::path& file) {
-  constexpr std::size_t most = 1 << 20;
-  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-  std::error_code none;
-  try {
-    auto text = read_whole(std::filesystem::canonical(file, none), most);
-    if (text && text->starts_with(byte_order_mark)) text->erase(0, byte_order_mark.size());
-    return text;
-  } catch (const NotOwn&) {
-    return std::nullopt;
-  }
-}
-
 std::uint64_t seed(const Options& options) {
   if (!options.seed.empty()) {
-    if (const auto given = number(options.seed)) return *given;
+    if (const auto given = whole_number(options.seed)) return *given;
     throw Usage("--seed takes a whole number below 2^64, not '" + printable_name(options.seed) +
                 "'");
   }
   if (options.seed_file.empty()) return Request().seed;
-  std::optional<std::string> text = small_file(options.seed_file);
-  if (!text) throw Usage("can't read the seed file '" + printable_name(options.seed_file) + "'");
-  std::erase_if(*text, [](char c) { return c == '\n' || c == '\r' || c == ' '; });
-  // The seed itself may be a secret: what the file holds is not printed.
-  if (const auto held = number(*text)) return *held;
-  throw Usage("the seed file must hold a whole number below 2^64 and nothing else");
+  return seed_in(options.seed_file);
 }
 
 [[noreturn]] void no_exercise(const std::string& name) {
@@ -101,8 +71,8 @@ std::filesystem::path folder(const std::string& name) {
 Shard shard(const std::string& text) {
   if (text.empty()) return {};
   const std::size_t slash = std::min(text.find('/'), text.size() - 1);
-  const Shard shard{number(text.substr(0, slash)).value_or(0),
-                    number(text.substr(slash + 1)).value_or(0)};
+  const Shard shard{whole_number(text.substr(0, slash)).value_or(0),
+                    whole_number(text.substr(slash + 1)).value_or(0)};
   if (shard.part < 1 || shard.part > shard.of) {
     throw Usage("--shard takes i/n with i from 1 to n, not '" + printable_name(text) + "'");
   }
@@ -131,19 +101,10 @@ std::vector<Exercise> assigned(const std::string& file) {
   return all;
 }
 
-bool lies_within(const std::filesystem::path& inner, const std::filesystem::path& outer) {
-  const auto whole = [](const std::filesystem::path& path) {
-    return std::filesystem::weakly_canonical(path / "");
-  };
-  const auto above = whole(outer), below = whole(inner);
-  const auto differ = std::ranges::mismatch(above, below);
-  return differ.in1 == above.end() || differ.in1->empty();
-}
-
 std::size_t jobs(const std::string& text) {
   constexpr std::uint64_t most = 1000;
   if (text.empty()) return std::max(1U, std::thread::hardware_concurrency());
-  const std::uint64_t asked = number(text).value_or(0);
+  const std::uint64_t asked = whole_number(text).value_or(0);
   if (asked >= 1 && asked <= most) return asked;
   throw Usage("--jobs takes a whole number from 1 to " + std::to_string(most) + ", not '" +
               printable_name(text) + "'");
@@ -180,6 +141,15 @@ void add_submission(Command& command, const Options& options) {
     command.request.submission = name;
     command.at_home = true;
   }
+}
+
+void add_course(Command& command, const Options& options) {
+  if (!options.exercise.empty() || !options.seed.empty() || !options.seed_file.empty() ||
+      !options.out.empty() || !options.submissions.empty())
+    throw Usage("grade class takes no EXERCISE, no folder and no seed; its file names them");
+  if (options.sandbox == "none") throw Usage("a course is graded in the sandbox only");
+  if (options.exit_status == "verdict") throw Usage("--exit-status verdict is for one submission");
+  command.course = {options.first, options.round, jobs(options.jobs)};
 }
 
 void add_one(Command& command, const Options& options) {
@@ -234,7 +204,14 @@ Command read_command_line(int argc, char** argv) {
   if (!read) return {};
   const Options& options = *read;
   Command command;
-  if (options.word) {
+  if (!options.jobs.empty() && options.submissions.empty() && options.word != What::course)
+    throw Usage("--jobs requires --class");
+  if (!options.round.empty() && options.word != What::course)
+    throw Usage("--round is for grade class");
+  if (options.word == What::course) {
+    command.what = What::course;
+    add_course(command, options);
+  } else if (options.word) {
     add_word(command, options);
   } else if (options.version) {
     if (!options.submissions.empty()) throw Usage("--version grades nothing");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "class/class.h"
+#include "course/grade_course.h"
 #include "grade_submission.h"
 #include "options.h"
 #include "report/folder.h"
@@ -28,6 +29,7 @@ struct Command {
   std::string listed;         ///< part of the names that are listed; empty for all
   bool all = false;           ///< of the tests that failed in full
   Class classroom;            ///< of a whole class
+  CourseWork course;          ///< and of a course
   std::filesystem::path own;  ///< header whose own main is run; folder to start in
 };
 

@@ -55,6 +55,8 @@ int run(const Command& command) {
       return grade::watch(command);
     case What::whole_class:
       return grade::grade_class(command.classroom);
+    case What::course:
+      return grade::grade_course(command.course);
     case What::start:
       return grade::start(command.request.exercise, command.own);
     case What::hint:

@@ -26,7 +26,8 @@ constexpr const char* codes =
     "Examples: grade start orbit-drift\n"
     "          grade orbit-drift.h\n"
     "          grade 2-euler/orbit-drift my_euler.h\n"
-    "          grade --class submissions/ --seed-file seed.txt --jobs 2 --out results/";
+    "          grade --class submissions/ --seed-file seed.txt --jobs 2 --out results/\n"
+    "          grade class course.toml --round week-2";
 
 struct Word {
   What what;
@@ -47,6 +48,8 @@ constexpr Word words[] = {
     {What::ways, "ways", "EXERCISE", nullptr, "Show other right ways, once you have full marks",
      true},
     {What::seal, "seal", "EXERCISE", nullptr, "", true},
+    {What::course, "class", "COURSE.toml", nullptr,
+     "Grade the assignments of the course that this file describes", true},
     {What::check, "check", nullptr, nullptr, "Try what grading needs on this machine", false},
 };
 
@@ -90,10 +93,10 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--assigned", options.assigned,
                  "File with a line for each exercise that all have to hand in")
       ->needs(whole_class);
-  app.add_option("--jobs", options.jobs, "Submissions at a time, of a student one")
-      ->needs(whole_class);
+  app.add_option("--jobs", options.jobs, "Submissions at a time, of a student one");
   app.add_option("--shard", options.shard, "i/n: only each n-th submission, from the i-th")
       ->needs(whole_class);
+  app.add_option("--round", options.round, "Only this assignment of a course");
   app.add_flag("--all", options.all, "Show each test that failed in full");
   app.add_flag("--version", options.version, "Say which grader this is, exercise by exercise");
   app.add_option("--limits", options.limits)->group("");

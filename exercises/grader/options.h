@@ -10,6 +10,7 @@ enum class What {
   nothing,
   one,
   whole_class,
+  course,
   version,
   watch,
   start,
@@ -28,6 +29,7 @@ struct Options {
   std::optional<What> word;         ///< `start` and the like
   std::string said, first, second;  ///< it, and what stands behind it
   std::string exercise, file, out, seed, seed_file, shard, limits, submissions, assigned;
+  std::string round;
   std::string sandbox = "bubblewrap", exit_status = "grader";
   std::vector<std::string> emits, exercises;
   std::string jobs;  ///< empty: as many as there are processors

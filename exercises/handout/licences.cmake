@@ -7,7 +7,7 @@ function(put_licences folder)
   execute_process(COMMAND dpkg-query -S ${library} OUTPUT_VARIABLE package COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX REPLACE ":.*" "" package "${package}")
   set(list)
-  foreach(package IN ITEMS libc6-dev ${package} catch2 libcli11-dev nlohmann-json3-dev libeigen3-dev)
+  foreach(package IN ITEMS libc6-dev ${package} catch2 libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libeigen3-dev)
     configure_file(/usr/share/doc/${package}/copyright ${folder}/${package}.txt COPYONLY)
     execute_process(COMMAND dpkg-query -W -f "- \${source:Package} \${source:Version}, of which `${package}`: [${package}.txt](${package}.txt)\n"
       ${package} OUTPUT_VARIABLE line COMMAND_ERROR_IS_FATAL ANY)

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <system_error>
 
 #include "class/grade_all.h"
 #include "class/lock.h"
 #include "class/pool.h"
+#include "class/print_some.h"
 #include "class/write_tables.h"
 #include "exit_codes.h"
 #include "format_values.h"
@@ -22,7 +24,9 @@ namespace grade {
 namespace {
 
 constexpr const char* written[] = {"grades.csv", "report.csv", "summary.html"};
-constexpr const char* tables[] = {"grades.csv", "report.csv", "summary.html", Class::part_folder};
+constexpr const char* tables[] = {"grades.csv", "report.csv", "summary.html", Class::part_folder,
+                                  // of a round of a course
+                                  "marks.json", "late.csv", "equal.csv", "pages", "pages.zip"};
 
 /// The student whose name is that of a table; null if there is none.
 const Student* named_like_a_table(const std::vector<Student>& students) {
@@ -56,15 +60,6 @@ std::filesystem::path irregular_path(const Class& work, const Job& job) {
   }
   const std::string file = irregular_file(at);
   return file.empty() ? "" : at / file;
-}
-
-/// The first few names, one in a line, and how many more there are.
-void print_some(const char* what, const std::vector<std::string>& names) {
-  constexpr std::size_t most = 10;
-  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) {
-    std::printf("%s: %s\n", what, printable_name(names[i]).c_str());
-  }
-  if (names.size() > most) std::printf("%s: %zu more\n", what, names.size() - most);
 }
 
 /// A backup of hard links has the same files: what somebody writes there is written here.
@@ -156,6 +151,7 @@ int grade_class(const Class& work) {
                                         printable_name(work.submissions.string()) +
                                         "': " + error.code().message());
   }
+  if (work.takes_part) std::erase_if(list.students, std::not_fn(work.takes_part));
   print_some("Not a student's folder", list.ignored);
   if (list.students.empty()) {
     return refuse(Exit::unreadable, "there is no student's folder in '" +

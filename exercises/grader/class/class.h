@@ -5,9 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <set>
+#include <string>
 #include <vector>
 
+#include "class/students.h"
 #include "exercise.h"
 #include "report/folder.h"
 
@@ -28,6 +31,9 @@ struct Class {
   std::size_t jobs = 1;             ///< submissions at a time, of a student one
   Shard shard;
   std::set<Emit> emits;
+  std::function<bool(const Student&)> takes_part;  ///< empty: everybody does
+  /// Whether what was assigned and not handed in counts as such by now; empty: it does.
+  std::function<bool(const Student&)> is_due;
 
   bool partial() const { return !exercises.empty(); }
 

@@ -11,9 +11,10 @@ std::vector<Job> all_jobs(const Class& work, const std::vector<Student>& student
                           const std::vector<Exercise>& exercises) {
   std::vector<Job> jobs;
   for (const Student& student : students) {
+    const bool owed = !work.assigned.empty() && (!work.is_due || work.is_due(student));
     for (const Exercise& exercise : exercises) {
       jobs.push_back({student, exercise, work.results / student.name / exercise.name,
-                      !work.assigned.empty() || has(student, exercise)});
+                      owed || has(student, exercise)});
     }
   }
   return jobs;

@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: MIT-0
 #include "class/results.h"
+#include "csv.h"
 #include "printable.h"
 #include "report/words.h"
 
 namespace grade {
 namespace {
-
-/// A spreadsheet would take a cell that starts like a formula for one.
-std::string cell(const std::string& text) {
-  const bool formula = !text.empty() && std::string_view("=+-@").find(text[0]) != std::string::npos;
-  const std::string safe = (formula ? "'" : "") + text;
-  if (safe.find_first_of(",;\t\"") == std::string::npos) return safe;
-  std::string result = "\"";
-  for (const char c : safe) result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + "\"";
-}
-
-std::string row(const std::vector<std::string>& cells) {
-  std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + cell(cells[i]);
-  return line + "\r\n";
-}
 
 /// The line that says why: of what a compiler said, the one with the error.
 std::string reason(const Report& report) {
@@ -36,7 +21,7 @@ std::string grades_csv(const Results& results) {
   std::vector<std::string> head{"student"};
   for (const Exercise& exercise : results.exercises) head.push_back(exercise.name);
   head.insert(head.end(), {"total", "of"});
-  std::string text = row(head);
+  std::string text = csv_line(head);
   for (std::size_t s = 0; s < results.students.size(); ++s) {
     std::vector<std::string> cells{printable_name(results.students[s].name)};
     int total = 0, of = 0;
@@ -52,23 +37,23 @@ std::string grades_csv(const Results& results) {
     }
     cells.push_back(whole ? std::to_string(total) : "");
     cells.push_back(whole ? std::to_string(of) : "");
-    text += row(cells);
+    text += csv_line(cells);
   }
   return text;
 }
 
 std::string report_csv(const Results& results) {
   std::string text =
-      row({"student", "exercise", "verdict", "score", "points", "seed", "grader", "why"});
+      csv_line({"student", "exercise", "verdict", "score", "points", "seed", "grader", "why"});
   for (std::size_t s = 0; s < results.students.size(); ++s) {
     for (std::size_t e = 0; e < results.exercises.size(); ++e) {
       if (!results.is_asked(s, e)) continue;
       const Report& report = results.report(s, e);
-      text +=
-          row({printable_name(results.students[s].name), results.exercises[e].name,
-               std::string(name(report.verdict)),
-               is_graded(report) ? std::to_string(report.score) : "", std::to_string(report.points),
-               std::to_string(report.seed), report.version, printable(reason(report))});
+      text += csv_line({printable_name(results.students[s].name), results.exercises[e].name,
+                        std::string(name(report.verdict)),
+                        is_graded(report) ? std::to_string(report.score) : "",
+                        std::to_string(report.points), std::to_string(report.seed), report.version,
+                        printable(reason(report))});
     }
   }
   return text;

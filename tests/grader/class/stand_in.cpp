@@ -7,8 +7,13 @@
 //   // crash         the grader dies
 //   // fails         the grader fails, and will again
 //   // again         the grader fails for want of something
-// What it grades is noted in the file STAND_IN_LOG; STAND_IN_VERSION is the grader's version. Of
-// the exercise that STAND_IN_BROKEN names, it cannot grade the solution.
+// And in further lines of what did not hold:
+//   // got 0.5      what came, in place of nothing
+//   // looks like x a diagnosis
+//   // plot         a picture
+// Exercises lie in the folder STAND_IN_EXERCISES, if there is one. What it grades is noted in the
+// file STAND_IN_LOG; STAND_IN_VERSION is the grader's version. Of the exercise that STAND_IN_BROKEN
+// names, it cannot grade the solution.
 #include <unistd.h>
 
 #include <cstdio>
@@ -31,9 +36,22 @@ std::string setting(const char* name, const std::string& otherwise) {
   return value ? value : otherwise;
 }
 
-std::vector<grade::TestResult> results(int score) {
+// What stands behind this in a line of its own; empty if it is in none.
+std::string behind(const std::string& what, const std::string& text) {
+  const std::size_t at = text.find("\n// " + what);
+  if (at == text.npos) return "";
+  const std::size_t begin = at + 4 + what.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+std::vector<grade::TestResult> results(int score, const std::string& text = "") {
   grade::Finding failed;
   failed.asked = "to be right";
+  failed.got = behind("got ", text);
+  if (const std::string like = behind("looks like ", text); !like.empty())
+    failed.diagnoses = {like};
+  if (text.find("\n// plot") != text.npos)
+    failed.plot = {"a <curve>", "t", "x", {{"yours", {0, 1, 2}, {0, 1, 4}}}};
   return {{"the first test", 4, true, score >= 4, {}},
           {"the second test", 6, true, score == 10, {failed}}};
 }
@@ -65,7 +83,7 @@ void decide(const std::string& text, grade::Report& report, const SoFar& so_far)
     report.why = text;
     return;
   }
-  report.tests = results(report.score);
+  report.tests = results(report.score, text);
   report.verdict = report.score == 10  ? grade::Verdict::accepted
                    : report.score == 0 ? grade::Verdict::wrong_answer
                                        : grade::Verdict::partial;
@@ -92,7 +110,12 @@ std::string Exercise::header() const {
 }
 
 std::vector<Exercise> exercises() {
-  return {{"1-first/one", {}}, {"1-first/two", {}}, {"2-second/three", {}}};
+  std::vector<Exercise> all;
+  for (const char* name : {"1-first/one", "1-first/two", "2-second/three"}) {
+    const std::filesystem::path folder = setting("STAND_IN_EXERCISES", "");
+    all.push_back({name, folder.empty() ? folder : folder / name});
+  }
+  return all;
 }
 
 std::optional<Exercise> exercise(const std::string& name) {
@@ -156,6 +179,7 @@ Report grade_submission(const Request& request, const SoFar& so_far) {
     return report;
   }
   report.sha256 = sha256(taken.text);
+  report.ignored = taken.ignored;
   if (so_far) so_far(report);
   decide(taken.text, report, so_far);
   return report;

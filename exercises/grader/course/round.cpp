@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT-0
+#include "course/round.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <system_error>
+
+#include "class/class.h"
+#include "class/job.h"
+#include "class/print_some.h"
+#include "command_line.h"
+#include "course/handed_in_at.h"
+#include "course/marks.h"
+#include "course/student_page.h"
+#include "course/write_equal.h"
+#include "course/zip.h"
+#include "exit_codes.h"
+#include "given_files.h"
+#include "printable.h"
+#include "report/files.h"
+
+namespace grade {
+namespace {
+
+/// @throws NotOwn  a link or the like stands in the place of a file of the round
+void refuse_foreign_round(const std::filesystem::path& results) {
+  if (no_folder(results)) throw NotOwn(results);
+  for (const char* name : {"marks.json", "late.csv", "equal.csv", "pages.zip"})
+    if (no_file(results / name)) throw NotOwn(results / name);
+  if (no_folder(results / "pages")) throw NotOwn(results / "pages");
+}
+
+std::string folder_of(const Assignment& assignment) {
+  return "'" + printable_name(assignment.submissions.string()) + "'";
+}
+
+/// What a table of times does not say is not guessed.
+void check_times(const Course& course, const Assignment& assignment, const Participants& students,
+                 const HandedInAt& handed_in_at) {
+  for (const Participant& one : students.all) {
+    for (const Exercise& exercise : assignment.exercises) {
+      if (!one.folder || !has(*one.folder, exercise) || handed_in_at(one, exercise)) continue;
+      throw Usage(printable_name(course.times.string()) + ": when did '" +
+                  printable_name(one.member.key) + "' hand in " + exercise.name +
+                  "? Add a line with student, exercise and time");
+    }
+  }
+}
+
+/// Where there is no roster that knew better.
+void print_unused_extensions(const Course& course, const Assignment& assignment,
+                             const Participants& students) {
+  std::vector<std::string> names;
+  for (const Extension& one : course.extensions) {
+    const bool known = std::ranges::any_of(
+        students.all, [&](const Participant& other) { return other.member.key == one.student; });
+    if (one.assignment == assignment.name && !known) names.push_back(one.student);
+  }
+  print_some("An extension of nobody who has a folder", names);
+}
+
+Class class_of(const Course& course, const Assignment& assignment, const Participants& students,
+               std::size_t jobs) {
+  std::map<std::string, bool> due_by_folder;
+  for (const Participant& one : students.all)
+    if (one.folder)
+      due_by_folder[one.folder->name] = now() > due(course, assignment, one.member.key);
+  Class work;
+  work.submissions = assignment.submissions;
+  work.results = course.results / assignment.name;
+  work.assigned = assignment.exercises;
+  work.seed_file = assignment.seed_file;
+  if (!work.seed_file.empty()) work.seed = seed_in(work.seed_file);
+  work.jobs = jobs;
+  work.takes_part = [=](const Student& student) { return due_by_folder.contains(student.name); };
+  work.is_due = [=](const Student& student) { return due_by_folder.at(student.name); };
+  return work;
+}
+
+/// Folder by folder, in the order of those who take part.
+std::vector<Job> jobs_of(const Class& work, const Participants& students) {
+  std::vector<Student> folders;
+  for (const Participant& one : students.all)
+    if (one.folder) folders.push_back(*one.folder);
+  return all_jobs(work, folders, work.assigned);
+}
+
+/// A page for each student who has a folder, and an archive of all of them by the names of these
+/// folders, for whoever sends each folder back to where it came from.
+void write_pages(const Course& course, const Participants& students, const Marks& marks,
+                 const std::vector<Job>& jobs, const std::filesystem::path& results) {
+  std::vector<ZipFile> archive;
+  std::filesystem::create_directories(results / "pages");
+  auto job = jobs.begin();
+  for (std::size_t s = 0; s < students.all.size(); ++s) {
+    const Participant& one = students.all[s];
+    if (!one.folder) continue;
+    std::vector<PageExercise> exercises;
+    for (const Mark& mark : marks.students[s].marks) {
+      exercises.push_back({mark, kept_report(*job), job->out});
+      ++job;
+    }
+    const std::string called = one.member.name.empty() ? one.member.key : one.member.name;
+    const std::string page = student_page(
+        {course.name, marks.assignment, printable_name(called), course.show_seed}, exercises);
+    write_whole(results / "pages" / page_name(one.member.key), page);
+    archive.push_back({one.folder->name + "/feedback.html", page});
+  }
+  write_whole(results / "pages.zip", zip(archive));
+}
+
+void write_round(const Course& course, const Assignment& assignment, const Class& work,
+                 const Participants& students, const HandedInAt& handed_in_at) {
+  const std::vector<Job> jobs = jobs_of(work, students);
+  const Marks marks = marks_of(course, assignment, students, jobs, work.seed, handed_in_at);
+  std::filesystem::create_directories(work.results);
+  write_whole(work.results / "late.csv", late_csv(marks));
+  write_equal(work, students, jobs);
+  write_pages(course, students, marks, jobs, work.results);
+  write_whole(marks_file(course, assignment), marks_json(marks));
+}
+
+}  // namespace
+
+std::filesystem::path marks_file(const Course& course, const Assignment& assignment) {
+  return course.results / assignment.name / "marks.json";
+}
+
+int grade_round(const Course& course, const Assignment& assignment,
+                const std::optional<std::vector<Member>>& roster, std::size_t jobs, bool named) {
+  refuse_foreign_round(course.results / assignment.name);
+  ClassList list;
+  try {
+    list = read_students(assignment.submissions);
+  } catch (const std::filesystem::filesystem_error& error) {
+    if (named || error.code() != std::errc::no_such_file_or_directory)
+      return refuse(Exit::unreadable, "can't read the folder " + folder_of(assignment) + ": " +
+                                          error.code().message());
+    std::printf("%s: nothing is collected yet, since there is no folder %s\n",
+                assignment.name.c_str(), folder_of(assignment).c_str());
+    return Exit::graded;
+  }
+  const Participants students =
+      roster ? match(*roster, list.students) : with_folders(list.students);
+  const HandedInAt handed_in_at = times_of(course, assignment);
+  if (!course.times.empty()) check_times(course, assignment, students, handed_in_at);
+  std::printf("%s\n", assignment.name.c_str());
+  print_some("Not graded, since on no line of the roster", students.unmatched);
+  print_unused_extensions(course, assignment, students);
+  const Class work = class_of(course, assignment, students, jobs);
+  const bool anybody = std::ranges::any_of(
+      students.all, [](const Participant& one) { return one.folder.has_value(); });
+  const int code = anybody ? grade_class(work) : int(Exit::graded);
+  if (code == Exit::bad_input || code == Exit::unreadable) return code;
+  write_round(course, assignment, work, students, handed_in_at);
+  return code;
+}
+
+}  // namespace grade

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT-0
+/// @file
+/// Tables that others wrote, as RFC 4180 has them and as spreadsheets do.
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace grade {
+
+struct CsvRow {
+  std::size_t line = 0;  ///< of the file, on which it begins; from 1
+  std::vector<std::string> cells;
+};
+
+/// The rows of a table that are not empty. Cells are parted by commas, semicolons or tabs, of which
+/// the first line has most; lines end in any way; a cell in quotes may hold all of these.
+/// @param name  for messages
+/// @throws Usage  it is not UTF-8, or a quote is not closed
+std::vector<CsvRow> csv_rows(std::string_view text, const std::string& name);
+
+/// The same of a file.
+/// @throws Usage  it can't be read, too
+std::vector<CsvRow> csv_file(const std::filesystem::path& file);
+
+/// A line of a table, as a spreadsheet reads it: a cell that starts like a formula has a `'` before
+/// it.
+std::string csv_line(const std::vector<std::string>& cells);
+
+/// Without spaces at both ends.
+std::string trimmed(const std::string& text);
+
+}  // namespace grade
