@@ -88,10 +88,9 @@ void print_offers(const Graded& graded) {
 
 void do_without_a_cage_that_cannot_be_had(Request& request) {
   if (request.sandbox == cage::Sandbox::none) return;
-  const auto why = unsafe();
-  if (!why) return;
-  std::fprintf(stderr, "No cage can be had here, so your code runs like any program of yours: %s\n",
-               printable(why->substr(0, why->find('\n'))).c_str());
+  if (!unsafe()) return;
+  std::fputs("No cage here, so your code runs like any program of yours: grade check says why.\n",
+             stderr);
   request.sandbox = cage::Sandbox::none;
 }
 

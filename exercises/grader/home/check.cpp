@@ -41,7 +41,8 @@ bool check_compiler() {
 cage::Sandbox check_cage() {
   const auto why = unsafe();
   say("cage", !why,
-      why ? "your own code is graded without it, like any program of yours; a class is not. " + *why
+      why ? why->substr(0, why->find(". Your own code")) +
+                ". Until then your own code is graded without it, and a class is not."
           : "what is graded can't reach your files");
   return why ? cage::Sandbox::none : cage::Sandbox::bubblewrap;
 }
