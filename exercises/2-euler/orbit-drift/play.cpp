@@ -2,7 +2,6 @@
 // The drone of chapter 2, eight seconds a turn.
 #include <numbers>
 
-#include "format_values.h"
 #include "home/scene.h"
 
 namespace {
@@ -25,7 +24,7 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
     stage.line({}, drone, "scenery");
     stage.ball("Euler", euler.states[n].x, 0.4, "true");
     stage.ball("yours", drone, 0.5, "yours");
-    stage.label({0, -15, 0}, grade::number(length(drone), 4) + " m");
+    stage.label({0, -15, 0}, grade::shown(length(drone), 4) + " m");
   }
 }
 
