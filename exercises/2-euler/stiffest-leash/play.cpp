@@ -22,6 +22,11 @@ struct Leash {
 
 constexpr Leash leashes[] = {{"it swings", 4, 200, 30, 20}, {"it creeps", 0, 200, 200, 20}};
 
+/// A dog that has left is drawn at the end of its lane.
+Vec seen(const Vec& x) {
+  return {std::clamp(x.x, -5.5, 5.5), 0, 0};
+}
+
 void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
   constexpr int steps = 240;
   struct Dog {
@@ -44,7 +49,8 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
   for (std::size_t n = 0; n <= steps; ++n) {
     stage.picture(0.03);
     for (const Dog& dog : dogs) {
-      const Vec mine = dog.post + dog.yours.states[n].x, best = dog.post + dog.right.states[n].x;
+      const Vec mine = dog.post + seen(dog.yours.states[n].x);
+      const Vec best = dog.post + seen(dog.right.states[n].x);
       stage.line(dog.post - Vec{0, 0.6, 0}, dog.post + Vec{0, 0.6, 0}, "scenery");
       stage.lines(dog.post, mine, best);
       stage.balls(dog.name, mine, best, 0.3);
@@ -60,7 +66,8 @@ const grade::Staged staged({
     .caption =
         "Two leashes by Euler's method, a picture for each step. On the left the step is 10 % "
         "shorter than your longest one, and both dogs should come to rest; on the right it is 10 % "
-        "longer, and both should leave. The dark dogs take the right steps. If yours does the same "
+        "longer, and both should leave, to be drawn at most 5.5 m out. The dark dogs take the "
+        "right steps. If yours does the same "
         "on both sides, its limit lies elsewhere.",
     .view = {{-6, -2.2}, {20, 6.8}},
     .film = film,
