@@ -21,7 +21,7 @@ struct Machine {
           who.call(0, {saved, lengths.back(), h, static_cast<double>(most)}, 2);
       saved = answer[1];
       constexpr double longest = 0.6;
-      lengths.push_back(hitches ? hitch : std::min(draw + answer[0] * cost, longest));
+      lengths.push_back(hitches ? hitch : grade::within(draw + answer[0] * cost, 0, longest));
     }
     return lengths;
   }

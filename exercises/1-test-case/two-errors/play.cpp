@@ -24,10 +24,10 @@ struct Flight {
   /// As many steps as two runs, of a hundredth and a 160th of the duration, lead to.
   int steps(judge::Student& who) const {
     const double h1 = duration / 100, h2 = duration / 160, e1 = error(100), e2 = error(160);
-    const double order = who.call(0, {h1, e1, h2, e2}, 1)[0];
-    const double h = who.call(1, {wanted, h1, e1, order}, 1)[0];
+    const double order = grade::within(who.call(0, {h1, e1, h2, e2}, 1)[0], 0.5, 8);
+    const double h = grade::within(who.call(1, {wanted, h1, e1, order}, 1)[0], 1e-4, 1);
     const double all = who.call(2, {duration, h, static_cast<double>(per_step)}, 1)[0];
-    return static_cast<int>(std::clamp(all / per_step, 1.0, 400.0));
+    return static_cast<int>(grade::within(all / per_step, 1, 400));
   }
 };
 

@@ -18,7 +18,7 @@ struct Replay {
   Replay(judge::Student& who, const judge::Start& start, const harness::Force& force) {
     const judge::Start asked{start.x, start.v, wanted};
     const double got = who.run(asked, duration, 1, 1, force).states[1].x.x;
-    const int steps = static_cast<int>(std::clamp(got, 1.0, 3000.0));
+    const int steps = static_cast<int>(grade::within(got, 1, 3000));
     const judge::Path path = judge::run(judge::euler, start, duration / steps, steps, 1, force);
     const judge::Path truth = judge::truth(start, duration / steps, steps, 1, force);
     for (std::size_t n = 0; n < path.states.size(); ++n) {

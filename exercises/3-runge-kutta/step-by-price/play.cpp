@@ -16,7 +16,8 @@ const harness::Force& sun() {
 }
 
 struct Comet {
-  judge::Path path, asked;
+  std::vector<Vec> x{start.x};
+  judge::Path asked;
   Vec nearest;
 };
 
@@ -30,9 +31,11 @@ Comet flown(judge::Student& who, judge::Student& right) {
   right.call(told_tolerance, {tolerance}, 0);
   Comet comet;
   comet.asked = who.watch(start, duration, 1, counted, flies);
-  comet.path = who.run(start, duration / pictures, pictures, 1, sun(), flies);
+  // Each from the start, so that no flight goes on from a place that is no number.
+  for (int n = 1; n <= pictures; ++n)
+    comet.x.push_back(who.run(start, n * duration / pictures, 1, 1, sun(), flies).states[1].x);
   const double moment = who.run(start, duration, 1, 1, sun(), passes).states[1].x.x;
-  const double within = moment > 0.01 ? std::min(moment, duration) : 0.01;
+  const double within = grade::within(moment, 0.01, duration);
   comet.nearest = right.run(start, within, 1, 1, sun(), flies).states[1].x;
   return comet;
 }
@@ -54,10 +57,10 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
     stage.picture(duration / pictures);
     stage.ball("sun", {}, 0.7, "scenery");
     stage.lines({}, 2.5 * mine.nearest, 2.5 * best.nearest);
-    stage.trails("comet", mine.path.states[n].x, best.path.states[n].x);
+    stage.trails("comet", mine.x[n], best.x[n]);
     draw_asked(stage, best.asked, now, "true");
     draw_asked(stage, mine.asked, now, "yours");
-    stage.balls("comet", mine.path.states[n].x, best.path.states[n].x, 0.5);
+    stage.balls("comet", mine.x[n], best.x[n], 0.5);
     stage.label({-8, 7, 0}, questions);
   }
 }

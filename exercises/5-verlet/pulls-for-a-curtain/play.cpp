@@ -18,8 +18,8 @@ struct Plan {
 
 Plan plan(judge::Student& who, double move, double pull) {
   const std::vector<double> got = who.call(1, judge::as_numbers(links, frame, most, move, pull), 2);
-  return {static_cast<int>(std::clamp(got[0], 1.0, 60.0)),
-          static_cast<int>(std::clamp(got[1], 1.0, 100.0))};
+  return {static_cast<int>(grade::within(got[0], 1, 60)),
+          static_cast<int>(grade::within(got[1], 1, 100))};
 }
 
 double foretold(judge::Student& who, const Plan& plan) {

@@ -22,7 +22,7 @@ struct Heard {
     ends = answer.back() - after;
     for (std::size_t second = 0; second < seconds; ++second) {
       const double times = answer[1 + 2 * second], last = answer[2 + 2 * second];
-      strokes += static_cast<int>(std::clamp(times, 0.0, double(rate)));
+      strokes += static_cast<int>(grade::within(times, 0, rate));
       if (times > 0) struck.push_back(static_cast<double>(second) + last / rate);
     }
   }

@@ -77,6 +77,10 @@ play::Vec Stage::seen(const std::string& name, const Vec& at) {
   return last;
 }
 
+double within(double value, double low, double high) {
+  return value >= low ? std::min(value, high) : low;
+}
+
 std::string shown(double value, int digits) {
   return std::isfinite(value) ? number(value, digits) : "–";
 }

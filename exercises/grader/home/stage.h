@@ -58,6 +58,10 @@ class Stage {
   std::map<std::string, play::Vec> last_;
 };
 
+/// The nearest number between these two, and the lower one for what is none: a student's answer
+/// that is counted by, or handed on to another of the student's functions.
+double within(double value, double low, double high);
+
 /// A number in a label; a dash if it is none.
 std::string shown(double value, int digits = 3);
 
