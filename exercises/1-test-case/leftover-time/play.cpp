@@ -60,10 +60,10 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
 const grade::Staged staged({
     .exercise = "1-test-case/leftover-time",
     .caption =
-        "One ball hops along on three screens, and from 1.5 s to 3.5 s in slow motion. The dark "
-        "ring goes by the right clock, and the ball in it by yours. A ball that runs ahead, falls "
-        "behind or jumps has been given steps that were not due, or too few, or a blend that does "
-        "not fit them.",
+        "One ball hops along on three screens, and from 1.5 s to 3.5 s in slow motion. The ring "
+        "goes by the right clock, and the ball in it by yours. A ball that runs ahead, falls "
+        "behind or jumps has been given steps that were not due, or too few, or a blend that "
+        "does not fit them.",
     .view = {{-0.5, -0.4}, {6.2, 4.4}},
     .film = film,
 });

@@ -49,8 +49,8 @@ const grade::Staged staged({
     .exercise = "1-test-case/throw-to-runner",
     .caption =
         "Three robots throw, half as fast as in the game, and each flight lasts 1.6 s. The ball "
-        "that leaves with your velocity lies in the dark ring, which meets the mate. With a wrong "
-        "one it flies another way, and ends where nobody is.",
+        "that leaves with your velocity lies in the ring, which meets the mate. With a wrong one "
+        "it flies another way, and ends where nobody is.",
     .view = {{-1.5, -2.4}, {16, 15}, 0.5},
     .film = film,
 });

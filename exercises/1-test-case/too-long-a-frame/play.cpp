@@ -36,9 +36,9 @@ struct Machine {
 
 void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
   constexpr double apart = frames + 8;
-  const Machine machines[] = {{"keeps up", 0, 0.5 * h},
-                              {"hardly keeps up", apart, 0.97 * h},
-                              {"does not", 2 * apart, 1.3 * h}};
+  const Machine machines[] = {{"0.5 h a step", 0, 0.5 * h},
+                              {"0.97 h a step", apart, 0.97 * h},
+                              {"1.3 h a step", 2 * apart, 1.3 * h}};
   std::vector<std::vector<double>> all[2];
   std::vector<double> settled[2];
   for (const int who : {0, 1}) {
@@ -72,11 +72,11 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
 const grade::Staged staged({
     .exercise = "1-test-case/too-long-a-frame",
     .caption =
-        "Each bar is a frame, as high as it is long, on three machines; the ninth frame of each is "
-        "a hitch of 300 ms. Your steps_due says how many "
-        "steps the next frame pays for, and your settled_frame where the level line lies. What is "
-        "dark and not covered is the right one: bars that never come down are a debt that was "
-        "kept, and a line where no bars end was foretold wrong.",
+        "Each bar is a frame, as high as it is long, on three machines that need 0.5 h, 0.97 h "
+        "and 1.3 h to take a step of h; the ninth frame of each is a hitch of 300 ms. Your "
+        "steps_due says how many steps the next frame pays for, and your settled_frame where the "
+        "level line lies. What yours does not cover is right: bars that never come down are a "
+        "debt that was kept, and a line where no bars end was foretold wrong.",
     .view = {{-3, -9}, {3 * frames + 18, 85}},
     .film = film,
 });

@@ -9,6 +9,7 @@ namespace {
 constexpr double duration = 2, wanted = 0.4;  // [s], [m]
 
 struct Flight {
+  const char* name;
   judge::Method method;
   int per_step;
   judge::Start start;
@@ -37,15 +38,25 @@ void draw(grade::Stage& stage, const Flight& flight, const judge::Path& path,
   const auto now = static_cast<std::size_t>(share * static_cast<double>(steps));
   for (std::size_t n = 0; n < now; n += apart)
     stage.ball("", flight.at + path.states[n].x, colour == "true" ? 0.16 : 0.12, colour);
-  const std::string name = flight.method.name + colour;
+  const std::string name = flight.name + colour;
   stage.trail(name, flight.at + path.states[now].x, colour);
   stage.ball(name, flight.at + path.states[now].x, colour == "true" ? 0.3 : 0.22, colour);
 }
 
 void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
   const Flight flights[] = {
-      {judge::euler, 1, {{0, 0, 0}, {8, 9, 0}}, {harness::Force::falling, {9.81, 0, 0.01}}, {}},
-      {judge::heun, 2, {{4, 0, 0}, {0, 16, 0}}, {harness::Force::spring, {4, 0}}, {21, 3, 0}},
+      {"Euler",
+       judge::euler,
+       1,
+       {{0, 0, 0}, {8, 9, 0}},
+       {harness::Force::falling, {9.81, 0, 0.01}},
+       {}},
+      {"Heun",
+       judge::heun,
+       2,
+       {{4, 0, 0}, {0, 16, 0}},
+       {harness::Force::spring, {4, 0}},
+       {21, 3, 0}},
   };
   constexpr int pictures = 100;
   std::vector<judge::Path> mine, best;
@@ -61,7 +72,7 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
       draw(stage, one, best[n], "true", picture / double(pictures));
       draw(stage, one, mine[n], "yours", picture / double(pictures));
       stage.label({n == 0 ? 7.0 : 21.0, -2.3, 0},
-                  one.method.name + ": " + grade::counted(mine[n].states.size() - 1, "step"));
+                  std::string(one.name) + ": " + grade::counted(mine[n].states.size() - 1, "step"));
     }
   }
 }
@@ -71,8 +82,8 @@ const grade::Staged staged({
     .caption =
         "Two flights, by Euler's method and by Heun's, in as many steps as your three functions "
         "make of two trial runs. Each dot is a step. The grey disc has the radius of the wanted "
-        "error, 0.4 m around the true end, and the right number of steps ends at its rim: too few "
-        "end outside it, and too many cost more than they must.",
+        "error, 0.4 m around the true end, and the right number of steps ends at its rim: too "
+        "few end outside it, and too many cost more than they must.",
     .view = {{-1, -3}, {26.5, 8}, 0.5},
     .film = film,
 });

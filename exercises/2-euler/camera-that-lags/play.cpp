@@ -61,11 +61,10 @@ const grade::Staged staged({
     .exercise = "2-euler/camera-that-lags",
     .caption =
         "A camera, drawn as the frame of what it sees, follows a drone that is suddenly 25 m "
-        "away, first to the right and then to the left. It may go 15 m/s. On all three machines it "
-        "should be in the same place whenever their frames end together. Where you see a dark "
-        "frame "
-        "beside yours, yours was too slow or too fast, and where your line runs on behind the "
-        "drone, too far.",
+        "away, first to the right and then to the left. It may go 15 m/s. On all three machines "
+        "it should be in the same place whenever their frames end together. Where you see a "
+        "second frame beside yours, yours was too slow or too fast, and where your line runs on "
+        "behind the drone, too far.",
     .view = {{-3, -3}, {36, 12}},
     .film = film,
 });

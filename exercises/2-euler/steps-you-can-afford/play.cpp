@@ -53,10 +53,10 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
 const grade::Staged staged({
     .exercise = "2-euler/steps-you-can-afford",
     .caption =
-        "A throw of two seconds by Euler's method, in as many steps as yours says. The grey glass "
-        "shows, 25 times as large, how far it is from the truth in its middle; its rim is the "
-        "wanted error of 0.1 m, and at the end your dot should be just inside. The bar below grows "
-        "with the steps: one that is longer than the dark one costs more than it must.",
+        "A throw of two seconds by Euler's method, in as many steps as yours says. The grey "
+        "glass shows, 25 times as large, how far it is from the truth in its middle; its rim is "
+        "the wanted error of 0.1 m, and at the end your dot should be just inside. The bar below "
+        "grows with the steps: one that is longer than the right one costs more than it must.",
     .view = {{-1, -4.6}, {20, 9.6}, 0.5},
     .film = film,
 });

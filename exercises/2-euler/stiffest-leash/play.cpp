@@ -65,10 +65,9 @@ const grade::Staged staged({
     .exercise = "2-euler/stiffest-leash",
     .caption =
         "Two leashes by Euler's method, a picture for each step. On the left the step is 10 % "
-        "shorter than your longest one, and both dogs should come to rest; on the right it is 10 % "
-        "longer, and both should leave, to be drawn at most 5.5 m out. The dark dogs take the "
-        "right steps. If yours does the same "
-        "on both sides, its limit lies elsewhere.",
+        "shorter than your longest one, and both dogs should come to rest; on the right it is 10 "
+        "% longer, and both should leave, to be drawn at most 5.5 m out. The rings take the "
+        "right steps. If yours does the same on both sides, its limit lies elsewhere.",
     .view = {{-6, -2.2}, {20, 6.8}},
     .film = film,
 });

@@ -66,8 +66,8 @@ const grade::Staged staged({
     .caption =
         "Three turns of a drone on its leash, in gusts that change with time, at two steps a "
         "second. One function of yours flies all three, each by the table of a method. It should "
-        "follow the dark path of the right function: a stage that takes the wrong slope, or asks "
-        "at the wrong time, leads it off.",
+        "follow the ring, which is the right function: a stage that takes the wrong slope, or "
+        "asks at the wrong time, leads it off.",
     .view = {{-16, -20}, {84, 16}, 4},
     .film = film,
 });

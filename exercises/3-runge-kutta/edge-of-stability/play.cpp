@@ -23,7 +23,7 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
   for (const double times : {0.99, 1.01}) {
     for (const double zeta : {0.0, 0.3, 1.5}) {
       const double at = 2.4 * static_cast<double>(lamps.size()) + (times > 1 ? 1 : 0);
-      lamps.push_back({"ζ = " + grade::shown(zeta), at,
+      lamps.push_back({"ζ\u00a0=\u00a0" + grade::shown(zeta), at,
                        flown(zeta, times * yours.call(1, {omega, zeta}, 1)[0]),
                        flown(zeta, times * right.call(1, {omega, zeta}, 1)[0])});
     }
@@ -54,9 +54,10 @@ const grade::Staged staged({
     .exercise = "3-runge-kutta/edge-of-stability",
     .caption =
         "Lamps on springs by RK4, a picture for each step. On the left the step is 1 % shorter "
-        "than your longest one, and all three come to rest; on the right it is 1 % longer, and all "
-        "three leave. The dark lamps take the right steps. The level mark on the first spring "
-        "falls by your stretch with each step, and that lamp never swings beyond the right mark.",
+        "than your longest one, and all three come to rest; on the right it is 1 % longer, and "
+        "all three leave. The rings take the right steps. The level mark on the first spring "
+        "falls by your stretch with each step, and the ring there never swings beyond the right "
+        "mark.",
     .view = {{-1.4, -2.8}, {14.4, 2.8}},
     .film = film,
 });

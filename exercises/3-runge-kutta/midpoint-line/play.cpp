@@ -52,9 +52,9 @@ const grade::Staged staged({
     .exercise = "3-runge-kutta/midpoint-line",
     .caption =
         "A drone follows a road through gusts, at two steps a second, twice as fast as in the "
-        "game. Each of the three machines looks ahead by another share of the step, so that their "
-        "paths differ a little. Yours should lie on the dark one beneath it: with weights that do "
-        "not fit the share it strays.",
+        "game. Each of the three machines looks ahead by another share of the step, so that "
+        "their paths differ a little. Yours should lie on the right one beneath it: with weights "
+        "that do not fit the share it strays.",
     .view = {{-2, -5}, {47, 23}, 2},
     .film = film,
 });

@@ -39,11 +39,10 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
 const grade::Staged staged({
     .exercise = "3-runge-kutta/racing-car",
     .caption =
-        "Four laps at four steps a second, which is far coarser than in the game. The pull through "
-        "the bends is that of a planet. Kutta's rule, the dark car, keeps to the track, but for "
-        "what "
-        "such steps must cost; a slope that is taken at the wrong state drives yours off its line "
-        "within a lap.",
+        "Four laps at four steps a second, which is far coarser than in the game. The pull "
+        "through the bends is that of a planet. Kutta's rule, the ring, keeps to the track, but "
+        "for what such steps must cost; a slope that is taken at the wrong state drives yours "
+        "off its line within a lap.",
     .view = {{-19, -12}, {9, 12}, 2},
     .film = film,
 });

@@ -71,7 +71,8 @@ const grade::Staged staged({
         "A comet passes the sun, with a tolerance of a millimetre. The small dots are places at "
         "which one flight asks for the acceleration, every so many of them: they should crowd "
         "near the sun and be rare far out. The line from the sun points to where the comet is at "
-        "the moment that your nearest names. Where dark shows, the right flight goes elsewhere.",
+        "the moment that your nearest names. Where a second path shows, the right flight goes "
+        "elsewhere.",
     .view = {{-25, -12}, {10, 8}, 2},
     .film = film,
 });

@@ -55,12 +55,9 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
   };
   const double theta = theta_of(yours), its_theta = theta_of(right);
   const std::string least = "brake, θ = " + grade::shown(theta);
-  const std::string names[] = {"brake, trapezoid rule",
-                               least,
-                               "swing, θ = 0.55",
-                               "heavily damped, 10 % longer",
-                               "lightly damped, 10 % shorter",
-                               "lightly damped, 10 % longer"};
+  const std::string names[] = {"brake, trapezoid rule", least,
+                               "swing, θ = 0.55",       "ζ = 1.5, 10 % longer",
+                               "ζ = 0.3, 10 % shorter", "ζ = 0.3, 10 % longer"};
   const auto on_dial = [](double share) { return Vec{8 + 8 * share, 7.2, 0}; };
   const std::vector<Places> mine = moved(yours, right), best = moved(right, right);
   for (std::size_t n = 0; n <= steps; ++n) {
@@ -83,13 +80,11 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
 const grade::Staged staged({
     .exercise = "4-implicit/blend-of-slopes",
     .caption =
-        "A picture for each step. Above, a velocity on a brake: by the trapezoid rule it trembles, "
-        "and with the least θ, which yours turns the dial to, it is gone at once. Below them a "
-        "swing that your "
-        "factor damps, and "
-        "springs with θ = 0.3 at steps around your longest: what is 10 % shorter comes to rest, "
-        "and what is 10 % longer leaves, and is drawn at most 5.2 m out. The dark things have the "
-        "right numbers.",
+        "A picture for each step. Above, a velocity on a brake: by the trapezoid rule it "
+        "trembles, and with the least θ, which yours turns the dial to, it is gone at once. "
+        "Below them a swing that your factor damps, and springs with θ = 0.3 at steps around "
+        "your longest: what is 10 % shorter comes to rest, and what is 10 % longer leaves, and "
+        "is drawn at most 5.2 m out. The rings have the right numbers.",
     .view = {{-5.5, -1.8}, {17.5, 7.7}},
     .film = film,
 });

@@ -50,9 +50,9 @@ const grade::Staged staged({
     .exercise = "4-implicit/chain-of-beads",
     .caption =
         "A chain of twelve beads is drawn out and let go, at sixty steps a second. How far each "
-        "bead is from its place is drawn upwards, so that you see the wave run; every third spring "
-        "is stiff. Your beads should stay within the dark rings: a row of the matrix that is wrong "
-        "is seen first at its own bead, and then at all.",
+        "bead is from its place is drawn upwards, so that you see the wave run; every third "
+        "spring is stiff. Your beads should stay within the rings: with a wrong matrix, or none, "
+        "the chain takes another shape.",
     .view = {{-0.6, -4.2}, {12.6, 4.2}},
     .film = film,
 });

@@ -49,9 +49,8 @@ const grade::Staged staged({
     .caption =
         "Two hands, grey, draw the same figure and drag a crate each, at twenty steps a second. "
         "The strong hand, far too stiff for such steps without a solve, should hold its crate "
-        "close by; the weak one, which gives it 30 m/s² at most, lets it "
-        "swing out. A crate beside its dark frame was pulled wrong, or by more or less than the "
-        "hand could.",
+        "close by; the weak one, which gives it 30 m/s² at most, lets it swing out. A crate "
+        "beside a second frame was pulled wrong, or by more or less than the hand could.",
     .view = {{-10, -9}, {35, 9}},
     .film = film,
 });

@@ -46,9 +46,8 @@ const grade::Staged staged({
     .exercise = "4-implicit/leaf-in-the-wind",
     .caption =
         "Three leaves in a whirlwind that crosses the park, at thirty frames a second. The grey "
-        "dot "
-        "is its middle. The dark rings and paths are leaves that ask in the middle of the frame. "
-        "Leaves that ask for the wind at its start are led outwards, turn by turn.",
+        "dot is its middle. The rings and their paths are leaves that ask in the middle of the "
+        "frame. Leaves that ask for the wind at its start are led outwards, turn by turn.",
     .view = {{-11, -5}, {11, 5}},
     .film = film,
 });

@@ -50,9 +50,8 @@ const grade::Staged staged({
     .caption =
         "An undamped car bounces for eight seconds, at ten steps a second, and a pen writes it "
         "down; the grey line swings at the rate that the designer wants. Above, your step beside "
-        "the trapezoid rule, which is dark and a little slow. Below, the trapezoid rule is told "
-        "the "
-        "ω that your function answers: with the right one it keeps to the grey line.",
+        "the trapezoid rule, which is a little slow. Below, the trapezoid rule is told the ω "
+        "that your function answers: with the right one it keeps to the grey line.",
     .view = {{-1.2, -1.6}, {9.8, 4.6}},
     .film = film,
 });

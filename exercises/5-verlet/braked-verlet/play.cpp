@@ -56,11 +56,9 @@ const grade::Staged staged({
     .exercise = "5-verlet/braked-verlet",
     .caption =
         "Three cameras, the larger frames, follow a grey car on damped springs, in steps of a "
-        "tenth "
-        "of a second, at which hω is 1.5. None of them should shake: with the velocity of now, a "
-        "heavy damper holds as a light one does. Where a dark frame shows beside yours, the drag "
-        "is "
-        "another.",
+        "tenth of a second, at which hω is 1.5. None of them should shake: with the velocity of "
+        "now, a heavy damper holds as a light one does. Where a second frame shows beside yours, "
+        "the drag is another.",
     .view = {{-2.5, -2.5}, {22.5, 10}},
     .film = film,
 });

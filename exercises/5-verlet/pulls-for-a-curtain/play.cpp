@@ -97,8 +97,8 @@ struct Curtain {
 };
 
 void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
-  Curtain curtains[] = {{"moves are cheap", 0, 0.1, 0.1, yours, right},
-                        {"moves are dear", 7, 1, 0.1, yours, right}};
+  Curtain curtains[] = {{"cheap moves", 0, 0.1, 0.1, yours, right},
+                        {"dear moves", 7, 1, 0.1, yours, right}};
   for (int picture = 0; picture * frames_a_picture * frame < seconds; ++picture) {
     stage.picture(frames_a_picture * frame);
     for (Curtain& curtain : curtains) {
@@ -114,13 +114,11 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
 const grade::Staged staged({
     .exercise = "5-verlet/pulls-for-a-curtain",
     .caption =
-        "Two curtains bounce and come to rest, each with the substeps and iterations of your plan; "
-        "what they stretch "
-        "is "
-        "drawn twenty times as large. At rest the hem should hang just above the grey line: a plan "
-        "that is too cheap lets it sink below. The dot at the side is the stretch that your "
-        "rule foretells for the right plan, and the bar below is what a frame of yours costs. The "
-        "dark ones are right.",
+        "Two curtains bounce and come to rest, each with the substeps and iterations of your "
+        "plan; what they stretch is drawn twenty times as large. At rest the hem should hang "
+        "just above the grey line: a plan that is too cheap lets it sink below. The dot at the "
+        "side is the stretch that your rule foretells for the right plan, and the bar below is "
+        "what a frame of yours costs. The rings, and what yours does not cover, are right.",
     .view = {{-3.2, -5.1}, {10.2, 0.8}, 3},
     .film = film,
 });

@@ -67,9 +67,9 @@ const grade::Staged staged({
     .caption =
         "A lantern of 3 kg falls on a chain of six links, whose points weigh 200 g each; a link "
         "may be 0.35 m to 0.5 m long, and at first is put to the shortest. Under your pull it "
-        "should move with the dark chain. One that "
-        "gives way by halves, or at the ceiling, stretches under the lantern; one without play, or "
-        "with a bound too few, hangs another way.",
+        "should move with the chain of rings. One that gives way by halves, or at the ceiling, "
+        "stretches under the lantern; one without play, or with one bound alone, hangs another "
+        "way.",
     .view = {{-3, -3.6}, {3, 0.6}},
     .film = film,
 });

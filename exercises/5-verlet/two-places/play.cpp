@@ -53,10 +53,10 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
 const grade::Staged staged({
     .exercise = "5-verlet/two-places",
     .caption =
-        "Four sparks fly from a grinder, at thirty steps a second, and keep 0.6 of their speed up "
-        "and down when they bounce. A place before that is not the true one sends a spark off at "
-        "another speed; a bounce that tells the two places wrong is seen at the floor. The dark "
-        "paths are right.",
+        "Four sparks fly from a grinder, at thirty steps a second, and keep 0.6 of their speed "
+        "up and down when they bounce. A place before that is not the true one sends a spark off "
+        "at another speed; a bounce that tells the two places wrong is seen at the floor. The "
+        "paths of the rings are right.",
     .view = {{-1.2, -0.5}, {11, 4}, 0.5},
     .film = film,
 });

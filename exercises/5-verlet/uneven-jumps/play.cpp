@@ -83,10 +83,10 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
 const grade::Staged staged({
     .exercise = "5-verlet/uneven-jumps",
     .caption =
-        "One jump with even frames, and one with frames of a sixtieth of a second to a fifth, four "
-        "times slower. Both should rise to the upper grey line. The dart on the dark hero is your "
-        "velocity of true places, and should hide the dark one: it leans aside by the luck of "
-        "the frames if it is that of another moment.",
+        "One jump with even frames, and one with frames of a sixtieth of a second to a fifth, "
+        "both four times slower. They should rise to the upper grey line. The dart on the ring "
+        "is your velocity, told from true places: where a second dart shows beside it, yours is "
+        "the velocity of another moment.",
     .view = {{-0.5, -0.9}, {5.5, 5}, 0.25},
     .film = film,
 });

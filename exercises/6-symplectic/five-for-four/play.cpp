@@ -41,8 +41,8 @@ const grade::Staged staged({
     .exercise = "6-symplectic/five-for-four",
     .caption =
         "Eight turns of a probe around its sun, in 24 steps a turn, while a planet tugs at it "
-        "from further out. The dark probe takes Suzuki's five parts. Other parts, or a clock that "
-        "does not go along with them, lead yours to another place.",
+        "from further out. The ring takes Suzuki's five parts. Other parts, or a clock that does "
+        "not go along with them, lead yours to another place.",
     .view = {{-18, -18}, {18, 18}, 6},
     .film = film,
 });

@@ -41,8 +41,7 @@ const grade::Staged staged({
     .caption =
         "A car drives for five seconds by your step, and is rewound by your undo, at ten steps a "
         "second. On its way back it should draw no new line, and end on the grey disc from which "
-        "it "
-        "set out. The dark car does.",
+        "it set out. The ring does.",
     .view = {{-8, -5.6}, {8, 5.6}},
     .film = film,
 });

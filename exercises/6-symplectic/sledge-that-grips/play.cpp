@@ -52,9 +52,9 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
 const grade::Staged staged({
     .exercise = "6-symplectic/sledge-that-grips",
     .caption =
-        "A sledge glides down a slope, which falls to the right, and its runners turn from side to "
-        "side, at twenty steps a second. It should follow its runners: one that slips, stops or "
-        "explodes brakes by another rule than the dark one.",
+        "A sledge glides down a slope, which falls to the right, and its runners turn from side "
+        "to side, at twenty steps a second. It should follow its runners: one that slips, stops "
+        "or explodes brakes by another rule than the ring.",
     .view = {{-1.5, -4.2}, {22, 4.2}},
     .film = film,
 });

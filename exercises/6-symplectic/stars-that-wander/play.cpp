@@ -42,9 +42,9 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
 const grade::Staged staged({
     .exercise = "6-symplectic/stars-that-wander",
     .caption =
-        "Two stars turn around each other for half a minute, in steps of a tenth of a second. The "
-        "small dot is their centre of mass, which should stay where it is; the dark pair's does. "
-        "Under a step that changes a place too early yours moves off with both stars.",
+        "Two stars turn around each other for half a minute, in steps of a tenth of a second. "
+        "The small dot is their centre of mass, which should stay where it is; that of the rings "
+        "does. Under a step that changes a place too early yours moves off with both stars.",
     .view = {{-8, -5}, {8, 5}, 3},
     .film = film,
 });

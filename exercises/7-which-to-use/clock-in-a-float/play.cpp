@@ -75,9 +75,9 @@ const grade::Staged staged({
     .exercise = "7-which-to-use/clock-in-a-float",
     .caption =
         "Eight seconds of a level whose server has run for an hour, a day, four days and a week, "
-        "at "
-        "sixty ticks a second. The whirlwinds turn by your clock, and the hammers above them fall "
-        "when it strikes, which should be once a second. A dark arm beside yours is the true time.",
+        "at sixty ticks a second. The whirlwinds turn by your clock, and the hammers above them "
+        "fall when it strikes, which should be once a second. A second arm beside yours is the "
+        "true time.",
     .view = {{-1.7, -2.6}, {11.9, 2.3}},
     .film = film,
 });

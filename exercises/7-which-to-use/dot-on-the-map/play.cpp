@@ -75,11 +75,11 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
 const grade::Staged staged({
     .exercise = "7-which-to-use/dot-on-the-map",
     .caption =
-        "Three engines move a thing on a spring, a picture for each step. On the left the step is "
-        "5 % shorter than the longest that you find, and all should come to rest; on the right it "
-        "is 5 % longer, and all should leave, to be drawn at most 2.2 m out. The dot beside the "
-        "first goes to its rest by the growth that you find there. The dark things have the right "
-        "numbers.",
+        "Three engines move a thing on a spring, a picture for each step. On the left the step "
+        "is 5 % shorter than the longest that you find, and all should come to rest; on the "
+        "right it is 5 % longer, and all should leave, to be drawn at most 2.2 m out. The dot "
+        "beside the first goes to its rest by the growth that you find there. The rings have the "
+        "right numbers.",
     .view = {{-1.7, -3.3}, {13.7, 3.4}},
     .film = film,
 });

@@ -80,11 +80,10 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
 const grade::Staged staged({
     .exercise = "7-which-to-use/needle-that-settles",
     .caption =
-        "A speedometer on a fast screen and on a slow one with frames of 67 ms to 200 ms. The grey "
-        "dot is the speed of the car, which it accelerates to, brakes from and jumps to; beside "
-        "the dial "
-        "it is written down. Your needle should trail it as the dark one does, and on the slow "
-        "screen only move less often.",
+        "A speedometer on a fast screen and on a slow one with frames of 67 ms to 200 ms. The "
+        "grey dot is the speed of the car, which rises and falls evenly, and then jumps; beside "
+        "the dial it is written down. Your needle should trail it as the right one does, and on "
+        "the slow screen only move less often.",
     .view = {{-1.7, -1.6}, {9.4, 5.1}},
     .film = film,
 });

@@ -77,11 +77,11 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
 const grade::Staged staged({
     .exercise = "7-which-to-use/shuttle-on-a-budget",
     .caption =
-        "A dive past the planet and out again, in the order in which you ask: the shuttle is where "
-        "your code asks for the acceleration, each 24th question leaves a dot, and it is shown no "
-        "more than 1200. The glass has the true end in its middle, and its rim is a "
-        "twentieth of the error of RK4 in equal steps at that price: your dot should be "
-        "inside, as the dark one is.",
+        "A dive past the planet and out again, in the order in which you ask: the shuttle is "
+        "where your code asks for the acceleration, each 24th question leaves a dot, and what "
+        "comes after 1200 is not shown. The glass has the true end in its middle, and its rim is "
+        "a twentieth of the error of RK4 in equal steps at that price: your dot should be "
+        "inside, as the ring is.",
     .view = {{-20, -9}, {13, 8}},
     .film = film,
 });
