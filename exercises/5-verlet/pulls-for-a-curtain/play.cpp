@@ -11,7 +11,7 @@ constexpr double gravity = 9.81, link = 0.1;     // [m/s^2], [m]
 constexpr double enlarged = 20;                  // the stretch, to be seen
 
 struct Plan {
-  int substeps, iterations;
+  int substeps = 1, iterations = 1;
 
   double price(double move, double pull) const { return substeps * (move + iterations * pull); }
 };
@@ -22,13 +22,13 @@ Plan plan(judge::Student& who, double move, double pull) {
           static_cast<int>(grade::within(got[1], 1, 100))};
 }
 
-double foretold(judge::Student& who, const Plan& plan) {
+double stretch(judge::Student& who, const Plan& plan) {
   return who.call(0, judge::as_numbers(links, frame, plan.substeps, plan.iterations), 1)[0];
 }
 
 /// A rope that hangs straight down: how far each of its points is too low [m].
 struct Rope {
-  Plan plan;
+  Plan plan{};
   std::vector<double> excess = std::vector<double>(links + 1), previous = excess;
 
   void step() {
@@ -51,30 +51,24 @@ struct Rope {
 };
 
 struct Curtain {
-  std::string name;
-  double at, move, pull;
-  Rope yours, right;
-  double foretold, told;  // by yours and by the right rule, of the right plan [m]
+  const char* game;
+  double at, move, pull;  // where it hangs [m], and prices [us]
+  Rope yours{}, right{};
+  double foretold = 0, told = 0;  // by yours and by the right rule, of the right plan [m]
 
-  Curtain(const char* game, double place, double move_price, double pull_price,
-          judge::Student& mine, judge::Student& best)
-      : at(place),
-        move(move_price),
-        pull(pull_price),
-        yours{plan(mine, move, pull)},
-        right{plan(best, move, pull)},
-        foretold(::foretold(mine, right.plan)),
-        told(::foretold(best, right.plan)) {
-    name = std::string(game) + ": " + std::to_string(yours.plan.substeps) + " × " +
-           std::to_string(yours.plan.iterations);
+  void hang_up(judge::Student& mine, judge::Student& best) {
+    yours.plan = plan(mine, move, pull);
+    right.plan = plan(best, move, pull);
+    foretold = stretch(mine, right.plan);
+    told = stretch(best, right.plan);
   }
 
+  Vec place(double across, double depth) const { return {at + across, -depth, 0}; }
+
   void draw(grade::Stage& stage) const {
-    constexpr double width = 2.4, length = link * links;
-    const auto place = [this](double across, double depth) { return Vec{at + across, -depth, 0}; };
-    stage.line(place(-width, 0), place(width, 0), "scenery");
-    const double limit = length + enlarged * most;
-    stage.line(place(-width, limit), place(width, limit), "scenery");
+    constexpr double width = 2.4, length = link * links, limit = length + enlarged * most;
+    for (const double depth : {0.0, limit})
+      stage.line(place(-width, depth), place(width, depth), "scenery");
     for (const auto& [rope, colour] : {std::pair{&right, "true"}, {&yours, "yours"}}) {
       const double hem = rope->depth(links);
       for (const double across : {-2.0, -1.0, 0.0, 1.0, 2.0})
@@ -84,21 +78,19 @@ struct Curtain {
     for (std::size_t i = 5; i <= links; i += 5)
       stage.balls("point " + std::to_string(i), place(0, yours.depth(i)), place(0, right.depth(i)),
                   0.07);
-    const auto mark = [&](double stretch) {
-      return place(width + 0.3, length + enlarged * stretch);
-    };
-    stage.balls("foretold", mark(foretold), mark(told), 0.09);
-    const double metre = 2 * width / right.plan.price(move, pull);
+    stage.balls("foretold", place(width + 0.3, length + enlarged * foretold),
+                place(width + 0.3, length + enlarged * told), 0.09);
+    const double share = yours.plan.price(move, pull) / right.plan.price(move, pull);
     const Vec bar = place(-width, limit + 0.5);
-    stage.lines(bar, bar + Vec{metre * yours.plan.price(move, pull), 0, 0},
-                bar + Vec{2 * width, 0, 0});
-    stage.label(place(0, -0.4), name);
+    stage.lines(bar, bar + Vec{2 * width * share, 0, 0}, bar + Vec{2 * width, 0, 0});
+    stage.label(place(0, -0.4), std::string(game) + ": " + std::to_string(yours.plan.substeps) +
+                                    " × " + std::to_string(yours.plan.iterations));
   }
 };
 
 void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
-  Curtain curtains[] = {{"cheap moves", 0, 0.1, 0.1, yours, right},
-                        {"dear moves", 7, 1, 0.1, yours, right}};
+  Curtain curtains[] = {{"cheap moves", 0, 0.1, 0.1}, {"dear moves", 7, 1, 0.1}};
+  for (Curtain& curtain : curtains) curtain.hang_up(yours, right);
   for (int picture = 0; picture * frames_a_picture * frame < seconds; ++picture) {
     stage.picture(frames_a_picture * frame);
     for (Curtain& curtain : curtains) {
