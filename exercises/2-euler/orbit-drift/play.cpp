@@ -2,7 +2,6 @@
 // The drone of chapter 2, eight seconds a turn.
 #include <numbers>
 
-#include "format_values.h"
 #include "home/scene.h"
 
 namespace {
@@ -19,13 +18,11 @@ void film(grade::Stage& stage, judge::Student& yours, judge::Student& right) {
   for (std::size_t n = 0; n < path.states.size(); ++n) {
     const Vec drone = path.states[n].x;
     stage.picture(per_picture * h);
-    stage.trail("Euler", euler.states[n].x, "true");
-    stage.trail("yours", drone, "yours");
+    stage.trails("drone", drone, euler.states[n].x);
     stage.ball("tower", {}, 0.3, "scenery");
     stage.line({}, drone, "scenery");
-    stage.ball("Euler", euler.states[n].x, 0.4, "true");
-    stage.ball("yours", drone, 0.5, "yours");
-    stage.label({0, -15, 0}, grade::number(length(drone), 4) + " m");
+    stage.balls("drone", drone, euler.states[n].x, 0.4);
+    stage.label({0, -15, 0}, grade::shown(length(drone), 4) + " m");
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include "home/scene.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -22,6 +23,13 @@ const Scene* scene_of(const std::string& exercise) {
 Staged::Staged(Scene scene) {
   const std::string exercise = scene.exercise;
   scenes().emplace(exercise, std::move(scene));
+}
+
+Vec place(const judge::Path& path, double states) {
+  const auto before = static_cast<std::size_t>(states);
+  const std::size_t last = path.states.size() - 1, n = std::min(before, last);
+  const Vec &from = path.states[n].x, &to = path.states[std::min(n + 1, last)].x;
+  return from + (states - static_cast<double>(before)) * (to - from);
 }
 
 }  // namespace grade

@@ -27,4 +27,7 @@ struct Staged {
   explicit Staged(Scene scene);
 };
 
+/// Where a thing is after so many states of its path; between two of them it moves straight on.
+Vec place(const judge::Path& path, double states);
+
 }  // namespace grade

@@ -31,9 +31,20 @@ class Stage {
   void ball(const std::string& name, const Vec& at, double radius, const std::string& colour);
   void line(const Vec& from, const Vec& to, const std::string& colour);
 
+  /// @param size  its width and its height [m]
+  void box(const std::string& name, const Vec& centre, const Vec& size, const std::string& colour);
+
   /// Draws on, from where the same trail was in the picture before. All pictures have the same
   /// trails, in the same order.
   void trail(const std::string& name, const Vec& to, const std::string& colour);
+
+  // A thing of the student's, and the same as it should be: as a ring around it, or hidden by it,
+  // if it is right.
+  void balls(const std::string& name, const Vec& yours, const Vec& right, double radius);
+  void boxes(const std::string& name, const Vec& yours, const Vec& right, const Vec& size);
+  void trails(const std::string& name, const Vec& yours, const Vec& right);
+  void lines(const Vec& from, const Vec& yours, const Vec& right);
+
   void label(const Vec& centre, const std::string& words);
 
   /// The page of what was drawn.
@@ -46,5 +57,12 @@ class Stage {
   play::Film film_;
   std::map<std::string, play::Vec> last_;
 };
+
+/// The nearest number between these two, and the lower one for what is none: a student's answer
+/// that is counted by, or handed on to another of the student's functions.
+double within(double value, double low, double high);
+
+/// A number in a label; a dash if it is none.
+std::string shown(double value, int digits = 3);
 
 }  // namespace grade
