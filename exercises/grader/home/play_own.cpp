@@ -30,14 +30,11 @@ Played played(const Scene& scene, const OwnDriver& own) {
   return played;
 }
 
-/// The page's place; the reason why it can't be written there.
+/// The page's place.
 std::filesystem::path page_of(const Request& request) {
   std::filesystem::path page = request.submission;
   page.replace_filename(request.exercise.task() + ".html");
-  const auto there = read_whole(page);
-  if (there && !is_play_page(*there))
-    throw Usage("'" + printable_name(page.string()) +
-                "' is there already, and is not the grader's own; move it away");
+  refuse_foreign_page(page);
   return page;
 }
 

@@ -5,8 +5,11 @@
 #include <array>
 
 #include "class/page_style.h"
+#include "command_line.h"
 #include "home/plot_film.h"
+#include "printable.h"
 #include "report/escape.h"
+#include "report/files.h"
 #include "report/plot.h"
 #include "report/shortened.h"
 #include "report/words.h"
@@ -72,24 +75,32 @@ std::string failing_run(const TestResult& test) {
 }  // namespace
 
 std::string play_page(const Played& played, const Report& report) {
-  const std::string title = task(*exercise(report.exercise)).title;
-  std::string text = "<!doctype html>\n" + std::string(made_by) +
-                     "\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
-                     "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
-                     html(title) + "</title>\n<style>" + page_style + film_style +
-                     "</style>\n<main>\n<h1>" + html(title) + "</h1>\n<p>" +
-                     html(played.scene.caption) + "</p>\n" + frame(played.stage, title) +
-                     "<p class=\"key\"><b>●</b> yours <i>●</i> as it should be</p>\n";
+  std::string text;
   if (!played.why.empty()) text += "<p>It came no further: " + html(played.why) + "</p>\n";
   text += "<p>" + html(headline(report)) + "</p>\n";
   const auto failed = std::ranges::find_if(
       report.tests, [](const TestResult& test) { return test.ran && !test.held; });
   if (failed != report.tests.end()) text += failing_run(*failed);
-  return text + "</main>\n" + fit_films + "</html>\n";
+  return film_page(task(*exercise(report.exercise)).title, played.scene.caption, played.stage,
+                   text);
 }
 
-bool is_play_page(const std::string& text) {
-  return text.find(made_by) != std::string::npos;
+std::string film_page(const std::string& title, const std::string& caption, const Stage& stage,
+                      const std::string& body) {
+  return "<!doctype html>\n" + std::string(made_by) +
+         "\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
+         html(title) + "</title>\n<style>" + page_style + film_style + "</style>\n<main>\n<h1>" +
+         html(title) + "</h1>\n<p>" + html(caption) + "</p>\n" + frame(stage, title) +
+         "<p class=\"key\"><b>●</b> yours <i>●</i> as it should be</p>\n" + body + "</main>\n" +
+         fit_films + "</html>\n";
+}
+
+void refuse_foreign_page(const std::filesystem::path& page) {
+  const auto there = read_whole(page);
+  if (there && there->find(made_by) == std::string::npos)
+    throw Usage("'" + printable_name(page.string()) +
+                "' is there already, and is not the grader's own; move it away");
 }
 
 }  // namespace grade

@@ -2,6 +2,7 @@
 /// @file
 /// The page of a film.
 #pragma once
+#include <filesystem>
 #include <string>
 
 #include "grade_submission.h"
@@ -16,11 +17,16 @@ struct Played {
   std::string why;  ///< it came no further; empty if it came to its end
 };
 
-/// A page that needs nothing but itself.
+/// A page that needs nothing but itself: a film, and the run of the first test that failed.
 /// @param report  of the same code
 std::string play_page(const Played& played, const Report& report);
 
-/// Returns whether a text is such a page.
-bool is_play_page(const std::string& text);
+/// The same around any film.
+/// @param body  HTML that stands below it
+std::string film_page(const std::string& title, const std::string& caption, const Stage& stage,
+                      const std::string& body);
+
+/// @throws Usage  a file stands there that is no such page
+void refuse_foreign_page(const std::filesystem::path& page);
 
 }  // namespace grade

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT-0
+#include "film.h"
+
+namespace level {
+
+const grade::View film_view{{-15, -2}, {15, 15}};
+
+namespace {
+
+/// What stands still: the ground, a hook, two planets.
+void draw_scenery(grade::Stage& stage) {
+  stage.line({-15, 0, 0}, {15, 0, 0}, "scenery");
+  stage.line({-4, 13, 0}, {-2, 13, 0}, "scenery");
+  stage.ball("moon's planet", {10.5, 10, 0}, 0.7, "scenery");
+  stage.ball("shuttle's planet", {5.2, 5.5, 0}, 0.3, "scenery");
+}
+
+void draw_part(grade::Stage& stage, const Shown& part, std::size_t n) {
+  const auto& yours = part.yours;
+  const auto& right = part.right;
+  for (std::size_t i = 1; i < yours.size(); ++i) {
+    stage.line(right[i - 1][n], right[i][n], "true");
+    stage.line(yours[i - 1][n], yours[i][n], "yours");
+  }
+  const Vec &mine = yours.back()[n], &true_one = right.back()[n];
+  if (part.name == "the camera") return stage.boxes(part.name, mine, true_one, {2.4, 1.5, 0});
+  if (part.name == "the spring") stage.lines({mine.x, 0, 0}, mine, true_one);
+  if (part.name == "the replay" || part.name == "the shuttle")
+    stage.trails(part.name, mine, true_one);
+  stage.balls(part.name, mine, true_one, 0.35);
+}
+
+}  // namespace
+
+void draw(grade::Stage& stage, const std::vector<Shown>& parts, const std::vector<double>& frames) {
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    stage.picture(frames[n]);
+    draw_scenery(stage);
+    for (const Shown& part : parts) draw_part(stage, part, n);
+    stage.label({0, -1.2, 0}, "a clock and a camera");
+    stage.label({-12, 8, 0}, "a hard spring");
+    stage.label({-3, 14, 0}, "a chain");
+    stage.label({10.5, 14, 0}, "a replay");
+    stage.label({4, 8.6, 0}, "a shuttle");
+  }
+}
+
+}  // namespace level
