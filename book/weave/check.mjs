@@ -120,6 +120,7 @@ const CHECKS = {
   },
   chapterref: chapter,
   minutes: chapter,
+  graded: chapter,
   sectionref({ book, piece, report }) {
     const [name, id] = piece.args;
     piece.target = findChapter(book, name, report);

@@ -50,9 +50,16 @@ const HTML = {
   chapterref: ({ target }) =>
     `<a href="${target.href}">Chapter ${target.number}, <em>${escapeHtml(smarten(beforeColon(target.title)))}</em></a>`,
   minutes: ({ target }) => `${target.page.minutes()}\u202fmin`,
+  graded: ({ target }) => graded(target.page),
   sectionref: ({ target, section }, page) =>
     `<a href="${target.page === page ? '' : target.href}#${section.id}">section ${section.number}</a>`,
 };
+
+// How many exercises of a chapter are graded, and how long their tasks say that they take.
+function graded(page) {
+  const minutes = [...page.tasks.values()].map(task => Number(task.minutes));
+  return `${minutes.length} in ${minutes.reduce((sum, each) => sum + each, 0)}\u202fmin`;
+}
 
 const place = ({ page, section }) =>
   page.beside
@@ -65,6 +72,7 @@ const label = ({ piece }) => `${NUMBERED[piece.name]} ${piece.number}`;
 export function inlineText(piece) {
   if (piece.name === 'number') return quantityText(piece.value);
   if (piece.name === 'minutes') return `${piece.target.page.minutes()}\u202fmin`;
+  if (piece.name === 'graded') return graded(piece.target.page);
   if (piece.name === 'set') return piece.args[1];
   if (piece.name === 'code') return piece.code;
   if (piece.name === 'math') return mathText(piece.html);

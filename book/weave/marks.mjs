@@ -14,6 +14,7 @@ export const MARKS = {
   chapterref: { takes: [1, 1], kind: 'inline', usage: '\\chapterref{2-euler}' },
   sectionref: { takes: [2, 2], kind: 'inline', usage: '\\sectionref{2-euler, name-of-section}' },
   minutes: { takes: [1, 1], kind: 'inline', usage: '\\minutes{2-euler}' },
+  graded: { takes: [1, 1], kind: 'inline', usage: '\\graded{2-euler}' },
   exerciseref: { takes: [1, 1], kind: 'inline', usage: '\\exerciseref{name}' },
   ref: { takes: [1, 1], kind: 'inline', usage: '\\ref name, of something in code/, with its namespace' },
   term: { takes: [1, 1], kind: 'inline', usage: '\\term{a word of the glossary}' },

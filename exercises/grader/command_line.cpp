@@ -149,7 +149,7 @@ void add_course(Command& command, const Options& options) {
     throw Usage("grade class takes no EXERCISE, no folder and no seed; its file names them");
   if (options.sandbox == "none") throw Usage("a course is graded in the sandbox only");
   if (options.exit_status == "verdict") throw Usage("--exit-status verdict is for one submission");
-  command.course = {options.first, options.round, jobs(options.jobs)};
+  command.course = {options.first, options.round, jobs(options.jobs), shard(options.shard)};
 }
 
 void add_one(Command& command, const Options& options) {
@@ -206,6 +206,8 @@ Command read_command_line(int argc, char** argv) {
   Command command;
   if (!options.jobs.empty() && options.submissions.empty() && options.word != What::course)
     throw Usage("--jobs requires --class");
+  if (!options.shard.empty() && options.submissions.empty() && options.word != What::course)
+    throw Usage("--shard requires --class");
   if (!options.round.empty() && options.word != What::course)
     throw Usage("--round is for grade class");
   if (options.word == What::course) {

@@ -94,8 +94,7 @@ void declare(CLI::App& app, Options& options) {
                  "File with a line for each exercise that all have to hand in")
       ->needs(whole_class);
   app.add_option("--jobs", options.jobs, "Submissions at a time, of a student one");
-  app.add_option("--shard", options.shard, "i/n: only each n-th submission, from the i-th")
-      ->needs(whole_class);
+  app.add_option("--shard", options.shard, "i/n: only each n-th submission, from the i-th");
   app.add_option("--round", options.round, "Only this assignment of a course");
   app.add_flag("--all", options.all, "Show each test that failed in full");
   app.add_flag("--version", options.version, "Say which grader this is, exercise by exercise");

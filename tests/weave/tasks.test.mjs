@@ -23,6 +23,11 @@ test('a task in its place', () => {
   );
 });
 
+test("how many of a chapter's exercises are graded, and how long they take together", () => {
+  const page = weaves(['book/preface.md', '# Preface\n\nOf chapter 2: \\graded{2-euler}.\n'])('preface.html');
+  assert.match(page, /Of chapter 2: 1 in 15\u202fmin\./);
+});
+
 test('how the tasks are graded is said once, before the first', () => {
   const page = weaves()('2-euler.html');
   assert.equal(page.split('A program grades the rest.').length, 2);

@@ -89,19 +89,20 @@ int grade_course(const CourseWork& work) {
   const std::vector<Assignment> chosen = rounds(course, work.round);
   refuse_foreign_results(course.results);
   umask(077);
-  const Lock lock(course.results, false);
+  const bool is_part = work.shard.of > 1;
+  const Lock lock(course.results, is_part);
   if (!lock.held()) {
     return refuse(Exit::try_again, "another grader is at work in '" +
                                        printable_name(course.results.string()) + "'; wait for it");
   }
   int code = Exit::graded;
   for (const Assignment& one : chosen) {
-    const int ended = grade_round(course, one, roster, work.jobs, !work.round.empty());
+    const int ended = grade_round(course, one, roster, work);
     if (ended == Exit::bad_input || ended == Exit::unreadable) return ended;
     code = worse(code, ended);
   }
   const std::vector<Marks> marks = kept_marks(course);
-  if (marks.empty()) return code;
+  if (marks.empty() || is_part) return code;
   write_whole(course.results / table_of_all,
               grades_of_course(marks, roster.value_or(std::vector<Member>())));
   std::printf("%s: see %s\n", counted(marks.size(), "assignment").c_str(),

@@ -62,7 +62,7 @@ void print_unused_extensions(const Course& course, const Assignment& assignment,
 }
 
 Class class_of(const Course& course, const Assignment& assignment, const Participants& students,
-               std::size_t jobs) {
+               const CourseWork& asked) {
   std::map<std::string, bool> due_by_folder;
   for (const Participant& one : students.all)
     if (one.folder)
@@ -73,7 +73,8 @@ Class class_of(const Course& course, const Assignment& assignment, const Partici
   work.assigned = assignment.exercises;
   work.seed_file = assignment.seed_file;
   if (!work.seed_file.empty()) work.seed = seed_in(work.seed_file);
-  work.jobs = jobs;
+  work.jobs = asked.jobs;
+  work.shard = asked.shard;
   work.takes_part = [=](const Student& student) { return due_by_folder.contains(student.name); };
   work.is_due = [=](const Student& student) { return due_by_folder.at(student.name); };
   return work;
@@ -129,13 +130,13 @@ std::filesystem::path marks_file(const Course& course, const Assignment& assignm
 }
 
 int grade_round(const Course& course, const Assignment& assignment,
-                const std::optional<std::vector<Member>>& roster, std::size_t jobs, bool named) {
+                const std::optional<std::vector<Member>>& roster, const CourseWork& asked) {
   refuse_foreign_round(course.results / assignment.name);
   ClassList list;
   try {
     list = read_students(assignment.submissions);
   } catch (const std::filesystem::filesystem_error& error) {
-    if (named || error.code() != std::errc::no_such_file_or_directory)
+    if (!asked.round.empty() || error.code() != std::errc::no_such_file_or_directory)
       return refuse(Exit::unreadable, "can't read the folder " + folder_of(assignment) + ": " +
                                           error.code().message());
     std::printf("%s: nothing is collected yet, since there is no folder %s\n",
@@ -149,11 +150,11 @@ int grade_round(const Course& course, const Assignment& assignment,
   std::printf("%s\n", assignment.name.c_str());
   print_some("Not graded, since on no line of the roster", students.unmatched);
   print_unused_extensions(course, assignment, students);
-  const Class work = class_of(course, assignment, students, jobs);
+  const Class work = class_of(course, assignment, students, asked);
   const bool anybody = std::ranges::any_of(
       students.all, [](const Participant& one) { return one.folder.has_value(); });
   const int code = anybody ? grade_class(work) : int(Exit::graded);
-  if (code == Exit::bad_input || code == Exit::unreadable) return code;
+  if (code == Exit::bad_input || code == Exit::unreadable || asked.shard.of > 1) return code;
   write_round(course, assignment, work, students, handed_in_at);
   return code;
 }

@@ -1,7 +1,17 @@
 // Whole rounds of a course, graded by the stand-in:   node rounds.test.mjs STAND_IN
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { cpSync, mkdirSync, readFileSync, renameSync, rmSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  statSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import Ajv from 'ajv/dist/2020.js';
@@ -463,6 +473,26 @@ test('two graders do not work on one course', () => {
     assert.match(`${error.stderr}`, /another grader is at work in '.*results'; wait for it/);
   }
   assert.equal(status, 75);
+});
+
+test('parts of a round are the whole, and a last run without them writes marks and tables', () => {
+  const handedIn = {
+    'submissions/ada/one': '// score 10',
+    'submissions/bob/one': '// score 4',
+    'submissions/cy/one': '// score 0',
+  };
+  const room = rostered({}, handedIn);
+  const parts = [1, 2].map(i => room.grade(['--shard', `${i}/2`]));
+  assert.deepEqual(
+    parts.map(({ graded }) => graded.length),
+    [2, 1],
+  );
+  for (const name of ['grades.csv', 'week-1/marks.json', 'week-1/pages.zip'])
+    assert.ok(!existsSync(room.path(`results/${name}`)), name);
+  assert.deepEqual(room.grade().graded, []);
+  const whole = rostered({}, handedIn);
+  whole.grade();
+  assert.equal(room.read('grades.csv'), whole.read('grades.csv'));
 });
 
 test('120 students with four exercises take no two seconds beyond the grading', () => {
