@@ -172,6 +172,26 @@ void add_one(Command& command, const Options& options) {
   }
 }
 
+/// These grade nothing, and take no more than their names and options.
+void add_way(Command& command, const Options& options) {
+  command.what = *options.word;
+  if (!options.exercise.empty() || !options.submissions.empty() || !options.out.empty() ||
+      !options.seed.empty() || !options.seed_file.empty())
+    throw Usage("grade " + options.said + " grades nothing; grade " + options.said +
+                " --help says what it takes");
+  if (command.what == What::collect) {
+    command.collection = {options.first, options.second, options.third, options.until,
+                          options.worksheet};
+  } else {
+    command.handed_back = {options.first, options.second, options.third, options.column};
+  }
+}
+
+void check_is_for(const std::string& option, const std::string& value, const Options& options,
+                  What word, const std::string& name) {
+  if (!value.empty() && options.word != word) throw Usage(option + " is for " + name);
+}
+
 void add_word(Command& command, const Options& options) {
   command.what = *options.word;
   if (!options.exercise.empty() || !options.submissions.empty() || !options.out.empty())
@@ -206,9 +226,13 @@ Command read_command_line(int argc, char** argv) {
   Command command;
   if (!options.jobs.empty() && options.submissions.empty() && options.word != What::course)
     throw Usage("--jobs requires --class");
-  if (!options.round.empty() && options.word != What::course)
-    throw Usage("--round is for grade class");
-  if (options.word == What::course) {
+  check_is_for("--round", options.round, options, What::course, "grade class");
+  check_is_for("--until", options.until, options, What::collect, "grade collect");
+  check_is_for("--worksheet", options.worksheet, options, What::collect, "grade collect");
+  check_is_for("--column", options.column, options, What::hand_back, "grade hand-back");
+  if (options.word == What::collect || options.word == What::hand_back) {
+    add_way(command, options);
+  } else if (options.word == What::course) {
     command.what = What::course;
     add_course(command, options);
   } else if (options.word) {

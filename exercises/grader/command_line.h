@@ -11,6 +11,8 @@
 #include "class/class.h"
 #include "course/grade_course.h"
 #include "grade_submission.h"
+#include "hosts/collect.h"
+#include "hosts/hand_back.h"
 #include "options.h"
 #include "report/folder.h"
 
@@ -30,6 +32,8 @@ struct Command {
   bool all = false;           ///< of the tests that failed in full
   Class classroom;            ///< of a whole class
   CourseWork course;          ///< and of a course
+  Collection collection;      ///< that is brought in
+  HandBack handed_back;       ///< and what goes out
   std::filesystem::path own;  ///< header whose own main is run; folder to start in
 };
 

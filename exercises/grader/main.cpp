@@ -45,8 +45,9 @@ void list(const std::string& part) {
 }
 
 int run(const Command& command) {
-  constexpr What without_code[] = {What::nothing, What::version, What::start, What::list,
-                                   What::hint,    What::ways,    What::seal,  What::check};
+  constexpr What without_code[] = {What::nothing, What::version,  What::start, What::list,
+                                   What::hint,    What::ways,     What::seal,  What::check,
+                                   What::collect, What::hand_back};
   if (std::ranges::find(without_code, command.what) == std::end(without_code)) grade::make_ready();
   switch (command.what) {
     case What::one:
@@ -57,6 +58,10 @@ int run(const Command& command) {
       return grade::grade_class(command.classroom);
     case What::course:
       return grade::grade_course(command.course);
+    case What::collect:
+      return grade::collect_submissions(command.collection);
+    case What::hand_back:
+      return grade::hand_back(command.handed_back);
     case What::start:
       return grade::start(command.request.exercise, command.own);
     case What::hint:
