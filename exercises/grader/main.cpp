@@ -17,6 +17,7 @@
 #include "home/right_ways.h"
 #include "home/start.h"
 #include "home/watch.h"
+#include "hosts/write_gradescope.h"
 #include "printable.h"
 #include "report/files.h"
 #include "task.h"
@@ -45,9 +46,9 @@ void list(const std::string& part) {
 }
 
 int run(const Command& command) {
-  constexpr What without_code[] = {What::nothing, What::version,  What::start, What::list,
-                                   What::hint,    What::ways,     What::seal,  What::check,
-                                   What::collect, What::hand_back};
+  constexpr What without_code[] = {What::nothing, What::version,   What::start,     What::list,
+                                   What::hint,    What::ways,      What::seal,      What::check,
+                                   What::collect, What::hand_back, What::gradescope};
   if (std::ranges::find(without_code, command.what) == std::end(without_code)) grade::make_ready();
   switch (command.what) {
     case What::one:
@@ -62,6 +63,8 @@ int run(const Command& command) {
       return grade::collect_submissions(command.collection);
     case What::hand_back:
       return grade::hand_back(command.handed_back);
+    case What::gradescope:
+      return grade::write_gradescope(command.reports, command.own);
     case What::start:
       return grade::start(command.request.exercise, command.own);
     case What::hint:

@@ -57,6 +57,7 @@ constexpr Word words[] = {
      "Bring in what moodle, canvas, git or folders hand out", true, "TO"},
     {What::hand_back, "hand-back", "KIND", "TABLE", "Fill marks into a table of moodle or canvas",
      true, "RESULTS"},
+    {What::gradescope, "gradescope", "REPORTS", "RESULTS.json", "", true},
     {What::check, "check", nullptr, nullptr, "Try what grading needs on this machine", false},
 };
 
@@ -88,7 +89,7 @@ void declare(CLI::App& app, Options& options) {
                                            "Number that all hidden inputs come from; 1 is public");
   app.add_option("--seed-file", options.seed_file, "File that holds it")->excludes(seed);
   app.add_option("--sandbox", options.sandbox, "none: only for your own code on your own machine")
-      ->check(CLI::IsMember({"bubblewrap", "none"}));
+      ->check(CLI::IsMember({"bubblewrap", "none", "auto"}));
   app.add_option("--exit-status", options.exit_status, "verdict: exit with 1 below full score")
       ->check(CLI::IsMember({"grader", "verdict"}));
   CLI::Option* const whole_class =

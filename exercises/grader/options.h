@@ -13,6 +13,7 @@ enum class What {
   course,
   collect,
   hand_back,
+  gradescope,
   version,
   watch,
   start,

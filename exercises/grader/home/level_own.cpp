@@ -14,6 +14,7 @@
 #include "judge/session.h"
 #include "level/part.h"
 #include "printable.h"
+#include "without_a_cage.h"
 #include "report/wrapped.h"
 
 namespace grade {

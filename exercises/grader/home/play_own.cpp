@@ -10,6 +10,7 @@
 #include "home/scene.h"
 #include "judge/session.h"
 #include "printable.h"
+#include "without_a_cage.h"
 #include "report/files.h"
 
 namespace grade {
