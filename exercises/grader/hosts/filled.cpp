@@ -63,7 +63,9 @@ std::size_t column_of_gradebook(const CsvRow& head, const std::string& column,
                                 const std::string& file) {
   const auto found = std::ranges::find(head.cells, column);
   if (found != head.cells.end()) return std::size_t(found - head.cells.begin());
-  const std::string near = nearest(column, head.cells);
+  const auto begins = std::ranges::find_if(
+      head.cells, [&](const std::string& one) { return one.starts_with(column + " ("); });
+  const std::string near = begins != head.cells.end() ? *begins : nearest(column, head.cells);
   throw Usage(file + ":1: there is no column '" + printable_name(column) + "'" +
               (near.empty() ? "; name the assignment's as it stands there, with its number"
                             : "; did you mean '" + printable_name(near) + "'?"));
