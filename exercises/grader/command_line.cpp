@@ -206,7 +206,7 @@ void add_word(Command& command, const Options& options) {
     command.listed = options.first;
   } else if (command.what == What::run) {
     command.own = options.first;
-  } else if (command.what == What::gradescope) {
+  } else if (command.what == What::gradescope || command.what == What::classroom) {
     command.reports = options.first;
     command.own = options.second;
   } else if (command.what == What::play && options.first == "level") {

@@ -35,7 +35,7 @@ struct Command {
   CourseWork course;              ///< and of a course
   Collection collection;          ///< that is brought in
   HandBack handed_back;           ///< and what goes out
-  std::filesystem::path reports;  ///< that one file for Gradescope is made of
+  std::filesystem::path reports;  ///< that one file of a host's is made of
   std::filesystem::path own;      ///< header whose own main is run; folder to start in
 };
 

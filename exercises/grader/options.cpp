@@ -58,6 +58,7 @@ constexpr Word words[] = {
     {What::hand_back, "hand-back", "KIND", "TABLE", "Fill marks into a table of moodle or canvas",
      true, "RESULTS"},
     {What::gradescope, "gradescope", "REPORTS", "RESULTS.json", "", true},
+    {What::classroom, "classroom", "REPORTS", "RESULT.json", "", true},
     {What::check, "check", nullptr, nullptr, "Try what grading needs on this machine", false},
 };
 

@@ -14,6 +14,7 @@ enum class What {
   collect,
   hand_back,
   gradescope,
+  classroom,
   version,
   watch,
   start,

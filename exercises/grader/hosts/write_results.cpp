@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT-0
-#include "hosts/write_gradescope.h"
-
-#include <vector>
+#include "hosts/write_results.h"
 
 #include "command_line.h"
 #include "exit_codes.h"
 #include "printable.h"
 #include "report/files.h"
-#include "report/gradescope.h"
 #include "report/json.h"
 
 namespace grade {
 
-int write_gradescope(const std::filesystem::path& reports, const std::filesystem::path& results) {
+int write_results(const std::filesystem::path& reports, const std::filesystem::path& results,
+                  std::string (*format)(const std::vector<Report>& all)) {
   std::vector<Report> all;
   for (const Exercise& one : exercises()) {
     const auto text = read_whole(reports / one.name / "report.json");
@@ -23,7 +21,7 @@ int write_gradescope(const std::filesystem::path& reports, const std::filesystem
                 "'; grade EXERCISE FILE --out REPORTS/EXERCISE makes one");
   const int code = exit_code(all);
   if (code != Exit::graded) return refuse(code, "the grader failed; nobody has lost a point by it");
-  write_whole(results, gradescope(all));
+  write_whole(results, format(all));
   return Exit::graded;
 }
 
