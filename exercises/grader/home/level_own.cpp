@@ -14,8 +14,8 @@
 #include "judge/session.h"
 #include "level/part.h"
 #include "printable.h"
-#include "without_a_cage.h"
 #include "report/wrapped.h"
+#include "without_a_cage.h"
 
 namespace grade {
 namespace {

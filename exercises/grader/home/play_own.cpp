@@ -10,8 +10,8 @@
 #include "home/scene.h"
 #include "judge/session.h"
 #include "printable.h"
-#include "without_a_cage.h"
 #include "report/files.h"
+#include "without_a_cage.h"
 
 namespace grade {
 namespace {

@@ -105,7 +105,8 @@ void say_what_of_times(const Haul& haul, const std::filesystem::path& table, boo
   const auto unknown = std::ranges::count_if(
       haul.files, [](const HandedFile& one) { return one.handed_in.empty(); });
   if (!written) {
-    std::printf("Nothing here says when it was handed in; the files bear the archive's times\n");
+    std::printf(
+        "Nothing here says when it was handed in; the files keep the times that they came with\n");
   } else if (unknown > 0) {
     std::printf("%s: fill in the times of %s\n", shown.c_str(),
                 counted(std::size_t(unknown), "file").c_str());

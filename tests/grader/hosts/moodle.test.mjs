@@ -165,12 +165,15 @@ test('a second try is taken: the later one, else the one with the right name, el
   made(of(3, 'one (10).h'));
   made(of(4, 'one (1).h'));
   made(of(5, 'other (1).h'));
+  made(of(6, 'one (10).h'));
+  made(of(6, 'one (2).h'), later);
   const { stdout } = room.collect('moodle');
   const taken = number => room.read(`to/N_${number}_assignsubmission_file/one.h`).trim();
   assert.equal(taken(1), of(1, 'one (1).h'));
   assert.equal(taken(2), of(2, 'one.h'));
   assert.equal(taken(3), of(3, 'one (10).h'));
   assert.equal(taken(4), of(4, 'one (1).h'));
+  assert.equal(taken(6), of(6, 'one (2).h'));
   assert.ok(room.has('to/N_5_assignsubmission_file/other (1).h'));
   assert.match(stdout, /^Note: N_1_\w+: of one \(1\).h and one.h the first is taken, which is later$/m);
   assert.match(stdout, /^Note: N_2_\w+: of one.h and one \(1\).h the first is taken, as the task calls it$/m);
