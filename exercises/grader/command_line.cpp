@@ -11,6 +11,7 @@
 #include "options.h"
 #include "printable.h"
 #include "time_limits.h"
+#include "without_a_cage.h"
 
 namespace grade {
 namespace {
@@ -112,7 +113,7 @@ std::size_t jobs(const std::string& text) {
 
 void add_class(Command& command, const Options& options) {
   if (!options.exercise.empty()) throw Usage("--class takes no EXERCISE; choose with --exercise");
-  if (options.sandbox == "none") throw Usage("a class is graded in the sandbox only");
+  if (options.sandbox != "bubblewrap") throw Usage("a class is graded in the sandbox only");
   if (options.exit_status == "verdict") throw Usage("--exit-status verdict is for one submission");
   Class& work = command.classroom;
   for (const std::string& name : options.exercises) add(work.exercises, name);
@@ -147,7 +148,7 @@ void add_course(Command& command, const Options& options) {
   if (!options.exercise.empty() || !options.seed.empty() || !options.seed_file.empty() ||
       !options.out.empty() || !options.submissions.empty())
     throw Usage("grade class takes no EXERCISE, no folder and no seed; its file names them");
-  if (options.sandbox == "none") throw Usage("a course is graded in the sandbox only");
+  if (options.sandbox != "bubblewrap") throw Usage("a course is graded in the sandbox only");
   if (options.exit_status == "verdict") throw Usage("--exit-status verdict is for one submission");
   command.course = {options.first, options.round, jobs(options.jobs), shard(options.shard)};
 }
@@ -160,7 +161,9 @@ void add_one(Command& command, const Options& options) {
     add_submission(command, options);
   }
   command.request.seed = seed(options);
-  if (options.sandbox == "none") command.request.sandbox = cage::Sandbox::none;
+  command.request.seed_file = options.seed_file;
+  if (options.sandbox == "none") do_without_a_cage(command.request);
+  command.cage_if_any = options.sandbox == "auto";
   if (!options.out.empty()) command.out = folder(options.out);
   command.emits = emits(options);
   command.all = options.all;
@@ -172,16 +175,40 @@ void add_one(Command& command, const Options& options) {
   }
 }
 
+/// These grade nothing, and take no more than their names and options.
+void add_way(Command& command, const Options& options) {
+  command.what = *options.word;
+  if (!options.exercise.empty() || !options.submissions.empty() || !options.out.empty() ||
+      !options.seed.empty() || !options.seed_file.empty())
+    throw Usage("grade " + options.said + " grades nothing; grade " + options.said +
+                " --help says what it takes");
+  if (command.what == What::collect) {
+    command.collection = {options.first, options.second, options.third, options.until,
+                          options.worksheet};
+  } else {
+    command.handed_back = {options.first, options.second, options.third, options.column};
+  }
+}
+
+void check_is_for(const std::string& option, const std::string& value, const Options& options,
+                  What word, const std::string& name) {
+  if (!value.empty() && options.word != word) throw Usage(option + " is for " + name);
+}
+
 void add_word(Command& command, const Options& options) {
   command.what = *options.word;
   if (!options.exercise.empty() || !options.submissions.empty() || !options.out.empty())
     throw Usage("grade " + options.said + " grades nothing; grade " + options.said +
                 " --help says what it takes");
-  if (options.sandbox == "none") command.request.sandbox = cage::Sandbox::none;
+  command.request.seed_file = options.seed_file;
+  if (options.sandbox == "none") do_without_a_cage(command.request);
   if (command.what == What::list) {
     command.listed = options.first;
   } else if (command.what == What::run) {
     command.own = options.first;
+  } else if (command.what == What::gradescope || command.what == What::classroom) {
+    command.reports = options.first;
+    command.own = options.second;
   } else if (command.what == What::play && options.first == "level") {
     command.what = What::level;
     command.request.seed = seed(options);
@@ -208,9 +235,13 @@ Command read_command_line(int argc, char** argv) {
     throw Usage("--jobs requires --class");
   if (!options.shard.empty() && options.submissions.empty() && options.word != What::course)
     throw Usage("--shard requires --class");
-  if (!options.round.empty() && options.word != What::course)
-    throw Usage("--round is for grade class");
-  if (options.word == What::course) {
+  check_is_for("--round", options.round, options, What::course, "grade class");
+  check_is_for("--until", options.until, options, What::collect, "grade collect");
+  check_is_for("--worksheet", options.worksheet, options, What::collect, "grade collect");
+  check_is_for("--column", options.column, options, What::hand_back, "grade hand-back");
+  if (options.word == What::collect || options.word == What::hand_back) {
+    add_way(command, options);
+  } else if (options.word == What::course) {
     command.what = What::course;
     add_course(command, options);
   } else if (options.word) {

@@ -11,6 +11,8 @@
 #include "class/class.h"
 #include "course/grade_course.h"
 #include "grade_submission.h"
+#include "hosts/collect.h"
+#include "hosts/hand_back.h"
 #include "options.h"
 #include "report/folder.h"
 
@@ -25,12 +27,16 @@ struct Command {
   bool limits_given = false;  ///< by the grader of a class, that calibrated them
   bool unchecked = false;     ///< for a class: no word on how it uses memory
   bool exit_by_verdict = false;
-  bool at_home = false;       ///< for whoever wrote it: where no cage can be had, without one
-  std::string listed;         ///< part of the names that are listed; empty for all
-  bool all = false;           ///< of the tests that failed in full
-  Class classroom;            ///< of a whole class
-  CourseWork course;          ///< and of a course
-  std::filesystem::path own;  ///< header whose own main is run; folder to start in
+  bool at_home = false;           ///< for whoever wrote it: where no cage can be had, without one
+  bool cage_if_any = false;       ///< the same, for others' code where that can't read a secret
+  std::string listed;             ///< part of the names that are listed; empty for all
+  bool all = false;               ///< of the tests that failed in full
+  Class classroom;                ///< of a whole class
+  CourseWork course;              ///< and of a course
+  Collection collection;          ///< that is brought in
+  HandBack handed_back;           ///< and what goes out
+  std::filesystem::path reports;  ///< that one file of a host's is made of
+  std::filesystem::path own;      ///< header whose own main is run; folder to start in
 };
 
 /// Bad input: one line that says what is wrong and what to do.

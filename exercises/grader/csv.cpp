@@ -42,7 +42,7 @@ void check_is_text(std::string_view text, const std::string& name) {
 class CsvReader {
  public:
   CsvReader(std::string_view text, const std::string& name)
-      : left_(text), name_(name), separator_(separator_of(text)) {}
+      : text_(text), left_(text), name_(name), separator_(separator_of(text)) {}
 
   std::vector<CsvRow> all() {
     std::vector<CsvRow> rows;
@@ -64,9 +64,11 @@ class CsvReader {
   }
 
   CsvRow row() {
-    CsvRow row{line_, {}};
+    CsvRow row{line_, {}, {}};
     for (bool more = true; more;) {
+      const std::size_t begin = text_.size() - left_.size();
       row.cells.push_back(!left_.empty() && left_[0] == '"' ? quoted() : plain());
+      row.places.push_back({begin, text_.size() - left_.size() - begin});
       more = !left_.empty() && left_[0] == separator_;
       if (more) take();
     }
@@ -99,7 +101,7 @@ class CsvReader {
     refuse_line(name_, begin, "this quote is never closed; put a \" at its end");
   }
 
-  std::string_view left_;
+  std::string_view text_, left_;
   std::string name_;
   char separator_;
   std::size_t line_ = 1;
@@ -132,6 +134,24 @@ std::string csv_line(const std::vector<std::string>& cells) {
   std::string line;
   for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + csv_cell(cells[i]);
   return line + "\r\n";
+}
+
+void CsvChanges::set(const CsvRow& row, std::size_t column, const std::string& cell) {
+  const CsvPlace& place = row.places.at(column);
+  const bool was_quoted = place.size > 0 && text_[place.begin] == '"';
+  std::string written = csv_cell(cell);
+  if (was_quoted && written == cell) written = "\"" + cell + "\"";
+  changes_[place.begin] = {place.size, written};
+}
+
+std::string CsvChanges::text() const {
+  std::string result;
+  std::size_t at = 0;
+  for (const auto& [begin, change] : changes_) {
+    result += text_.substr(at, begin - at) + change.second;
+    at = begin + change.first;
+  }
+  return result + text_.substr(at);
 }
 
 std::string trimmed(const std::string& text) {

@@ -16,6 +16,7 @@
 #include "printable.h"
 #include "report/terminal.h"
 #include "time_limits.h"
+#include "without_a_cage.h"
 
 namespace grade {
 namespace {
@@ -86,16 +87,8 @@ void print_offers(const Graded& graded) {
 
 }  // namespace
 
-void do_without_a_cage_that_cannot_be_had(Request& request) {
-  if (request.sandbox == cage::Sandbox::none) return;
-  if (!unsafe()) return;
-  std::fputs("No cage here, so your code runs like any program of yours: grade check says why.\n",
-             stderr);
-  request.sandbox = cage::Sandbox::none;
-}
-
 Graded grade_one(Command command) {
-  if (command.at_home) do_without_a_cage_that_cannot_be_had(command.request);
+  if (command.at_home || command.cage_if_any) do_without_a_cage_that_cannot_be_had(command.request);
   const bool done_before = !command.unchecked && is_done(command.request.exercise);
   // A class has folders of its own.
   if (command.out && !command.limits_given) refuse_foreign_files(*command.out);

@@ -5,9 +5,6 @@
 
 namespace grade {
 
-/// Where no cage can be had, code of one's own runs without one, and a line says so.
-void do_without_a_cage_that_cannot_be_had(Request& request);
-
 /// A report, and from where the grader was called for it.
 struct Graded {
   Report report;

@@ -32,6 +32,7 @@ struct Request {
   std::string only;                    ///< the one test to run, by its name; all, if empty
   bool diagnoses = true;               ///< whether known wrong ways are looked for
   void (*called)(harness::Call& call) = nullptr;  ///< code of ours, in this process
+  std::filesystem::path seed_file{};  ///< from which the seed came; empty if it was given openly
 };
 
 /// All that is known at the end; the report in words and in JSON is made from this alone.

@@ -17,8 +17,11 @@
 #include "home/right_ways.h"
 #include "home/start.h"
 #include "home/watch.h"
+#include "hosts/write_results.h"
 #include "printable.h"
+#include "report/classroom.h"
 #include "report/files.h"
+#include "report/gradescope.h"
 #include "task.h"
 
 namespace {
@@ -45,8 +48,10 @@ void list(const std::string& part) {
 }
 
 int run(const Command& command) {
-  constexpr What without_code[] = {What::nothing, What::version, What::start, What::list,
-                                   What::hint,    What::ways,    What::seal,  What::check};
+  constexpr What without_code[] = {What::nothing,   What::version,    What::start,
+                                   What::list,      What::hint,       What::ways,
+                                   What::seal,      What::check,      What::collect,
+                                   What::hand_back, What::gradescope, What::classroom};
   if (std::ranges::find(without_code, command.what) == std::end(without_code)) grade::make_ready();
   switch (command.what) {
     case What::one:
@@ -57,6 +62,14 @@ int run(const Command& command) {
       return grade::grade_class(command.classroom);
     case What::course:
       return grade::grade_course(command.course);
+    case What::collect:
+      return grade::collect_submissions(command.collection);
+    case What::hand_back:
+      return grade::hand_back(command.handed_back);
+    case What::gradescope:
+      return grade::write_results(command.reports, command.own, grade::gradescope);
+    case What::classroom:
+      return grade::write_results(command.reports, command.own, grade::classroom);
     case What::start:
       return grade::start(command.request.exercise, command.own);
     case What::hint:

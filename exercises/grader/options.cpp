@@ -27,12 +27,15 @@ constexpr const char* codes =
     "          grade orbit-drift.h\n"
     "          grade 2-euler/orbit-drift my_euler.h\n"
     "          grade --class submissions/ --seed-file seed.txt --jobs 2 --out results/\n"
-    "          grade class course.toml --round week-2";
+    "          grade class course.toml --round week-2\n"
+    "          grade collect moodle unpacked/ submissions/week-2 --worksheet Grades.csv\n"
+    "          grade hand-back moodle Grades.csv results/week-2";
 
 struct Word {
   What what;
   const char *word, *first, *second, *about;  ///< what stands behind it, if anything
   bool needs_first;
+  const char* third = nullptr;  ///< with which it needs all three
 };
 
 constexpr Word words[] = {
@@ -50,6 +53,12 @@ constexpr Word words[] = {
     {What::seal, "seal", "EXERCISE", nullptr, "", true},
     {What::course, "class", "COURSE.toml", nullptr,
      "Grade the assignments of the course that this file describes", true},
+    {What::collect, "collect", "KIND", "FROM",
+     "Bring in what moodle, canvas, git or folders hand out", true, "TO"},
+    {What::hand_back, "hand-back", "KIND", "TABLE", "Fill marks into a table of moodle or canvas",
+     true, "RESULTS"},
+    {What::gradescope, "gradescope", "REPORTS", "RESULTS.json", "", true},
+    {What::classroom, "classroom", "REPORTS", "RESULT.json", "", true},
     {What::check, "check", nullptr, nullptr, "Try what grading needs on this machine", false},
 };
 
@@ -62,7 +71,8 @@ void declare_words(CLI::App& app, Options& options) {
       options.said = each.word;
     });
     if (each.first) word->add_option(each.first, options.first)->required(each.needs_first);
-    if (each.second) word->add_option(each.second, options.second);
+    if (each.second) word->add_option(each.second, options.second)->required(each.third != nullptr);
+    if (each.third) word->add_option(each.third, options.third)->required();
   }
 }
 
@@ -80,7 +90,7 @@ void declare(CLI::App& app, Options& options) {
                                            "Number that all hidden inputs come from; 1 is public");
   app.add_option("--seed-file", options.seed_file, "File that holds it")->excludes(seed);
   app.add_option("--sandbox", options.sandbox, "none: only for your own code on your own machine")
-      ->check(CLI::IsMember({"bubblewrap", "none"}));
+      ->check(CLI::IsMember({"bubblewrap", "none", "auto"}));
   app.add_option("--exit-status", options.exit_status, "verdict: exit with 1 below full score")
       ->check(CLI::IsMember({"grader", "verdict"}));
   CLI::Option* const whole_class =
@@ -96,6 +106,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--jobs", options.jobs, "Submissions at a time, of a student one");
   app.add_option("--shard", options.shard, "i/n: only each n-th submission, from the i-th");
   app.add_option("--round", options.round, "Only this assignment of a course");
+  app.add_option("--until", options.until, "Time of the end, with its offset, to collect by");
+  app.add_option("--worksheet", options.worksheet, "Moodle's, to collect the times from");
+  app.add_option("--column", options.column, "Of Canvas's gradebook, to hand back into");
   app.add_flag("--all", options.all, "Show each test that failed in full");
   app.add_flag("--version", options.version, "Say which grader this is, exercise by exercise");
   app.add_option("--limits", options.limits)->group("");

@@ -11,6 +11,10 @@ enum class What {
   one,
   whole_class,
   course,
+  collect,
+  hand_back,
+  gradescope,
+  classroom,
   version,
   watch,
   start,
@@ -26,10 +30,10 @@ enum class What {
 
 /// The command line as it was typed, before it is checked.
 struct Options {
-  std::optional<What> word;         ///< `start` and the like
-  std::string said, first, second;  ///< it, and what stands behind it
+  std::optional<What> word;                ///< `start` and the like
+  std::string said, first, second, third;  ///< it, and what stands behind it
   std::string exercise, file, out, seed, seed_file, shard, limits, submissions, assigned;
-  std::string round;
+  std::string round, until, worksheet, column;
   std::string sandbox = "bubblewrap", exit_status = "grader";
   std::vector<std::string> emits, exercises;
   std::string jobs;  ///< empty: as many as there are processors

@@ -28,8 +28,7 @@ std::optional<Entry> entry(int folder, const std::string& name) {
   return found;
 }
 
-std::vector<std::string> names_in(const Entry& folder) {
-  constexpr std::size_t most = 1000;
+std::vector<std::string> names_in(const Entry& folder, std::size_t most) {
   const cage::File file = opened(folder, O_DIRECTORY);
   const std::unique_ptr<DIR, int (*)(DIR*)> stream(::fdopendir(::dup(file.get())), ::closedir);
   std::vector<std::string> names;

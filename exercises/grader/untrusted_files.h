@@ -4,6 +4,7 @@
 #pragma once
 #include <sys/stat.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,8 +27,8 @@ struct Entry {
 /// @returns nothing, with errno set, if it is not there
 std::optional<Entry> entry(int folder, const std::string& name);
 
-/// Up to a thousand names in it, sorted.
-std::vector<std::string> names_in(const Entry& folder);
+/// Up to so many names in it, sorted.
+std::vector<std::string> names_in(const Entry& folder, std::size_t most = 1000);
 
 /// Up to `most` bytes; nothing if it may not be read.
 std::optional<std::string> read(const Entry& file, std::size_t most);

@@ -74,6 +74,18 @@ Harness show(const fs::path& folder) {
   return shown;
 }
 
+/// Whatever root's umask is, and whoever may read the originals. The folder itself lets in one
+/// user.
+void let_others_read(const fs::path& folder) {
+  constexpr auto to_read = fs::perms::group_read | fs::perms::others_read;
+  constexpr auto to_enter = fs::perms::group_exec | fs::perms::others_exec;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_symlink()) continue;
+    fs::permissions(entry.path(), entry.is_directory() ? to_read | to_enter : to_read,
+                    fs::perm_options::add);
+  }
+}
+
 /// Lays out in a folder what the cage shows at /job.
 fs::path lay_out(const Kit& kit, std::string_view submission, const std::string& header,
                  std::string_view harness_header, Build build) {
@@ -86,9 +98,11 @@ fs::path lay_out(const Kit& kit, std::string_view submission, const std::string&
   } else {
     fs::copy(kit.harness, folder / "harness", fs::copy_options::recursive);
   }
-  if (const auto user = unprivileged())
+  if (const auto user = unprivileged()) {
+    let_others_read(folder);
     if (::chown(folder.c_str(), *user, *user) != 0)
       throw std::runtime_error("cannot hand over " + folder.string());
+  }
   return folder;
 }
 

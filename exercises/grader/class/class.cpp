@@ -26,7 +26,8 @@ namespace {
 constexpr const char* written[] = {"grades.csv", "report.csv", "summary.html"};
 constexpr const char* tables[] = {"grades.csv", "report.csv", "summary.html", Class::part_folder,
                                   // of a round of a course
-                                  "marks.json", "late.csv", "equal.csv", "pages", "pages.zip"};
+                                  "marks.json", "late.csv", "equal.csv", "pages", "pages.zip",
+                                  "moodle.csv", "canvas.csv"};
 
 /// The student whose name is that of a table; null if there is none.
 const Student* named_like_a_table(const std::vector<Student>& students) {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <system_error>
 
+#include "hosts/store.h"
+
 namespace grade {
 namespace {
 
@@ -68,7 +70,7 @@ ClassList read_students(const std::filesystem::path& submissions) {
     const std::string name = entry.path().filename().string();
     if (is_folder(entry) && !name.starts_with('.')) {
       list.students.push_back({name, entry.path()});
-    } else {
+    } else if (name != collected_mark) {
       list.ignored.push_back(name);
     }
   }

@@ -81,9 +81,10 @@ HandedInAt times_in(const Course& course, const Assignment& assignment) {
   }
   return [times, name = assignment.name](const Participant& student,
                                          const Exercise& exercise) -> std::optional<Instant> {
+    const std::string folder = student.folder ? student.folder->name : "";
     for (const std::string& of : {exercise.name, name})
-      if (const auto found = times.find({student.member.key, of}); found != times.end())
-        return found->second;
+      for (const std::string& who : {student.member.key, folder})
+        if (const auto found = times.find({who, of}); found != times.end()) return found->second;
     return std::nullopt;
   };
 }

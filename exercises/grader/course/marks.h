@@ -48,7 +48,7 @@ Marks marks_of(const Course& course, const Assignment& assignment, const Partici
 /// What is kept of an assignment, for the table of all and for programs.
 std::string marks_json(const Marks& marks);
 
-/// Reads it back, as far as the table of all needs it; nothing if it is none.
+/// Reads it back, as far as tables need it; nothing if it is none.
 std::optional<Marks> marks_from(std::string_view json);
 
 /// A row for each exercise that was late.

@@ -39,6 +39,9 @@ Mark mark_from(const MarksJson& value) {
   value.at("asked").get_to(mark.asked);
   value.at("of").get_to(mark.of);
   mark.points = number_or_nothing(value.at("points"));
+  value.at("verdict").get_to(mark.verdict);
+  value.at("handed_in").get_to(mark.handed_in);
+  value.at("late").get_to(mark.late);
   return mark;
 }
 
@@ -46,6 +49,7 @@ StudentMarks student_from(const MarksJson& value) {
   StudentMarks student;
   value.at("student").get_to(student.student);
   value.at("name").get_to(student.name);
+  value.at("folder").get_to(student.folder);
   for (const MarksJson& mark : value.at("marks")) student.marks.push_back(mark_from(mark));
   return student;
 }

@@ -7,6 +7,7 @@
 
 #include "command_line.h"
 #include "csv.h"
+#include "hosts/moodle_name.h"
 #include "nearest.h"
 #include "printable.h"
 
@@ -101,27 +102,9 @@ class Columns {
 };
 
 /// The name in a folder that Moodle made; empty if it did not.
-std::string moodle_name(const std::string& folder) {
-  for (const std::string end : {"_assignsubmission_file_", "_assignsubmission_file"}) {
-    if (!folder.ends_with(end)) continue;
-    const std::string front = folder.substr(0, folder.size() - end.size());
-    const std::size_t number = front.rfind('_');
-    if (number == front.npos || number + 1 == front.size()) return "";
-    const bool digits = std::ranges::all_of(front.substr(number + 1),
-                                            [](unsigned char c) { return std::isdigit(c) != 0; });
-    return digits ? front.substr(0, number) : "";
-  }
-  return "";
-}
-
-/// A name as Moodle makes part of a folder's of it.
-std::string as_moodle_writes(const std::string& name) {
-  std::string text;
-  for (const char c : name) {
-    if (std::string_view("&<>\"`|':\\/").find(c) == std::string_view::npos)
-      text += c == '_' ? ' ' : c;
-  }
-  return text;
+std::string name_in(const std::string& folder) {
+  const auto parts = moodle_name(folder);
+  return parts && parts->kind == "file" && parts->file.empty() ? parts->name : "";
 }
 
 /// By the names that only one member has.
@@ -176,7 +159,7 @@ Participants match(const std::vector<Member>& roster, const std::vector<Student>
   const auto names = by_name(roster);
   for (const Student& folder : folders) {
     const auto key = keys.find(folder.name);
-    const auto name = names.find(moodle_name(folder.name));
+    const auto name = names.find(name_in(folder.name));
     if (key == keys.end() && name == names.end()) {
       found.unmatched.push_back(folder.name);
       continue;

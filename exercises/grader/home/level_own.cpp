@@ -19,6 +19,7 @@
 #include "report/escape.h"
 #include "report/files.h"
 #include "report/wrapped.h"
+#include "without_a_cage.h"
 
 namespace grade {
 namespace {

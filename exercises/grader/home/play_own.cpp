@@ -11,6 +11,7 @@
 #include "judge/session.h"
 #include "printable.h"
 #include "report/files.h"
+#include "without_a_cage.h"
 
 namespace grade {
 namespace {
