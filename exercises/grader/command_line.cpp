@@ -39,12 +39,32 @@ Exercise exercise_named(const std::string& name) {
 /// By its name, with or without the chapter, or by that of its header, wherever it lies.
 Exercise exercise_meant(const std::string& name) {
   if (const std::optional<Exercise> found = exercise(name)) return *found;
-  std::string file = std::filesystem::path(name).filename().string();
+  const std::filesystem::path path = name;
+  std::string file = path.filename().string();
   if (!file.ends_with(".h")) file += ".h";
   const std::vector<Exercise> all = exercises();
   const auto found = std::ranges::find(all, file, &Exercise::header);
   if (found != all.end()) return *found;
+  std::error_code none;
+  if (std::filesystem::is_directory(path, none))
+    throw Usage("'" + printable_name(name) + "' is a folder; go there, and call grade alone");
+  if (std::filesystem::exists(path, none))
+    throw Usage("'" + printable_name(name) +
+                "' has no exercise's name; name the exercise before it: grade EXERCISE FILE");
   no_exercise(name);
+}
+
+/// A header of one's own, by its place or by its exercise's name, if it lies here.
+void add_own(Command& command, const std::string& name) {
+  command.request.exercise = exercise_meant(name);
+  command.request.submission = name;
+  std::error_code none;
+  if (std::filesystem::exists(name, none)) return;
+  command.request.submission = command.request.exercise.header();
+  if (std::filesystem::path(name).extension() == ".h") command.request.submission = name;
+  if (!std::filesystem::exists(command.request.submission, none) && !name.ends_with(".h"))
+    throw Usage("name the file to grade behind the exercise; there is no " +
+                command.request.exercise.header() + " here");
 }
 
 std::set<Emit> emits(const Options& options) {
@@ -133,13 +153,11 @@ void add_class(Command& command, const Options& options) {
 /// An exercise and a file, or a header whose name says which exercise it is for: that is one's own.
 void add_submission(Command& command, const Options& options) {
   const std::string& name = options.exercise;
-  if (!options.file.empty() || exercise(name)) {
-    command.request.exercise = exercise_named(name);
-    if (options.file.empty()) throw Usage("name the file to grade behind the exercise");
+  if (!options.file.empty()) {
+    command.request.exercise = exercise_meant(name);
     command.request.submission = options.file;
   } else {
-    command.request.exercise = exercise_meant(name);
-    command.request.submission = name;
+    add_own(command, name);
     command.at_home = true;
   }
 }
@@ -215,8 +233,7 @@ void add_word(Command& command, const Options& options) {
     command.own = options.second;
     command.exit_by_verdict = options.exit_status == "verdict";
   } else if (command.what == What::play) {
-    command.request.exercise = exercise_meant(options.first);
-    command.request.submission = options.first;
+    add_own(command, options.first);
     command.request.seed = seed(options);
   } else if (command.what != What::check) {
     command.request.exercise = exercise_meant(options.first);

@@ -87,6 +87,10 @@ void print_offers(const Graded& graded) {
 
 }  // namespace
 
+bool in_colour() {
+  return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+}
+
 Graded grade_one(Command command) {
   if (command.at_home || command.cage_if_any) do_without_a_cage_that_cannot_be_had(command.request);
   const bool done_before = !command.unchecked && is_done(command.request.exercise);
@@ -111,8 +115,7 @@ void print(const Graded& graded, bool all) {
     refuse(Exit::unreadable, printable(graded.report.why));
     return;
   }
-  const bool colour = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
-  std::fputs(terminal(graded.report, colour, all, graded.place).c_str(), stdout);
+  std::fputs(terminal(graded.report, in_colour(), all, graded.place).c_str(), stdout);
   if (!graded.of_a_class) print_offers(graded);
 }
 

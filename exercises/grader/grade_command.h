@@ -15,6 +15,9 @@ struct Graded {
 /// Grades one submission, keeps the report if there is a folder for it, and remembers what is done.
 Graded grade_one(Command command);
 
+/// Returns whether what is printed is on a terminal, and nobody wants it without colours.
+bool in_colour();
+
 /// On a terminal with colours, unless somebody wants none.
 void print(const Graded& graded, bool all);
 

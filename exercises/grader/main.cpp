@@ -88,6 +88,10 @@ int run(const Command& command) {
     case What::check:
       return grade::check_machine();
     case What::list:
+      if (command.listed == "level") {
+        grade::list_level();
+        break;
+      }
       list(command.listed);
       break;
     case What::version:

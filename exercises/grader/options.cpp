@@ -148,6 +148,7 @@ std::optional<Options> read_options(int argc, char** argv) {
   declare(app, options);
   declare_words(app, options);
   old.declare(app);
+  if (argc == 2 && std::string_view(argv[1]) == "help") argv[1] = const_cast<char*>("--help");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

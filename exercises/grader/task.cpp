@@ -29,6 +29,7 @@ Task task(const Exercise& exercise) {
   std::istringstream file(read_whole(exercise.folder / "task.md").value_or(""));
   for (std::string line; std::getline(file, line) && !line.empty();) {
     task.title += behind(line, "# ");
+    task.goal += behind(line, "Goal: ");
     task.kind += behind(line, "Kind: ");
     task.difficulty += behind(line, "Difficulty: ");
     task.minutes += behind(line, "Minutes: ");

@@ -9,7 +9,7 @@
 namespace grade {
 
 struct Task {
-  std::string title, kind, difficulty, minutes;  ///< empty if there is no task.md
+  std::string title, goal, kind, difficulty, minutes;  ///< empty if there is no task.md
 };
 
 Task task(const Exercise& exercise);

@@ -15,7 +15,26 @@ void draw_scenery(grade::Stage& stage) {
   stage.ball("shuttle's planet", {5.2, 5.5, 0}, 0.3, "scenery");
 }
 
+constexpr double size = 0.35;
+constexpr Vec camera_size{2.4, 1.5, 0};
+
+bool leaves_trail(const Shown& part) {
+  return part.name == "the replay" || part.name == "the shuttle";
+}
+
+/// As it should be, alone.
+void draw_right(grade::Stage& stage, const Shown& part, std::size_t n) {
+  const auto& right = part.right;
+  for (std::size_t i = 1; i < right.size(); ++i) stage.line(right[i - 1][n], right[i][n], "true");
+  const Vec& at = right.back()[n];
+  if (part.name == "the camera") return stage.box(part.name, at, camera_size, "true");
+  if (part.name == "the spring") stage.line({at.x, 0, 0}, at, "true");
+  if (leaves_trail(part)) stage.trail(part.name, at, "true");
+  stage.ball(part.name, at, size, "true");
+}
+
 void draw_part(grade::Stage& stage, const Shown& part, std::size_t n) {
+  if (part.yours.empty()) return draw_right(stage, part, n);
   const auto& yours = part.yours;
   const auto& right = part.right;
   for (std::size_t i = 1; i < yours.size(); ++i) {
@@ -23,11 +42,10 @@ void draw_part(grade::Stage& stage, const Shown& part, std::size_t n) {
     stage.line(yours[i - 1][n], yours[i][n], "yours");
   }
   const Vec &mine = yours.back()[n], &true_one = right.back()[n];
-  if (part.name == "the camera") return stage.boxes(part.name, mine, true_one, {2.4, 1.5, 0});
+  if (part.name == "the camera") return stage.boxes(part.name, mine, true_one, camera_size);
   if (part.name == "the spring") stage.lines({mine.x, 0, 0}, mine, true_one);
-  if (part.name == "the replay" || part.name == "the shuttle")
-    stage.trails(part.name, mine, true_one);
-  stage.balls(part.name, mine, true_one, 0.35);
+  if (leaves_trail(part)) stage.trails(part.name, mine, true_one);
+  stage.balls(part.name, mine, true_one, size);
 }
 
 }  // namespace

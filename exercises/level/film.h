@@ -20,7 +20,7 @@ std::vector<double> film_frames();
 /// Where a part's points are in each frame, by somebody's code.
 Paths paths(const std::string& exercise, judge::Student& whose, const std::vector<double>& frames);
 
-/// A part that is shown: by the student's code, or, where that is not there, by the solution's.
+/// A part that is shown: by the student's code, which may not be there, and by the solution's.
 struct Shown {
   std::string exercise, name;
   Paths yours, right;

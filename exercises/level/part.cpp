@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #include "part.h"
 
+#include <numbers>
+
 #include "judge/session.h"
 #include "things.h"
 
@@ -44,8 +46,8 @@ const std::vector<Part>& parts() {
       {"5-verlet/rope-link", "the rope", "a lantern swings on a chain", 0, rope_hour},
       {"6-symplectic/rewind-the-replay", "the replay", "a moon circles, and is wound back", 1,
        replay_hour},
-      {"7-which-to-use/shuttle-on-a-budget", "the shuttle", "it lands once a minute", 4,
-       shuttle_hour},
+      {"7-which-to-use/shuttle-on-a-budget", "the shuttle", "sixty flights",
+       1200 / (60 * 2 * std::numbers::pi), shuttle_hour},
   };
   return all;
 }

@@ -40,7 +40,7 @@ struct Hour {
   bool whole = true;       ///< nothing has exploded: all is finite, and where it can be
   double off = 0;          ///< farthest from where it should be [m]
   std::string where;       ///< it was that; empty if nothing is to be said
-  double evaluations = 0;  ///< of the acceleration in a frame, on average; 0 if none is asked for
+  double evaluations = 0;  ///< of the acceleration in a frame; of several runs the most; 0 if none
 };
 
 /// One of the level's things.

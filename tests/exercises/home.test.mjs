@@ -44,7 +44,10 @@ test('a starter comes by its name alone, with what editors want to know, and nev
   const here = work('start');
   const { status, stdout } = run(here, 'start', 'orbit-drift');
   assert.equal(status, 0);
-  assert.match(stdout, /The drone that leaves, level 2, 20 min\n.*\n {2}grade orbit-drift\.h\n/);
+  assert.match(
+    stdout,
+    /The drone that leaves, level 2, 20 min\nWrite a method from its two formulas[^]*\n {2}grade orbit-drift\.h\n/,
+  );
   const starter = readFileSync(join(exercises, '2-euler/orbit-drift/starter.h'), 'utf8');
   assert.equal(readFileSync(join(here, 'orbit-drift.h'), 'utf8'), starter);
   const clean = spawnSync('g++', ['@compile_flags.txt', '-fsyntax-only', 'orbit-drift.h'], {
@@ -118,6 +121,23 @@ test('the sealed ways are those of the folder, and cannot be read as they are', 
   assert.ok(shown.stdout.includes(solution('1-test-case/throw-to-runner')));
 });
 
+test("a main of one's own may print by streams, and the line that reads beyond an array is named", () => {
+  const here = work('own');
+  writeFileSync(
+    join(here, 'mine.h'),
+    '#include <iostream>\n#include <vector>\nint main() {\n  std::vector<int> a(2);\n  std::cout << 5 << std::endl << 1.5 << "\\n" << std::flush;\n  return a.data()[2];\n}\n',
+  );
+  const { status, stdout, stderr } = run(here, 'run', 'mine.h');
+  assert.deepEqual([status, stdout], [1, '5\n1.5\n']);
+  assert.match(stderr, /reads outside of the memory that it has, in line 6/);
+});
+
+test('the exercises of the level are listed, and a task has its place in the book', () => {
+  const names = run(work('level'), 'list', 'level').stdout.match(/\d-[a-z-]+\/[a-z-]+/g);
+  assert.equal(names.length, 6);
+  assert.ok(names.every(name => tasks.includes(name)));
+});
+
 test('without a word and without a terminal it grades what was saved last', () => {
   const here = work('last');
   const none = run(here);
@@ -155,6 +175,8 @@ test('without a word it watches the folder: each save is graded, on a screen of 
     await shown.until(/\x1b\[2J[^]*2-euler\/orbit-drift: WRONG_ANSWER/);
     await shown.until(/A hint: grade hint orbit-drift/);
     writeFileSync(join(here, 'other.h'), 'no answer');
+    writeFileSync(join(here, 'two-errors.h'), readFileSync(join(exercises, '1-test-case/two-errors/starter.h')));
+    await shown.until(/1-test-case\/two-errors: WRONG_ANSWER[^]*No exercise is called like other\.h\./);
     writeFileSync(join(here, 'orbit-drift.h'), solution('2-euler/orbit-drift'));
     await shown.until(/\[##\.{29}\] 2 of 31 exercises done[^]*2-euler\/orbit-drift: ACCEPTED/);
     await shown.until(/Next: grade start camera-that-lags/);

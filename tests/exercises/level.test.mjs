@@ -41,7 +41,7 @@ test('an hour of the solutions is kept, in all six parts', () => {
   assert.equal(status, 0, stdout);
   assert.deepEqual(Object.keys(outcomes), Object.values(parts));
   for (const [name, { word }] of Object.entries(outcomes)) assert.equal(word, 'kept', name);
-  assert.match(stdout, /^6 of 6 are kept\. Open \S*level\.html in a browser\.$/m);
+  assert.match(stdout, /^6 of 6 are kept: ship it\. Open \S*level\.html in a browser\.$/m);
 });
 
 test('the starters keep nothing, and each is told why', () => {

@@ -63,6 +63,7 @@ int show_hint(const Exercise& exercise) {
     note_shown(shown);
   } else {
     for (std::size_t n = 0; n < all.size(); ++n) print_hint(all, n);
+    std::puts("There are no others.");
   }
   if (count < all.size())
     std::printf("Another: %s\n", own_command({"hint", exercise.task()}).c_str());

@@ -16,9 +16,11 @@
 #include "level/film.h"
 #include "level/part.h"
 #include "printable.h"
+#include "replace_all.h"
 #include "report/escape.h"
 #include "report/files.h"
 #include "report/wrapped.h"
+#include "task.h"
 #include "without_a_cage.h"
 
 namespace grade {
@@ -63,7 +65,7 @@ std::string said_of(const level::Part& part, const level::Hour& hour) {
   if (!hour.where.empty() && hour.off > level::most_off) text += ", " + hour.where;
   if (part.most_evaluations > 0)
     text += "; " + number(hour.evaluations, 3) + " evaluations a frame, where " +
-            number(part.most_evaluations, 2) + " may be had";
+            number(part.most_evaluations, 3) + " are allowed";
   return text;
 }
 
@@ -110,10 +112,16 @@ Outcome outcome(const Command& command, const level::Part& part, const std::vect
   return {false, false, "not here yet: " + own_command({"start", exercise(part.exercise)->task()})};
 }
 
+/// Several lines stay lines, as a compiler says them.
+std::string as_said(const std::string& text) {
+  if (text.find('\n') == std::string::npos) return wrapped(text, 4);
+  return replace_all(printable(text), "\n", "\n    ") + "\n";
+}
+
 void show(const level::Part& part, const Outcome& outcome) {
   std::string head = part.name + ", " + part.does;
   head.resize(std::max<std::size_t>(44, head.size()), ' ');
-  std::printf("%-7s%s\n    %s", word(outcome), head.c_str(), wrapped(outcome.says, 4).c_str());
+  std::printf("%-7s%s\n    %s", word(outcome), head.c_str(), as_said(outcome.says).c_str());
   std::fflush(stdout);
 }
 
@@ -121,7 +129,7 @@ level::Shown shown(const Command& command, const level::Part& part, const Outcom
   begin_session(command, part);
   judge::Student solution = begin_right(part.exercise);
   const level::Paths right = level::paths(part.exercise, solution, level::film_frames());
-  return {part.exercise, part.name, outcome.yours.empty() ? right : outcome.yours, right};
+  return {part.exercise, part.name, outcome.yours, right};
 }
 
 std::string row(const level::Part& part, const Outcome& outcome) {
@@ -151,12 +159,15 @@ int play_level(const Command& command) {
   Command here = command;
   const std::filesystem::path folder = command.own.empty() ? "." : command.own;
   const std::filesystem::path page = (folder / "level.html").lexically_normal();
+  if (!std::filesystem::is_directory(folder))
+    throw Usage("there is no folder '" + printable_name(folder.string()) + "'");
   refuse_foreign_page(page);
   do_without_a_cage_that_cannot_be_had(here.request);
   const std::vector<Answer> there = answers(folder);
   std::printf(
       "The level, for an hour: twenty minutes at 60 frames a second, twenty at 30, and twenty in\n"
-      "uneven frames. A producer wants it whole, and each thing within %s mm.\n\n",
+      "uneven frames. A producer wants it whole, and each thing within %s mm.\n"
+      "It takes about half a minute.\n\n",
       number(1000 * level::most_off, 2).c_str());
   std::vector<Outcome> outcomes;
   for (const level::Part& part : level::parts()) {
@@ -165,10 +176,15 @@ int play_level(const Command& command) {
   }
   const auto kept = std::ranges::count_if(outcomes, &Outcome::kept);
   write_page(here, page, outcomes);
-  std::printf("\n%td of %zu are kept. Open %s in a browser.\n", kept, outcomes.size(),
-              printable_name(page.string()).c_str());
   const bool all = static_cast<std::size_t>(kept) == outcomes.size();
+  std::printf("\n%td of %zu are kept%s Open %s in a browser.\n", kept, outcomes.size(),
+              all ? ": ship it." : ".", printable_name(page.string()).c_str());
   return command.exit_by_verdict && !all ? Exit::below_full_score : Exit::graded;
+}
+
+void list_level() {
+  for (const level::Part& part : level::parts())
+    std::fputs(list_of_exercises(part.exercise).c_str(), stdout);
 }
 
 }  // namespace grade

@@ -11,4 +11,7 @@ namespace grade {
 /// @returns the exit code: 0 if it was played, or by --exit-status verdict only if all is kept
 int play_level(const Command& command);
 
+/// Lists the exercises whose headers keep it.
+void list_level();
+
 }  // namespace grade

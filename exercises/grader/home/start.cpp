@@ -8,6 +8,7 @@
 #include "installed.h"
 #include "printable.h"
 #include "report/files.h"
+#include "report/wrapped.h"
 #include "task.h"
 
 namespace grade {
@@ -40,6 +41,18 @@ void tell_editors(const std::filesystem::path& folder) {
                   given.string() + "\"]}], \"version\": 4}\n");
 }
 
+/// The exercise on its page of the book, as students have it or the build makes it; empty if it is
+/// in neither place.
+std::string page_of(const Exercise& exercise) {
+  const std::filesystem::path project = std::filesystem::path(installed().exercises) / "..";
+  for (const char* book : {"book", "build/book"}) {
+    const auto page = (project / book / (exercise.chapter() + ".html")).lexically_normal();
+    if (std::filesystem::exists(page))
+      return std::filesystem::proximate(page).string() + "#exercise-" + exercise.task();
+  }
+  return "";
+}
+
 }  // namespace
 
 int start(const Exercise& exercise, const std::filesystem::path& folder) {
@@ -56,10 +69,12 @@ int start(const Exercise& exercise, const std::filesystem::path& folder) {
   write_whole(header, *starter);
   tell_editors(there);
   const Task about = task(exercise);
-  std::printf("%s: %s, level %s, %s min\nWrite your code into %s, and call\n  %s\n",
+  const std::string page = page_of(exercise);
+  std::printf("%s: %s, level %s, %s min\n%s\n%s%s\nWrite your code into %s, and call\n  %s\n",
               exercise.name.c_str(), about.title.c_str(), about.difficulty.c_str(),
-              about.minutes.c_str(), printable_name(header.string()).c_str(),
-              own_command({header.string()}).c_str());
+              about.minutes.c_str(), wrapped(about.goal, 0).c_str(),
+              page.empty() ? "" : "The task: ", page.c_str(),
+              printable_name(header.string()).c_str(), own_command({header.string()}).c_str());
   return Exit::graded;
 }
 

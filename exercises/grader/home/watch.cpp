@@ -13,6 +13,9 @@
 #include "home/answers.h"
 #include "home/done.h"
 #include "home/own_command.h"
+#include "printable.h"
+#include "report/terminal.h"
+#include "report/wrapped.h"
 
 namespace grade {
 namespace {
@@ -47,17 +50,35 @@ Graded grade_answer(const Command& command, const Answer& answer) {
   return grade_one(one);
 }
 
+/// Headers that have no exercise's name, for whoever waits for one of them to be graded.
+std::string others_here() {
+  std::string names;
+  for (const auto& entry : std::filesystem::directory_iterator(".")) {
+    const std::string name = entry.path().filename().string();
+    const auto has_name = [&](const Exercise& one) { return one.header() == name; };
+    if (name.ends_with(".h") && std::ranges::none_of(exercises(), has_name))
+      names += (names.empty() ? "" : ", ") + printable_name(name);
+  }
+  return names.empty() ? "" : wrapped("No exercise is called like " + names + ".", 0);
+}
+
 void show(const Command& command, const Answer& answer) {
   const Graded seen = grade_answer(command, answer);
   show_on_empty_screen(bar_of_all());
-  print(seen, command.all);
-  std::printf("Save it again, and it is graded again. Ctrl-C ends this.\n");
+  if (seen.report.verdict == Verdict::accepted || command.all || seen.report.unreadable) {
+    print(seen, command.all);
+  } else {
+    std::fputs(on_one_screen(seen.report, in_colour()).c_str(), stdout);
+    std::printf("A hint: %s\n", own_command({"hint", answer.exercise.task()}).c_str());
+  }
+  std::printf("%sSave it again, and it is graded again. Ctrl-C ends this.\n",
+              others_here().c_str());
   std::fflush(stdout);
 }
 
 /// Waits until an answer has been saved since, and has kept still for a moment: an editor may be
 /// writing it.
-/// @param before  the answers as they were; becomes as they are
+/// @param before  the answers as they were; learns of the one that is returned
 Answer wait_for_saved(std::vector<Answer>& before) {
   constexpr std::chrono::milliseconds moment(100);
   while (true) {
@@ -66,10 +87,14 @@ Answer wait_for_saved(std::vector<Answer>& before) {
       std::this_thread::sleep_for(moment);
       last = std::exchange(now, answers("."));
     } while (last != now);
-    std::swap(before, now);  // `now` are those of before
-    const auto saved = std::ranges::find_if(
-        before, [&](const Answer& answer) { return std::ranges::find(now, answer) == now.end(); });
-    if (saved != before.end()) return *saved;
+    const auto saved = std::ranges::find_if(now, [&](const Answer& answer) {
+      return std::ranges::find(before, answer) == before.end();
+    });
+    if (saved == now.end()) continue;
+    // Others that were saved meanwhile have their turn.
+    std::erase_if(before, [&](const Answer& answer) { return answer.file == saved->file; });
+    before.push_back(*saved);
+    return *saved;
   }
 }
 

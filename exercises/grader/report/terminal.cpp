@@ -143,4 +143,21 @@ std::string terminal(const Report& report, bool colour, bool all, const Place& p
   return text;
 }
 
+std::string on_one_screen(const Report& report, bool colour) {
+  const auto failed = std::ranges::find_if(
+      report.tests, [](const TestResult& test) { return test.ran && !test.held; });
+  if (!is_judged(report.verdict) || failed == report.tests.end()) return terminal(report, colour);
+  TestResult first = *failed;
+  for (Finding& finding : first.findings) {
+    finding.tolerance.clear();
+    finding.tolerance_from.clear();
+    finding.plot = {};
+  }
+  const Paint paint(colour);
+  const auto held = std::ranges::count_if(report.tests, &TestResult::held);
+  return section(first, paint) + "\n" + printable(report.exercise) + ": " +
+         paint.bad(headline(report)) + ", " + std::to_string(held) + " of " +
+         std::to_string(report.tests.size()) + " tests held\n";
+}
+
 }  // namespace grade

@@ -15,4 +15,7 @@ namespace grade {
 /// @param place  of the grader, for what to run next
 std::string terminal(const Report& report, bool colour, bool all = false, const Place& place = {});
 
+/// The first test that failed and the verdict below it, so that both stay in sight.
+std::string on_one_screen(const Report& report, bool colour);
+
 }  // namespace grade

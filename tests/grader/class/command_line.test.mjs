@@ -50,7 +50,7 @@ function refuses(code, says, ...words) {
 refuses(2, /name an exercise and a file/);
 refuses(2, /name the file to grade/, '1-first/one');
 refuses(2, /no exercise '1-first\/onee'; did you mean '1-first\/one'/, '1-first/onee', 'full.h');
-refuses(2, /no exercise 'one'; did you mean '1-first\/one'/, 'one', 'full.h');
+refuses(2, /no exercise 'onne'; did you mean '1-first\/one'/, 'onne', 'full.h');
 refuses(2, /--fast/, '1-first/one', 'full.h', '--fast');
 refuses(2, /third/, '1-first/one', 'full.h', 'third');
 refuses(2, /whole number below 2\^64, not '-1'/, '1-first/one', 'full.h', '--seed=-1');
@@ -87,7 +87,9 @@ refuses(2, /grade start grades nothing/, 'start', '1-first/one', '--out', 'o');
 refuses(2, /EXERCISE is required/, 'start');
 refuses(2, /FILE is required/, 'run');
 refuses(2, /no exercise 'five'; did you mean '1-first\/one'/, 'hint', 'five');
-refuses(2, /no exercise 'full.h'; did you mean '1-first\/one'/, 'full.h');
+refuses(2, /'full\.h' has no exercise's name; name the exercise before it: grade EXERCISE FILE/, 'full.h');
+refuses(2, /'empty' is a folder; go there/, 'empty');
+refuses(2, /name the file to grade behind the exercise; there is no one\.h here/, 'one');
 refuses(2, /name an exercise and a file before --out/, '--out', 'o');
 refuses(3, /two.h cannot be read|two.h/, 'two.h');
 refuses(2, /no exercise '1-first\/four'/, '--class', 'class', '--out', 'o', '--exercise', '1-first/four');
@@ -99,6 +101,15 @@ refuses(3, /can't read the folder 'none'/, '--class', 'none', '--out', 'o');
 refuses(3, /no student's folder/, '--class', 'empty', '--out', 'o');
 refuses(3, /nobody handed in an exercise/, '--class', 'nothing', '--out', 'o');
 refuses(3, /none.h/, '1-first/one', 'none.h');
+
+test('an exercise is known by its name alone, and its header by where it lies', () => {
+  assert.match(run('one', 'some.h').stdout, /^1-first\/one: PARTIAL/);
+  mkdirSync(at('alone'));
+  writeFileSync(at('alone/one.h'), '// score 4');
+  const alone = word => spawnSync(GRADE, [word], { encoding: 'utf8', cwd: at('alone') }).stdout;
+  for (const word of ['one', 'one.h', '1-first/one', './one.h'])
+    assert.match(alone(word), /^1-first\/one: PARTIAL/, word);
+});
 
 test('exit codes say whether it was graded, or by --exit-status verdict how', () => {
   const code = (...words) => run('1-first/one', ...words).status;
