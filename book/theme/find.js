@@ -32,7 +32,9 @@
       .replace(/['’]s?\b/g, '')
       .match(/\d+(?:\.\d+)+|[\p{L}\p{N}+]+/gu)
       ?.map(singular) ?? [];
-  // Exercise 3.4 is found by 3.4, and by "exercise 4 of chapter 3"; but 3.4 doesn't find 4.3.
+  // "Exercise 4 of chapter 3" is exercise 3.4.
+  const numbered = query => query.replace(/\b(\d+) (?:of|in) chapter (\d+)\b/gi, '$2.$1');
+  // Exercise 3.4 is found by 3.4; but 3.4 doesn't find 4.3.
   const numbersApart = text => (text.match(/\d+(?:\.\d+)+/g) ?? []).join(' ').replace(/\./g, ' ');
   // A name of several words is found by all of it and by each.
   const apart = text =>
@@ -64,7 +66,7 @@
 
   // The query as what has to be found: a phrase with a meaning, or a word.
   function partsOf(query) {
-    const words = wordsOf(query);
+    const words = wordsOf(numbered(query));
     const parts = [];
     for (let i = 0; i < words.length;) {
       let n = Math.min(longest, words.length - i);

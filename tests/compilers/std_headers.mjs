@@ -1,14 +1,14 @@
 // Which standard header brings which names of std. A name that several headers bring stands with each of them, and so does a base
 // class with those that derive from it.
 const rows = `
-algorithm: adjacent_find all_of any_of clamp copy count count_if equal erase_if fill fill_n find find_if find_if_not generate lower_bound max max_element min min_element minmax minmax_element mismatch none_of nth_element reverse sort upper_bound ranges::adjacent_find ranges::all_of ranges::any_of ranges::count ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if ranges::max ranges::max_element ranges::min ranges::min_element ranges::minmax ranges::mismatch ranges::none_of ranges::replace ranges::reverse ranges::sort ranges::transform
+algorithm: adjacent_find all_of any_of clamp copy count count_if equal erase_if fill fill_n find find_if find_if_not generate lower_bound max max_element min min_element minmax minmax_element mismatch none_of nth_element reverse sort upper_bound ranges::adjacent_find ranges::all_of ranges::any_of ranges::count ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if ranges::find_if_not ranges::max ranges::max_element ranges::min ranges::min_element ranges::minmax ranges::mismatch ranges::none_of ranges::replace ranges::reverse ranges::sort ranges::transform
 array: array tuple_size_v get size begin end
 bit: bit_cast
 cctype: isalnum isalpha isdigit isspace tolower toupper
 cerrno:
 cfenv: fesetenv fegetenv feclearexcept
 charconv: from_chars to_chars chars_format
-chrono: chrono
+chrono: chrono chrono_literals
 cmath: abs acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf exp exp2 expm1 fabs floor fma fmod fpclassify frexp hypot ilogb isfinite isinf isnan ldexp lerp llround log log10 log1p log2 lround modf nan nextafter pow remainder round signbit sin sinh sqrt tan tanh trunc
 compare: strong_ordering
 complex: complex abs arg polar conj norm real imag exp sqrt
@@ -18,14 +18,14 @@ cstdint: int32_t int64_t uint8_t uint16_t uint32_t uint64_t uintmax_t uintptr_t
 cstdio: FILE fclose ferror fflush fopen fprintf fputs fread fwrite perror printf putchar puts remove rewind setvbuf snprintf sscanf tmpfile size_t
 cstdlib: abort abs atoi exit free getenv malloc strtod strtol strtoul system size_t
 cstring: memcmp memcpy memset strcmp strerror strlen size_t
-ctime: gmtime size_t strftime time time_t
+ctime: gmtime tm size_t strftime time time_t
 deque: deque erase_if size begin end
 exception: exception current_exception exception_ptr terminate
 expected: expected
 experimental/simd: experimental::native_simd experimental::fixed_size_simd experimental::vector_aligned experimental::element_aligned
 filesystem: filesystem
 fstream: fstream ifstream ofstream getline ios streamsize
-functional: bind_front function hash invoke multiplies not_fn plus reference_wrapper ref cref
+functional: bind_front function hash invoke multiplies not_fn plus reference_wrapper ref cref ranges::greater
 initializer_list: initializer_list begin end
 iomanip: setprecision setw
 ios: ios hex fixed streamsize
@@ -48,7 +48,7 @@ source_location: source_location
 span: as_bytes as_writable_bytes span size begin end
 sstream: istringstream ostringstream stringstream getline ios streamsize
 stdexcept: exception invalid_argument logic_error out_of_range runtime_error domain_error length_error
-string: char_traits erase erase_if getline stod stof stoi stol string string_literals to_string size begin end hash swap
+string: char_traits erase erase_if getline stod stof stoi stol stoll stoul stoull string string_literals to_string size begin end hash swap
 string_view: string_view string_view_literals size begin end hash
 system_error: exception errc error_code generic_category system_category system_error
 thread: jthread this_thread thread

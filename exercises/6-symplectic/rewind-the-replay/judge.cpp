@@ -158,16 +158,6 @@ TEST_CASE("a spring swings on while h omega is less than two, and no longer",
                   "Move with the velocity that the kick has made, not with the old one.");
 }
 
-TEST_CASE("any step is taken and taken back, from wherever it starts, however short",
-          "[6-symplectic/rewind-the-replay][1 point]") {
-  Student student;
-  const std::string hint =
-      "Two lines make every step, and two take it back, also of what is at rest or at the origin.";
-  is_method_everywhere(student, symplectic_euler, hint, step, harness_bounds::h, false);
-  constexpr harness::Bounds back{"h", -harness_bounds::h.largest(), -harness_bounds::h.smallest()};
-  is_method_everywhere(student, symplectic_euler_position_first, hint, undo, back, false);
-}
-
 TEST_CASE("undone steps lead back to the start of the replay",
           "[6-symplectic/rewind-the-replay][3 points]") {
   Student student;
@@ -204,4 +194,15 @@ TEST_CASE("an undo asks once, at the place and time where its step asked",
     finding.diagnoses = asked_elsewhere(yours, replay.by(symplectic_euler_position_first));
   }
   check(finding);
+}
+
+TEST_CASE("any step is taken and taken back, from wherever it starts, however short",
+          "[6-symplectic/rewind-the-replay][1 point]") {
+  Student student;
+  const std::string hint =
+      "Two lines make every step, and two take it back, also of what is at rest or at the origin.";
+  is_method_everywhere(student, symplectic_euler, hint, step, harness_bounds::h, false);
+  constexpr harness::Bounds back{"h", -harness_bounds::h.largest(), -harness_bounds::h.smallest()};
+  session().given = "; undo is called, and gets the size of the step that it takes back, above 0";
+  is_method_everywhere(student, symplectic_euler_position_first, hint, undo, back, false);
 }

@@ -117,7 +117,8 @@ std::string how(const Landing& landing) {
 
 std::vector<std::string> recognise(const Landing& landing) {
   if (landing.overdrawn())
-    return {"it asked " + std::to_string(landing.count() - budget) + " times too often"};
+    return {"it asked " + std::to_string(landing.count()) + " times, where " +
+            std::to_string(budget) + " are allowed"};
   std::vector<std::string> found{how(landing)};
   if (found[0].empty()) found.clear();
   if (landing.count() < budget / 2)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include "course/base64.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace grade {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <system_error>
 
 #include "command_line.h"
 #include "nearest.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT-0
+#include <exception>
 #include <nlohmann/json.hpp>
 
 #include "course/marks.h"

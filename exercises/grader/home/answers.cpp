@@ -2,6 +2,7 @@
 #include "home/answers.h"
 
 #include <algorithm>
+#include <functional>
 #include <system_error>
 
 namespace grade {

@@ -2,6 +2,7 @@
 /// @file
 /// The answers that lie in a folder.
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #include "hosts/moodle_name.h"
 
+#include <cstddef>
 #include <regex>
 #include <string_view>
 

@@ -2,6 +2,7 @@
 #include "hosts/second_try.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <regex>
 
 #include "exercise.h"

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <sstream>
+#include <system_error>
 
 #include "home/state.h"
 #include "installed.h"

@@ -1,5 +1,5 @@
 // Fails: within the budget the shuttle lands as near as equal steps bring it
-// Says: it asked 10800 times too often
+// Says: it asked 12000 times, where 1200 are allowed
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
