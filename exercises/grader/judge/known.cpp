@@ -166,7 +166,7 @@ Known::Known(const char* exercise, void (*right)(harness::Call& call), std::vect
   all()[exercise] = {right, std::move(wrong)};
 }
 
-void (*Known::right(const std::string& exercise))(harness::Call& call) {
+void (*Known::solution(const std::string& exercise))(harness::Call& call) {
   const auto known = all().find(exercise);
   return known == all().end() ? nullptr : known->second.right;
 }

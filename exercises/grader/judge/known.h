@@ -34,7 +34,7 @@ class Known {
   Known(const char* exercise, void (*right)(harness::Call& call), std::vector<Way> wrong);
 
   /// The exercise's solution, to be called in this process; null if it is not known.
-  static void (*right(const std::string& exercise))(harness::Call& call);
+  static void (*solution(const std::string& exercise))(harness::Call& call);
 
   /// The wrong ways whose answers are these in all exchanges, to ten digits, and not the right ones
   /// in one of them at least. Two ways that cannot be told apart are named together, and more than
