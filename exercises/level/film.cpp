@@ -18,34 +18,34 @@ void draw_scenery(grade::Stage& stage) {
 constexpr double size = 0.35;
 constexpr Vec camera_size{2.4, 1.5, 0};
 
-bool leaves_trail(const Shown& part) {
-  return part.name == "the replay" || part.name == "the shuttle";
-}
-
 /// As it should be, alone.
-void draw_right(grade::Stage& stage, const Shown& part, std::size_t n) {
-  const auto& right = part.right;
+void draw_right(grade::Stage& stage, const Shown& shown, std::size_t n) {
+  const auto& right = shown.right;
   for (std::size_t i = 1; i < right.size(); ++i) stage.line(right[i - 1][n], right[i][n], "true");
+  const std::string& name = shown.part.name;
+  const Look look = shown.part.look;
   const Vec& at = right.back()[n];
-  if (part.name == "the camera") return stage.box(part.name, at, camera_size, "true");
-  if (part.name == "the spring") stage.line({at.x, 0, 0}, at, "true");
-  if (leaves_trail(part)) stage.trail(part.name, at, "true");
-  stage.ball(part.name, at, size, "true");
+  if (look == Look::frame) return stage.box(name, at, camera_size, "true");
+  if (look == Look::post) stage.line({at.x, 0, 0}, at, "true");
+  if (look == Look::trail) stage.trail(name, at, "true");
+  stage.ball(name, at, size, "true");
 }
 
-void draw_part(grade::Stage& stage, const Shown& part, std::size_t n) {
-  if (part.yours.empty()) return draw_right(stage, part, n);
-  const auto& yours = part.yours;
-  const auto& right = part.right;
+void draw_part(grade::Stage& stage, const Shown& shown, std::size_t n) {
+  if (shown.yours.empty()) return draw_right(stage, shown, n);
+  const auto& yours = shown.yours;
+  const auto& right = shown.right;
   for (std::size_t i = 1; i < yours.size(); ++i) {
     stage.line(right[i - 1][n], right[i][n], "true");
     stage.line(yours[i - 1][n], yours[i][n], "yours");
   }
+  const std::string& name = shown.part.name;
+  const Look look = shown.part.look;
   const Vec &mine = yours.back()[n], &true_one = right.back()[n];
-  if (part.name == "the camera") return stage.boxes(part.name, mine, true_one, camera_size);
-  if (part.name == "the spring") stage.lines({mine.x, 0, 0}, mine, true_one);
-  if (leaves_trail(part)) stage.trails(part.name, mine, true_one);
-  stage.balls(part.name, mine, true_one, size);
+  if (look == Look::frame) return stage.boxes(name, mine, true_one, camera_size);
+  if (look == Look::post) stage.lines({mine.x, 0, 0}, mine, true_one);
+  if (look == Look::trail) stage.trails(name, mine, true_one);
+  stage.balls(name, mine, true_one, size);
 }
 
 }  // namespace

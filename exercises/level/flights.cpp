@@ -27,11 +27,7 @@ Hour shuttle_hour(judge::Student& yours, judge::Student&) {
     const judge::Path path = yours.watch(start, seconds, 1, planet);
     const judge::State truth = judge::truth_past_a_sun(start, seconds, mu, planet);
     const double off = length(path.states.back().x - truth.x);
-    hour.whole = hour.whole && std::isfinite(off);
-    if (off > hour.off) {
-      hour.off = off;
-      hour.where = "flight " + std::to_string(n);
-    }
+    hour.hold(off, "flight " + std::to_string(n));
     hour.evaluations =
         std::max(hour.evaluations, static_cast<double>(path.evaluations.size()) / (60 * seconds));
   }

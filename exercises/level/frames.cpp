@@ -10,14 +10,6 @@ namespace {
 
 constexpr double speed = 5;  // of the runner [m/s]
 
-/// Notes how far it is off, if that is the farthest yet; not a number is no place.
-void note(Hour& hour, double off, const std::string& where) {
-  hour.whole = hour.whole && std::isfinite(off);
-  if (!(off > hour.off)) return;
-  hour.off = off;
-  hour.where = where;
-}
-
 /// Where the runner is on his way to and fro.
 Vec runner(double time) {
   return {20 * std::sin(speed * time / 20), 0, 0};
@@ -36,7 +28,7 @@ Hour clock_hour(judge::Student& yours, judge::Student&) {
       time += screen.frames[n];
       taken += told[3 * n];
       // The picture lies between the last two states, and so a step behind.
-      note(hour, speed * std::abs((taken + told[3 * n + 1]) * h - time), screen.name);
+      hour.hold(speed * std::abs((taken + told[3 * n + 1]) * h - time), screen.name);
     }
   }
   return hour;
@@ -56,7 +48,7 @@ Hour camera_hour(judge::Student& yours, judge::Student& right) {
       camera = follow(yours, camera);
       true_camera = follow(right, true_camera);
       time += frame;
-      note(hour, length(camera - true_camera), screen.name);
+      hour.hold(length(camera - true_camera), screen.name);
       if (!hour.whole) return hour;
     }
   }

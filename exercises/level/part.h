@@ -2,7 +2,6 @@
 /// @file
 /// The level that a student's headers keep running: its parts, and how each is tried for an hour.
 #pragma once
-#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -13,7 +12,7 @@ namespace level {
 
 constexpr double h = 1.0 / 60;       ///< the game's step [s]
 constexpr double on_each = 20 * 60;  ///< how long each screen is played on [s]: an hour in all
-constexpr int steps = 3 * 20 * 60 * 60;
+constexpr int steps = static_cast<int>(3 * on_each * 60);
 
 /// Numbers that come from the seed of the session, the same for all parts.
 class Drawn {
@@ -41,13 +40,24 @@ struct Hour {
   double off = 0;          ///< farthest from where it should be [m]
   std::string where;       ///< it was that; empty if nothing is to be said
   double evaluations = 0;  ///< of the acceleration in a frame; of several runs the most; 0 if none
+
+  /// Notes how far it is off, if that is the farthest yet; what is not a number is no place.
+  void hold(double so_far_off, const std::string& there);
 };
+
+/// The places of a thing's points in each frame, in the picture of the film.
+using Paths = std::vector<std::vector<Vec>>;
+
+/// How the film shows the last of a thing's points.
+enum class Look { ball, frame, post, trail };
 
 /// One of the level's things.
 struct Part {
   std::string exercise, name, does;
   double most_evaluations = 0;  ///< in a frame; 0 if none is asked for
-  std::function<Hour(judge::Student& yours, judge::Student& right)> hour;
+  Hour (*hour)(judge::Student& yours, judge::Student& right) = nullptr;
+  Paths (*paths)(judge::Student& whose, const std::vector<double>& frames) = nullptr;
+  Look look = Look::ball;
 };
 
 constexpr double most_off = 0.01;  ///< what a producer allows [m]

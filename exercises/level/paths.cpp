@@ -2,13 +2,12 @@
 // Where the level's things are in each frame of its film. Their places and sizes are those of the
 // picture.
 #include <cmath>
-#include <functional>
-#include <map>
 #include <numbers>
 
 #include "chain.h"
 #include "film.h"
 #include "judge/numbers.h"
+#include "things.h"
 
 namespace level {
 namespace {
@@ -44,6 +43,8 @@ int steps_in(const Frames& frames) {
 Vec runner(double time) {
   return {11 * std::sin(0.8 * time), 0.6, 0};
 }
+
+}  // namespace
 
 Paths clock_paths(judge::Student& whose, const Frames& frames) {
   std::vector<double> asked = judge::as_numbers(0, h, frames.size());
@@ -139,8 +140,6 @@ Paths shuttle_paths(judge::Student& whose, const Frames& frames) {
   return {seen};
 }
 
-}  // namespace
-
 std::vector<double> film_frames() {
   constexpr double longest = 10;
   std::vector<double> frames;
@@ -152,17 +151,6 @@ std::vector<double> film_frames() {
     frames.push_back(frame);
   }
   return frames;
-}
-
-Paths paths(const std::string& exercise, judge::Student& whose, const Frames& frames) {
-  static const std::map<std::string, Paths (*)(judge::Student&, const Frames&)> all{
-      {"1-test-case/leftover-time", clock_paths},
-      {"2-euler/camera-that-lags", camera_paths},
-      {"4-implicit/slow-suspension", spring_paths},
-      {"5-verlet/rope-link", rope_paths},
-      {"6-symplectic/rewind-the-replay", replay_paths},
-      {"7-which-to-use/shuttle-on-a-budget", shuttle_paths}};
-  return all.at(exercise)(whose, frames);
 }
 
 }  // namespace level

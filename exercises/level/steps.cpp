@@ -11,11 +11,8 @@
 namespace level {
 namespace {
 
-void hold(Hour& hour, double off, int step) {
-  hour.whole = hour.whole && std::isfinite(off);
-  if (!(off > hour.off)) return;
-  hour.off = off;
-  hour.where = "after " + std::to_string(step / 60) + " s";
+std::string after(int step) {
+  return "after " + std::to_string(step / 60) + " s";
 }
 
 }  // namespace
@@ -28,7 +25,7 @@ Hour spring_hour(judge::Student& yours, judge::Student&) {
   Hour hour;
   for (int n = 1; n <= steps; ++n) {
     const double x = swing[2 * static_cast<std::size_t>(n - 1)];
-    hold(hour, std::abs(x - amplitude * std::cos(omega * h * n)), n);
+    hour.hold(std::abs(x - amplitude * std::cos(omega * h * n)), after(n));
   }
   return hour;
 }
@@ -38,7 +35,7 @@ Hour rope_hour(judge::Student& yours, judge::Student&) {
   Chain chain;
   for (int n = 1; n <= steps && hour.whole; ++n) {
     chain.step(yours, n * h);
-    hold(hour, chain.off(), n);
+    hour.hold(chain.off(), after(n));
   }
   return hour;
 }
@@ -53,11 +50,12 @@ Hour replay_hour(judge::Student& yours, judge::Student& right) {
   const judge::Path wanted_path = right.run(start, h, steps, minute, planet);
   Hour hour;
   for (std::size_t n = 0; n < path.states.size(); ++n)
-    hold(hour, length(path.states[n].x - wanted_path.states[n].x), static_cast<int>(n) * minute);
+    hour.hold(length(path.states[n].x - wanted_path.states[n].x),
+              after(static_cast<int>(n) * minute));
   // The last minute, wound back.
   const judge::State end = path.states.back(), wanted = path.states[path.states.size() - 2];
   const judge::Path back = yours.run({end.x, end.v, steps * h}, -h, minute, minute, planet, 1);
-  hold(hour, length(back.states.back().x - wanted.x), steps);
+  hour.hold(length(back.states.back().x - wanted.x), after(steps));
   constexpr int counted = 60;
   const judge::Path watched = yours.watch(start, h, counted, planet);
   hour.evaluations = static_cast<double>(watched.evaluations.size()) / counted;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// An hour of each of the level's things.
+/// An hour of each of the level's things, and its paths in the film.
 #pragma once
 #include "part.h"
 
@@ -12,5 +12,12 @@ Hour spring_hour(judge::Student& yours, judge::Student& right);
 Hour rope_hour(judge::Student& yours, judge::Student& right);
 Hour replay_hour(judge::Student& yours, judge::Student& right);
 Hour shuttle_hour(judge::Student& yours, judge::Student& right);
+
+Paths clock_paths(judge::Student& whose, const std::vector<double>& frames);
+Paths camera_paths(judge::Student& whose, const std::vector<double>& frames);
+Paths spring_paths(judge::Student& whose, const std::vector<double>& frames);
+Paths rope_paths(judge::Student& whose, const std::vector<double>& frames);
+Paths replay_paths(judge::Student& whose, const std::vector<double>& frames);
+Paths shuttle_paths(judge::Student& whose, const std::vector<double>& frames);
 
 }  // namespace level

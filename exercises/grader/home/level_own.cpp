@@ -39,10 +39,8 @@ const char* word(const Outcome& outcome) {
 
 constexpr const char* caption =
     "Ten seconds of the level in uneven frames: whatever is yours moves by your header, and as it "
-    "should be beside it. What is not there "
-    "yet moves by the book's. The replay is wound back in the second half, and the shuttle is "
-    "asked ten times a second where it would "
-    "land.";
+    "should be beside it. What is not there yet moves by the book's. The replay is wound back in "
+    "the second half, and the shuttle is asked ten times a second where it would land.";
 
 Request patient(const Command& command, const Answer& answer) {
   Request request = command.request;
@@ -81,7 +79,7 @@ level::Paths filmed(const Command& command, const level::Part& part, const OwnDr
   begin_session(command, part);
   try {
     judge::Student yours = own.begin();
-    return level::paths(part.exercise, yours, level::film_frames());
+    return part.paths(yours, level::film_frames());
   } catch (const judge::Stopped&) {
     return {};
   }
@@ -128,8 +126,7 @@ void show(const level::Part& part, const Outcome& outcome) {
 level::Shown shown(const Command& command, const level::Part& part, const Outcome& outcome) {
   begin_session(command, part);
   judge::Student solution = begin_right(part.exercise);
-  const level::Paths right = level::paths(part.exercise, solution, level::film_frames());
-  return {part.exercise, part.name, outcome.yours, right};
+  return {part, outcome.yours, part.paths(solution, level::film_frames())};
 }
 
 std::string row(const level::Part& part, const Outcome& outcome) {
@@ -167,7 +164,7 @@ int play_level(const Command& command) {
   std::printf(
       "The level, for an hour: twenty minutes at 60 frames a second, twenty at 30, and twenty in\n"
       "uneven frames. A producer wants it whole, and each thing within %s mm.\n"
-      "It takes about half a minute.\n\n",
+      "It may take a minute.\n\n",
       number(1000 * level::most_off, 2).c_str());
   std::vector<Outcome> outcomes;
   for (const level::Part& part : level::parts()) {
