@@ -6,12 +6,9 @@
 # --build FOLDER another build. Without --seed-file it grades with the public seed. The zip holds the seed: keep it to yourself.
 set -euo pipefail
 
-fail() {
-  echo "make.sh: $1" >&2
-  exit 2
-}
-
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
+# shellcheck source=exercises/hosts/parts.sh
+. "$source/exercises/hosts/parts.sh"
 build=$source/build exercises=() seed="" out=""
 while [ $# -gt 0 ]; do
   [ $# -gt 1 ] || fail "$1 needs a value"
@@ -25,12 +22,7 @@ while [ $# -gt 0 ]; do
   shift 2
 done
 
-[ ${#exercises[@]} -gt 0 ] || fail "name at least one --exercise; build/exercises/grade list names all"
-for exercise in "${exercises[@]}"; do
-  [[ $exercise =~ ^[0-9a-z-]+/[0-9a-z-]+$ && -f $source/exercises/$exercise/judge.cpp ]] ||
-    fail "there is no exercise '$exercise'; build/exercises/grade list names all"
-done
-[ -x "$build/exercises/grade" ] || fail "there is no grader in $build; cmake --workflow --preset grader builds it"
+check "$source" "$build" "${exercises[@]}"
 [ -z "$seed" ] || [[ $(tr -d ' \r\n' <"$seed") =~ ^[0-9]{1,20}$ ]] || fail "the seed file must hold a whole number and nothing else"
 [ -n "$out" ] || out=$build/gradescope/${exercises[0]##*/}.zip
 
@@ -38,17 +30,9 @@ umask 077
 stage=$(mktemp -d)
 trap 'rm -rf "$stage"' EXIT
 cp "$source"/exercises/hosts/gradescope/{setup.sh,run_autograder} "$stage"
-printf '%s\n' "${exercises[@]}" >"$stage/exercises.txt"
 [ -z "$seed" ] || cp "$seed" "$stage/seed.txt"
-for exercise in "${exercises[@]}"; do
-  mkdir -p "$stage/exercises/$exercise"
-  # The solution is graded first, on Gradescope's own machine: it sets the limits of time.
-  cp "$source/exercises/$exercise"/{task.md,starter.h,harness.h,solution.h} "$stage/exercises/$exercise"
-done
-mkdir -p "$stage/exercises/grader" "$stage/build/exercises/grader/kit"
-cp -R "$source/exercises/grader/harness" "$stage/exercises/grader"
-cp "$build/exercises/grade" "$build/exercises/installed.txt" "$stage/build/exercises"
-cp "$build/exercises/grader/kit"/{canary,limited,run.bpf,check.bpf,compile.bpf} "$stage/build/exercises/grader/kit"
+# The solution is graded first, on Gradescope's own machine: it sets the limits of time.
+put_grader "$source" "$build" "$stage" task.md,starter.h,harness.h,solution.h "${exercises[@]}"
 
 mkdir -p "$(dirname "$out")"
 into=$(cd "$(dirname "$out")" && pwd)/$(basename "$out")
