@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "own_program.h"
 #include "report/files.h"
 
 namespace grade {
@@ -13,7 +14,7 @@ namespace {
 
 // The place of installed.txt. Tests are other programs, and lie in other folders of the same build.
 std::filesystem::path home() {
-  const auto beside = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const auto beside = own_program().parent_path();
   if (std::filesystem::exists(beside / "installed.txt")) return beside;
   for (auto above = beside; above.has_relative_path(); above = above.parent_path()) {
     if (std::filesystem::exists(above / "exercises/installed.txt")) return above / "exercises";

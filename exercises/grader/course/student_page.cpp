@@ -116,7 +116,7 @@ std::string all_of_report(const PageExercise& one, bool show_seed) {
                      html(sentence(report.verdict)) + "</p>\n" + paragraph(report.why) +
                      paragraph(one.mark.late) + table_of_tests(report);
   for (const TestResult& test : report.tests)
-    if (test.ran && !test.held) text += failed_test(test, one.folder);
+    if (has_failed(test)) text += failed_test(test, one.folder);
   if (!report.memory.empty()) text += "<h3>Memory</h3>\n" + paragraph(report.memory);
   if (!report.warnings.empty())
     text +=

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "own_program.h"
 #include "report/words.h"
 
 namespace grade {
@@ -27,7 +28,7 @@ bool is_found_by_name(const std::filesystem::path& program) {
 }  // namespace
 
 std::string own_name() {
-  const auto program = std::filesystem::read_symlink("/proc/self/exe");
+  const auto program = own_program();
   if (is_found_by_name(program)) return program.filename().string();
   const auto from_here = std::filesystem::proximate(program);
   return (from_here.has_parent_path() ? from_here : "." / from_here).string();

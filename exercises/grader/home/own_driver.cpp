@@ -12,8 +12,7 @@
 namespace grade {
 
 OwnDriver::OwnDriver(const Request& request)
-    : request_(request),
-      kit_(own_kit()),
+    : kit_(own_kit()),
       caged_{.kit = kit_,
              .driver = compiled_.driver,
              .sandbox = request.sandbox,

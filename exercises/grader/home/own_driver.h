@@ -26,7 +26,6 @@ class OwnDriver {
   judge::Student begin() const;
 
  private:
-  Request request_;
   cage::Kit kit_;
   Compiled compiled_;
   judge::Caged caged_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <regex>
 
 #include "class/page_style.h"
 #include "command_line.h"
@@ -26,10 +28,18 @@ main { max-width: 46rem; }
 dt { color: var(--soft); font-size: .85rem; }
 dd { margin: 0 0 .6rem; white-space: pre-wrap; overflow-wrap: anywhere; }
 .key { font-size: .9rem; }
-.key b { color: #a08b14; }
+.key b { color: var(--yours); }
 .key i { color: var(--ink); font-style: normal; }
-@media (prefers-color-scheme: dark) { .key b { color: #fbf04a; } }
 )css";
+
+/// The student's colour is the film's, whose player names it for light and for dark.
+std::string key_style() {
+  const std::string player = play::player_tail;
+  const std::regex colour("'yours': '(#[0-9a-f]+)'");
+  const std::sregex_iterator light(player.begin(), player.end(), colour), dark = std::next(light);
+  return ":root { --yours: " + light->str(1) +
+         "; }\n@media (prefers-color-scheme: dark) { :root { --yours: " + dark->str(1) + "; } }\n";
+}
 
 /// A film grows to the height that it needs.
 constexpr const char* fit_films = R"js(<script>
@@ -78,8 +88,7 @@ std::string play_page(const Played& played, const Report& report) {
   std::string text;
   if (!played.why.empty()) text += "<p>It came no further: " + html(played.why) + "</p>\n";
   text += "<p>" + html(headline(report)) + "</p>\n";
-  const auto failed = std::ranges::find_if(
-      report.tests, [](const TestResult& test) { return test.ran && !test.held; });
+  const auto failed = std::ranges::find_if(report.tests, has_failed);
   if (failed != report.tests.end()) text += failing_run(*failed);
   return film_page(task(*exercise(report.exercise)).title, played.scene.caption, played.stage,
                    text);
@@ -90,10 +99,10 @@ std::string film_page(const std::string& title, const std::string& caption, cons
   return "<!doctype html>\n" + std::string(made_by) +
          "\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
-         html(title) + "</title>\n<style>" + page_style + film_style + "</style>\n<main>\n<h1>" +
-         html(title) + "</h1>\n<p>" + html(caption) + "</p>\n" + frame(stage, title) +
-         "<p class=\"key\"><b>●</b> yours <i>●</i> as it should be</p>\n" + body + "</main>\n" +
-         fit_films + "</html>\n";
+         html(title) + "</title>\n<style>" + page_style + film_style + key_style() +
+         "</style>\n<main>\n<h1>" + html(title) + "</h1>\n<p>" + html(caption) + "</p>\n" +
+         frame(stage, title) + "<p class=\"key\"><b>●</b> yours <i>●</i> as it should be</p>\n" +
+         body + "</main>\n" + fit_films + "</html>\n";
 }
 
 void refuse_foreign_page(const std::filesystem::path& page) {

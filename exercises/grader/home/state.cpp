@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "own_program.h"
 #include "report/files.h"
 
 namespace grade {
@@ -24,7 +25,7 @@ std::filesystem::path state_of_user() {
 }  // namespace
 
 std::filesystem::path state_file(const std::string& name) {
-  const auto beside = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const auto beside = own_program().parent_path();
   if (access(beside.c_str(), W_OK) == 0) return beside / name;
   const std::filesystem::path user = state_of_user();
   return (user.empty() ? beside : user) / name;

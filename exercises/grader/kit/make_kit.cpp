@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <map>
 #include <sstream>
 #include <system_error>
 

@@ -71,7 +71,7 @@ std::string feedback(const Report& report, const Place& place) {
                      std::string(sentence(report.verdict)) + "\n\n" + in_markdown(report.why) +
                      table(report);
   for (const TestResult& test : report.tests) {
-    if (test.ran && !test.held) text += section(test);
+    if (has_failed(test)) text += section(test);
   }
   if (!report.memory.empty()) text += "## Memory\n\n" + in_markdown(report.memory);
   if (!report.warnings.empty()) {

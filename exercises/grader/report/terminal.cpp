@@ -99,7 +99,7 @@ std::string in_short(const TestResult& test) {
 std::string failures(const Report& report, const Paint& paint, bool all) {
   std::vector<TestResult> failed;
   for (const TestResult& test : report.tests)
-    if (test.ran && !test.held) failed.push_back(test);
+    if (has_failed(test)) failed.push_back(test);
   std::string text;
   for (std::size_t i = 0; i < failed.size(); ++i) {
     if (all || i == 0) {
@@ -144,8 +144,7 @@ std::string terminal(const Report& report, bool colour, bool all, const Place& p
 }
 
 std::string on_one_screen(const Report& report, bool colour) {
-  const auto failed = std::ranges::find_if(
-      report.tests, [](const TestResult& test) { return test.ran && !test.held; });
+  const auto failed = std::ranges::find_if(report.tests, has_failed);
   if (!is_judged(report.verdict) || failed == report.tests.end()) return terminal(report, colour);
   TestResult first = *failed;
   for (Finding& finding : first.findings) {

@@ -101,6 +101,10 @@ std::string_view outcome(const Report& report, const TestResult& test) {
   return test.held ? "held" : "did not hold";
 }
 
+bool has_failed(const TestResult& test) {
+  return test.ran && !test.held;
+}
+
 int earned(const TestResult& test) {
   return test.ran && test.held ? test.points : 0;
 }

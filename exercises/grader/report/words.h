@@ -23,6 +23,9 @@ std::string headline(const Report& report);
 /// @param test  of this report
 std::string_view outcome(const Report& report, const TestResult& test);
 
+/// Returns whether it ran and did not hold.
+bool has_failed(const TestResult& test);
+
 /// Points earned in this test.
 int earned(const TestResult& test);
 
