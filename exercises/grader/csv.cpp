@@ -123,11 +123,14 @@ std::vector<CsvRow> csv_rows(std::string_view text, const std::string& name) {
   return CsvReader(text, name).all();
 }
 
+std::string table_in(const std::filesystem::path& file) {
+  if (auto text = small_file(file)) return *text;
+  throw Usage("can't read '" + printable_name(file.string()) +
+              "', or it is longer than a megabyte");
+}
+
 std::vector<CsvRow> csv_file(const std::filesystem::path& file) {
-  const std::string name = printable_name(file.string());
-  const auto text = small_file(file);
-  if (!text) throw Usage("can't read '" + name + "', or it is longer than a megabyte");
-  return csv_rows(*text, name);
+  return csv_rows(table_in(file), printable_name(file.string()));
 }
 
 std::string csv_line(const std::vector<std::string>& cells) {

@@ -29,6 +29,10 @@ struct CsvRow {
 /// @throws Usage  it is not UTF-8, or a quote is not closed
 std::vector<CsvRow> csv_rows(std::string_view text, const std::string& name);
 
+/// The text of a file that holds a table.
+/// @throws Usage  it can't be read, or is too long for one that somebody made by hand
+std::string table_in(const std::filesystem::path& file);
+
 /// The same of a file.
 /// @throws Usage  it can't be read, too
 std::vector<CsvRow> csv_file(const std::filesystem::path& file);

@@ -83,9 +83,6 @@ void grade_into(const Request& request, Report& report, const SoFar& so_far) {
   const Submission submission =
       read_submission(request.submission, request.exercise.chapter(), request.exercise.header());
   report.ignored = submission.ignored;
-  std::erase_if(report.ignored, [](const std::string& name) {  // those are graded apart
-    return std::ranges::any_of(exercises(), [&](const Exercise& e) { return e.header() == name; });
-  });
   report.unreadable = submission.unreadable;
   if (!submission.refused.empty()) {
     report.verdict = Verdict::rejected;

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "exercise.h"
 #include "header_text.h"
 #include "nearest.h"
 #include "printable.h"
@@ -59,13 +60,19 @@ Submission read_header(const Entry& found, const std::string& name) {
   return {*content, {}, false, {}, shown(name), found.about.st_nlink > 1};
 }
 
+/// Returns whether this is an exercise's header, which is graded apart.
+bool is_exercise(const std::string& header) {
+  return std::ranges::any_of(exercises(),
+                             [&](const Exercise& one) { return one.header() == header; });
+}
+
 /// Reads the header in this folder, if it is there, and names what else is.
 std::optional<Submission> read_beside_others(const Entry& folder, const std::string& header) {
   const auto found = entry(folder.file.get(), header);
   if (!found) return std::nullopt;
   Submission taken = read_header(*found, header);
   for (const std::string& name : names_in(folder))
-    if (name != header) taken.ignored.push_back(shown(name));
+    if (name != header && !is_exercise(name)) taken.ignored.push_back(shown(name));
   return taken;
 }
 

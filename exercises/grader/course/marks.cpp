@@ -50,6 +50,14 @@ Mark missing(const Exercise& exercise, Instant due, const TimeZone& zone) {
 
 }  // namespace
 
+void Total::add(const Mark& mark) {
+  if (!mark.asked) return;
+  any = true;
+  whole = whole && mark.points.has_value();
+  points += mark.points.value_or(0);
+  of += mark.of;
+}
+
 Marks marks_of(const Course& course, const Assignment& assignment, const Participants& students,
                const std::vector<Job>& jobs, std::uint64_t seed, const HandedInAt& handed_in_at) {
   Marks all{course.name, assignment.name, {}, {}};

@@ -40,6 +40,15 @@ struct Marks {
   std::vector<StudentMarks> students;
 };
 
+/// What was asked, summed up.
+struct Total {
+  int points = 0, of = 0;
+  bool any = false;   ///< anything was asked
+  bool whole = true;  ///< and all of it has a mark
+
+  void add(const Mark& mark);
+};
+
 /// The marks of those who take part.
 /// @param jobs  of all folders with all exercises, folder by folder in the order of `all`
 Marks marks_of(const Course& course, const Assignment& assignment, const Participants& students,

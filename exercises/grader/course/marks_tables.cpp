@@ -27,19 +27,15 @@ void add_heads(std::vector<std::string>& head, const Marks& assignment) {
 
 void add_cells(std::vector<std::string>& cells, const Marks& assignment,
                const StudentMarks* student) {
-  int total = 0, of = 0;
-  bool whole = student != nullptr, any = false;
+  Total total;
   for (std::size_t e = 0; e < assignment.exercises.size(); ++e) {
-    const bool asked = student && student->marks[e].asked;
-    cells.push_back(asked ? in_cell(student->marks[e].points) : "");
-    if (!asked) continue;
-    any = true;
-    whole = whole && student->marks[e].points;
-    total += student->marks[e].points.value_or(0);
-    of += student->marks[e].of;
+    const Mark mark = student ? student->marks[e] : Mark();
+    cells.push_back(mark.asked ? in_cell(mark.points) : "");
+    total.add(mark);
   }
-  cells.push_back(whole && any ? std::to_string(total) : "");
-  cells.push_back(whole && any ? std::to_string(of) : "");
+  const bool has_sum = total.any && total.whole;
+  cells.push_back(has_sum ? std::to_string(total.points) : "");
+  cells.push_back(has_sum ? std::to_string(total.of) : "");
 }
 
 /// Of the roster first; then those who have marks and have left.

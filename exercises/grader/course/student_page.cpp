@@ -3,7 +3,6 @@
 
 #include <cctype>
 #include <cstdio>
-#include <set>
 
 #include "class/page_style.h"
 #include "course/base64.h"
@@ -88,14 +87,10 @@ std::string table_of_tests(const Report& report) {
   return text + "</tbody>\n</table>\n</div>\n";
 }
 
-/// But for the headers of other exercises, which were looked at elsewhere.
 std::string not_looked_at(const Report& report) {
-  std::set<std::string> headers;
-  for (const Exercise& one : exercises()) headers.insert(one.header());
   std::string text;
   for (const std::string& file : report.ignored)
-    if (!headers.contains(file))
-      text += (text.empty() ? "Not looked at: " : ", ") + html(printable_name(file));
+    text += (text.empty() ? "Not looked at: " : ", ") + html(printable_name(file));
   return text.empty() ? "" : "<p>" + text + ".</p>\n";
 }
 
@@ -144,16 +139,11 @@ std::string section_of(const PageExercise& one, bool show_seed) {
 }
 
 std::string sum_of(const std::vector<PageExercise>& exercises) {
-  int points = 0, of = 0;
-  bool whole = true;
-  for (const PageExercise& one : exercises) {
-    if (!one.mark.asked) continue;
-    whole = whole && one.mark.points.has_value();
-    points += one.mark.points.value_or(0);
-    of += one.mark.of;
-  }
-  return whole ? std::to_string(points) + " of " + counted(std::size_t(of), "point")
-               : "no sum, since the grader failed";
+  Total total;
+  for (const PageExercise& one : exercises) total.add(one.mark);
+  return total.whole
+             ? std::to_string(total.points) + " of " + counted(std::size_t(total.of), "point")
+             : "no sum, since the grader failed";
 }
 
 }  // namespace

@@ -139,9 +139,8 @@ Filled filled_worksheet(const Marks& marks, const std::filesystem::path& file) {
 Filled filled_gradebook(const Marks& marks, const std::filesystem::path& file,
                         const std::string& column) {
   const std::string shown = printable_name(file.string());
-  const auto text = small_file(file);
-  if (!text) throw Usage("can't read '" + shown + "', or it is longer than a megabyte");
-  const std::vector<CsvRow> rows = csv_rows(*text, shown);
+  const std::string text = table_in(file);
+  const std::vector<CsvRow> rows = csv_rows(text, shown);
   const CsvRow head = rows.empty() ? CsvRow() : rows[0];
   if (std::ranges::find(head.cells, "ID") == head.cells.end())
     throw Usage(shown + ":1: Canvas's gradebook has a column ID; export it there, and in English");
@@ -150,7 +149,7 @@ Filled filled_gradebook(const Marks& marks, const std::filesystem::path& file,
   for (std::size_t i = 1; i < rows.size(); ++i)
     for (const std::string& name : names_in_gradebook(head, rows[i])) names.add(name, i);
   Filled filled;
-  CsvChanges changes(*text);
+  CsvChanges changes(text);
   for (const StudentMarks& one : marks.students) {
     const auto sum = sum_of(one);
     auto found = names.find(one.student);

@@ -12,7 +12,8 @@ namespace {
 
 /// Far longer than any header that is graded, so that the grader itself says what is wrong with it.
 constexpr std::size_t most_bytes = 1 << 20;
-constexpr std::size_t most_files = 200;  // of one student
+constexpr std::size_t most_files = 200;   // of one student
+constexpr std::chrono::minutes apart(1);  // from which a time says which is later
 
 std::string joined(const std::string& folder, const std::string& name) {
   return folder.empty() ? name : folder + "/" + name;
@@ -49,7 +50,6 @@ void take_headers(Haul& haul, const std::string& student, const std::string& cha
 
 /// Whether the first is to be taken rather than the second.
 bool better(const HandedFile& one, const HandedFile& other) {
-  constexpr std::chrono::minutes apart(1);
   if (one.file_time > other.file_time + apart) return true;
   if (other.file_time > one.file_time + apart) return false;
   const unsigned a = asked_name(one.called).number, b = asked_name(other.called).number;
@@ -58,7 +58,6 @@ bool better(const HandedFile& one, const HandedFile& other) {
 }
 
 std::string why_better(const HandedFile& one, const HandedFile& other) {
-  constexpr std::chrono::minutes apart(1);
   if (one.file_time > other.file_time + apart) return "which is later";
   return asked_name(one.called).number == 0 ? "as the task calls it"
                                             : "which has the highest number";

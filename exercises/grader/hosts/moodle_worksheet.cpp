@@ -8,7 +8,6 @@
 
 #include "command_line.h"
 #include "course/local_time.h"
-#include "given_files.h"
 #include "printable.h"
 
 namespace grade {
@@ -37,9 +36,7 @@ int month_of(const std::string& word) {
 
 MoodleWorksheet::MoodleWorksheet(const std::filesystem::path& file) {
   const std::string shown = printable_name(file.string());
-  const auto text = small_file(file);
-  if (!text) throw Usage("can't read '" + shown + "', or it is longer than a megabyte");
-  text_ = *text;
+  text_ = table_in(file);
   rows_ = csv_rows(text_, shown);
   const CsvRow head = rows_.empty() ? CsvRow() : rows_[0];
   const auto id = column_of(head, {"Identifier", "ID"});
