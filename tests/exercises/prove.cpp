@@ -154,6 +154,9 @@ bool is_caught(const Ways& ways, const std::filesystem::path& file, int seeds) {
     return say(report, file, false, "there is no test \"" + name + "\"");
   if (report.verdict == Verdict::grader_error) return say(report, file, false, "was not judged");
   const bool caught = fails(report, name);
+  if (report.verdict == Verdict::runtime_error && promised(file, "Known").empty())
+    return say(report, file, false,
+               "is stopped, and has no line \"// Known: no, WHY\": it would be tried unchecked");
   if (words.empty())
     return say(report, file, false,
                "has no line \"// Says: WORDS\"; is told:" + told(report, *named));

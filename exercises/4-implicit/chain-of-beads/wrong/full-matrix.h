@@ -1,5 +1,6 @@
 // Fails: a hundred thousand beads take a step in the time that there is
 // Says: asked for memory that there is not
+// Known: no, it ends before it has an answer
 // SPDX-License-Identifier: MIT-0
 #pragma once
 #include "given.h"
