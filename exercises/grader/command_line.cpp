@@ -201,8 +201,8 @@ void add_way(Command& command, const Options& options) {
     throw Usage("grade " + options.said + " grades nothing; grade " + options.said +
                 " --help says what it takes");
   if (command.what == What::collect) {
-    command.collection = {options.first, options.second, options.third, options.until,
-                          options.worksheet};
+    command.collection = {options.first,     options.second, options.third, options.until,
+                          options.worksheet, options.course, options.round};
   } else {
     command.handed_back = {options.first, options.second, options.third, options.column};
   }
@@ -252,7 +252,9 @@ Command read_command_line(int argc, char** argv) {
     throw Usage("--jobs requires --class");
   if (!options.shard.empty() && options.submissions.empty() && options.word != What::course)
     throw Usage("--shard requires --class");
-  check_is_for("--round", options.round, options, What::course, "grade class");
+  if (options.word != What::collect)
+    check_is_for("--round", options.round, options, What::course, "grade class");
+  check_is_for("--course", options.course, options, What::collect, "grade collect");
   check_is_for("--until", options.until, options, What::collect, "grade collect");
   check_is_for("--worksheet", options.worksheet, options, What::collect, "grade collect");
   check_is_for("--column", options.column, options, What::hand_back, "grade hand-back");

@@ -107,9 +107,12 @@ class CsvReader {
   std::size_t line_ = 1;
 };
 
+bool is_formula(std::string_view text) {
+  return !text.empty() && std::string_view("=+-@").find(text[0]) != std::string_view::npos;
+}
+
 std::string csv_cell(const std::string& text) {
-  const bool formula = !text.empty() && std::string_view("=+-@").find(text[0]) != std::string::npos;
-  const std::string safe = (formula ? "'" : "") + text;
+  const std::string safe = (is_formula(text) ? "'" : "") + text;
   if (safe.find_first_of(",;\t\"") == std::string::npos) return safe;
   std::string result = "\"";
   for (const char c : safe) result += c == '"' ? "\"\"" : std::string(1, c);
@@ -125,8 +128,9 @@ std::vector<CsvRow> csv_rows(std::string_view text, const std::string& name) {
 
 std::string table_in(const std::filesystem::path& file) {
   if (auto text = small_file(file)) return *text;
-  throw Usage("can't read '" + printable_name(file.string()) +
-              "', or it is longer than a megabyte");
+  const std::string shown = "'" + printable_name(file.string()) + "'";
+  if (!std::filesystem::exists(file)) throw Usage("there is no table " + shown);
+  throw Usage("can't read " + shown + ", or it is longer than a megabyte");
 }
 
 std::vector<CsvRow> csv_file(const std::filesystem::path& file) {
@@ -137,6 +141,11 @@ std::string csv_line(const std::vector<std::string>& cells) {
   std::string line;
   for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + csv_cell(cells[i]);
   return line + "\r\n";
+}
+
+std::string as_was(const std::string& cell) {
+  const bool made_safe = cell.starts_with('\'') && is_formula(std::string_view(cell).substr(1));
+  return made_safe ? cell.substr(1) : cell;
 }
 
 void CsvChanges::set(const CsvRow& row, std::size_t column, const std::string& cell) {

@@ -41,6 +41,9 @@ std::vector<CsvRow> csv_file(const std::filesystem::path& file);
 /// it.
 std::string csv_line(const std::vector<std::string>& cells);
 
+/// A cell of such a line as it was before it was made safe.
+std::string as_was(const std::string& cell);
+
 /// Some cells of a table to be replaced, and all the rest left as it is, byte by byte.
 class CsvChanges {
  public:

@@ -106,8 +106,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--jobs", options.jobs, "Submissions at a time, of a student one");
   app.add_option("--shard", options.shard, "i/n: only each n-th submission, from the i-th");
   app.add_option("--round", options.round, "Only this assignment of a course");
+  app.add_option("--course", options.course, "By whose round commits are collected: its file");
   app.add_option("--until", options.until, "Time of the end, with its offset, to collect by");
-  app.add_option("--worksheet", options.worksheet, "Moodle's, to collect the times from");
+  app.add_option("--worksheet", options.worksheet, "Moodle's, that knows when, and who");
   app.add_option("--column", options.column, "Of Canvas's gradebook, to hand back into");
   app.add_flag("--all", options.all, "Show each test that failed in full");
   app.add_flag("--version", options.version, "Say which grader this is, exercise by exercise");

@@ -33,7 +33,7 @@ struct Options {
   std::optional<What> word;                ///< `start` and the like
   std::string said, first, second, third;  ///< it, and what stands behind it
   std::string exercise, file, out, seed, seed_file, shard, limits, submissions, assigned;
-  std::string round, until, worksheet, column;
+  std::string round, until, worksheet, column, course;
   std::string sandbox = "bubblewrap", exit_status = "grader";
   std::vector<std::string> emits, exercises;
   std::string jobs;  ///< empty: as many as there are processors

@@ -27,7 +27,7 @@ void add_unknown(std::vector<std::string>& found, const Student& student,
   for (const auto& file :
        std::filesystem::directory_iterator(student.folder / chapter, unreadable)) {
     const std::string header = file.path().filename().string();
-    if (header.ends_with(".h") && !known(header))
+    if ((header.ends_with(".h") || header.ends_with(".H")) && !known(header))
       found.push_back((std::filesystem::path(student.name) / chapter / header).string());
   }
 }
@@ -70,7 +70,7 @@ ClassList read_students(const std::filesystem::path& submissions) {
     const std::string name = entry.path().filename().string();
     if (is_folder(entry) && !name.starts_with('.')) {
       list.students.push_back({name, entry.path()});
-    } else if (name != collected_mark) {
+    } else if (!is_of_collection(name)) {
       list.ignored.push_back(name);
     }
   }

@@ -33,7 +33,7 @@ int write_tables(const ClassList& list, const std::vector<Exercise>& exercises,
   if (!old.empty()) return refuse_stale(old);
   const std::filesystem::path tables = work.tables();
   std::filesystem::create_directories(tables);
-  write_whole(tables / "grades.csv", grades_csv(results));
+  if (!work.of_a_course) write_whole(tables / "grades.csv", grades_csv(results));
   write_whole(tables / "report.csv", report_csv(results));
   write_whole(tables / "summary.html", summary_html(results));
   const std::vector<Report> reports = results.all();

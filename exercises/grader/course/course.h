@@ -45,8 +45,10 @@ struct Course {
   std::filesystem::path roster;  ///< empty: whoever has a folder takes part
   std::string key;  ///< column of the roster that names a student; empty: the usual one
   std::filesystem::path results;
-  std::filesystem::path times;  ///< table of when what was handed in; empty: the files say it
-  bool show_seed = true;        ///< to students
+  std::filesystem::path times;      ///< table of when what was handed in; empty: the collection's
+  bool times_of_files = false;      ///< the files say it, and no table
+  bool show_seed = true;            ///< to students
+  std::vector<std::string> guests;  ///< folders of people who are on no roster, and need not be
   std::vector<Assignment> assignments;
   std::vector<Extension> extensions;
 };
@@ -61,5 +63,9 @@ const Assignment& assignment_named(const Course& course, const std::string& name
 
 /// The end of an assignment for this student.
 Instant due(const Course& course, const Assignment& assignment, const std::string& student);
+
+/// The last moment at which something handed in by this student counts; nothing if it always does.
+std::optional<Instant> last_moment(const Course& course, const Assignment& assignment,
+                                   const std::string& student);
 
 }  // namespace grade

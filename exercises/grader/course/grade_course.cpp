@@ -98,7 +98,7 @@ int grade_course(const CourseWork& work) {
   int code = Exit::graded;
   for (const Assignment& one : chosen) {
     const int ended = grade_round(course, one, roster, work);
-    if (ended == Exit::bad_input || ended == Exit::unreadable) return ended;
+    if (ended == Exit::unreadable) return ended;
     code = worse(code, ended);
   }
   const std::vector<Marks> marks = kept_marks(course);

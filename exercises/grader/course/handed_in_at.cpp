@@ -6,9 +6,13 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <vector>
 
 #include "command_line.h"
 #include "csv.h"
+#include "exercise.h"
+#include "hosts/store.h"
+#include "nearest.h"
 #include "printable.h"
 
 namespace grade {
@@ -46,6 +50,51 @@ void check_heads(const CsvRow& head, const std::string& file) {
               "them in its first line");
 }
 
+/// An exercise, or an assignment of the course.
+void check_is_known(const std::string& of, const Course& course, const std::string& where) {
+  std::vector<std::string> known;
+  for (const Assignment& one : course.assignments) known.push_back(one.name);
+  for (const Exercise& one : exercises()) known.push_back(one.name);
+  if (std::ranges::find(known, of) != known.end()) return;
+  const std::string near = nearest(of, known);
+  throw Usage(where + "there is no exercise and no assignment '" + printable_name(of) +
+              "'; did you mean '" + (near.empty() ? nearest_exercise(of) : near) + "'?");
+}
+
+Times read_times(const std::filesystem::path& path, const Course& course) {
+  const std::string file = printable_name(path.string());
+  const std::vector<CsvRow> rows = csv_file(path);
+  if (rows.empty()) throw Usage(file + ":1: this table is empty");
+  check_heads(rows[0], file);
+  Times times;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const std::string where = file + ":" + std::to_string(rows[i].line) + ": ";
+    const std::string student = as_was(under(rows[0], rows[i], "student").value_or(""));
+    std::string of = under(rows[0], rows[i], "exercise").value_or("");
+    if (of.empty()) of = under(rows[0], rows[i], "assignment").value_or("");
+    if (student.empty() || of.empty())
+      throw Usage(where +
+                  "whose time is this, and of what? Fill in student, and exercise or "
+                  "assignment");
+    check_is_known(of, course, where);
+    const std::string time = under(rows[0], rows[i], "time").value_or("");
+    if (time.empty()) continue;
+    const Instant at = instant_in(time, course.zone, where);
+    const auto [known, is_new] = times.try_emplace({student, of}, at);
+    if (!is_new) known->second = std::max(known->second, at);
+  }
+  return times;
+}
+
+std::vector<std::filesystem::path> tables_of(const Course& course, const Assignment& assignment) {
+  std::vector<std::filesystem::path> all;
+  if (!course.times.empty()) all.push_back(course.times);
+  const std::filesystem::path collected = assignment.submissions / times_table;
+  if (is_collection(assignment.submissions) && std::filesystem::exists(collected))
+    all.push_back(collected);
+  return all;
+}
+
 }  // namespace
 
 std::optional<Instant> time_of_file(const Participant& student, const Exercise& exercise) {
@@ -60,38 +109,27 @@ std::optional<Instant> time_of_file(const Participant& student, const Exercise& 
   return std::nullopt;
 }
 
-HandedInAt times_in(const Course& course, const Assignment& assignment) {
-  const std::string file = printable_name(course.times.string());
-  const std::vector<CsvRow> rows = csv_file(course.times);
-  if (rows.empty()) throw Usage(file + ":1: this table is empty");
-  check_heads(rows[0], file);
-  Times times;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    const std::string where = file + ":" + std::to_string(rows[i].line) + ": ";
-    const std::string student = under(rows[0], rows[i], "student").value_or("");
-    std::string of = under(rows[0], rows[i], "exercise").value_or("");
-    if (of.empty()) of = under(rows[0], rows[i], "assignment").value_or("");
-    if (student.empty() || of.empty())
-      throw Usage(where +
-                  "whose time is this, and of what? Fill in student, and exercise or "
-                  "assignment");
-    const Instant at = instant_in(under(rows[0], rows[i], "time").value_or(""), course.zone, where);
-    const auto [known, is_new] = times.try_emplace({student, of}, at);
-    if (!is_new) known->second = std::max(known->second, at);
-  }
-  return [times, name = assignment.name](const Participant& student,
-                                         const Exercise& exercise) -> std::optional<Instant> {
+HandedInAt times_of(const Course& course, const Assignment& assignment) {
+  if (course.times_of_files) return time_of_file;
+  std::vector<Times> tables;
+  for (const std::filesystem::path& file : tables_of(course, assignment))
+    tables.push_back(read_times(file, course));
+  if (tables.empty()) return time_of_file;
+  return [tables, name = assignment.name](const Participant& student,
+                                          const Exercise& exercise) -> std::optional<Instant> {
     const std::string folder = student.folder ? student.folder->name : "";
-    for (const std::string& of : {exercise.name, name})
-      for (const std::string& who : {student.member.key, folder})
-        if (const auto found = times.find({who, of}); found != times.end()) return found->second;
+    for (const Times& times : tables)
+      for (const std::string& of : {exercise.name, name})
+        for (const std::string& who : {student.member.key, folder})
+          if (const auto found = times.find({who, of}); found != times.end()) return found->second;
     return std::nullopt;
   };
 }
 
-HandedInAt times_of(const Course& course, const Assignment& assignment) {
-  if (course.times.empty()) return time_of_file;
-  return times_in(course, assignment);
+std::filesystem::path table_of_times(const Course& course, const Assignment& assignment) {
+  if (course.times_of_files) return {};
+  const auto all = tables_of(course, assignment);
+  return all.empty() ? std::filesystem::path() : all.back();
 }
 
 }  // namespace grade

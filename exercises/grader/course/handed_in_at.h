@@ -2,6 +2,7 @@
 /// @file
 /// When something was handed in.
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -20,13 +21,15 @@ using HandedInAt =
 /// with them, and the student's own where they were copied from the student's disk.
 std::optional<Instant> time_of_file(const Participant& student, const Exercise& exercise);
 
-/// By a table with the columns `student`, `exercise` or `assignment`, and `time`: as ISO 8601 has
-/// it, with an offset, or else on the course's clocks. Of several times of one thing the last
-/// counts; one of the exercise comes before one of the assignment.
-/// @throws Usage  it can't be read, or a line of it is wrong
-HandedInAt times_in(const Course& course, const Assignment& assignment);
-
-/// As the course has it.
+/// By tables with the columns `student`, `exercise` or `assignment`, and `time`: as ISO 8601 has
+/// it, with an offset, or else on the course's clocks. What the course's own table says comes
+/// first, then what that of the collection does. Of several times of one thing in a table the last
+/// counts; one of the exercise comes before one of the assignment; an empty one says nothing.
+/// Without any table, by the times of the files.
+/// @throws Usage  one can't be read, or a line of it is wrong
 HandedInAt times_of(const Course& course, const Assignment& assignment);
+
+/// The table that is to be filled in where a time is not known; empty if the files' times count.
+std::filesystem::path table_of_times(const Course& course, const Assignment& assignment);
 
 }  // namespace grade

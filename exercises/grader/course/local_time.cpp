@@ -167,15 +167,16 @@ std::optional<WrittenTime> time_from(const std::string& text) {
 std::string duration(chrono::seconds time) {
   const auto whole = time.count();
   constexpr long minute = 60, hour = 60 * minute, day = 24 * hour;
-  const auto both = [&](long larger, const std::string& name, long smaller, const char* unit) {
-    const long rest = whole % larger / smaller;
-    return std::to_string(whole / larger) + name +
-           (rest > 0 ? " " + std::to_string(rest) + unit : "");
+  if (whole < minute) return std::to_string(whole) + " s";
+  std::string text;
+  const auto add = [&](long count, const std::string& unit) {
+    if (count > 0) text += (text.empty() ? "" : " ") + std::to_string(count) + unit;
   };
-  if (whole >= day) return both(day, whole < 2 * day ? " day" : " days", hour, " h");
-  if (whole >= hour) return both(hour, " h", minute, " min");
-  if (whole >= minute) return both(minute, " min", 1, " s");
-  return std::to_string(whole) + " s";
+  add(whole / day, whole < 2 * day ? " day" : " days");
+  add(whole % day / hour, " h");
+  add(whole % hour / minute, " min");
+  if (whole < hour) add(whole % minute, " s");
+  return text;
 }
 
 }  // namespace grade

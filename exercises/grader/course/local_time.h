@@ -53,7 +53,7 @@ struct WrittenTime {
 /// Nothing if it is no date with a time. Parts of a second are left out.
 std::optional<WrittenTime> time_from(const std::string& text);
 
-/// `3 days 2 h`, `2 h 5 min`, `40 s`: the two largest parts.
+/// `3 days 2 h 5 min`, `1 day 1 min`, `5 min 20 s`, `40 s`: seconds only below an hour.
 std::string duration(std::chrono::seconds time);
 
 }  // namespace grade

@@ -40,10 +40,10 @@ Mark mark_of(const Exercise& exercise) {
 }
 
 /// Of somebody who has no folder.
-Mark missing(const Exercise& exercise, Instant due, const TimeZone& zone) {
+Mark missing(const Exercise& exercise, Instant due, const TimeZone& zone, bool all_matched) {
   Mark mark = mark_of(exercise);
   mark.due = shown(zone.local(due));
-  mark.asked = now() > due;
+  mark.asked = all_matched && now() > due;
   if (mark.asked) mark.earned = mark.points = 0;
   return mark;
 }
@@ -61,6 +61,8 @@ void Total::add(const Mark& mark) {
 Marks marks_of(const Course& course, const Assignment& assignment, const Participants& students,
                const std::vector<Job>& jobs, std::uint64_t seed, const HandedInAt& handed_in_at) {
   Marks all{course.name, assignment.name, {}, {}};
+  for (const std::string& folder : students.unmatched)
+    all.unmatched.push_back(printable_name(folder));
   for (const Exercise& exercise : assignment.exercises) all.exercises.push_back(exercise.name);
   auto job = jobs.begin();
   for (const Participant& one : students.all) {
@@ -70,7 +72,7 @@ Marks marks_of(const Course& course, const Assignment& assignment, const Partici
                      one.folder ? printable_name(one.folder->name) : "",
                      {}};
     for (const Exercise& exercise : assignment.exercises) {
-      row.marks.push_back(missing(exercise, end, course.zone));
+      row.marks.push_back(missing(exercise, end, course.zone, all.unmatched.empty()));
       if (!one.folder) continue;
       Mark& mark = row.marks.back() = mark_of(exercise);
       mark.asked = job->asked;

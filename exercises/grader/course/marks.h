@@ -38,6 +38,7 @@ struct Marks {
   std::string course, assignment;
   std::vector<std::string> exercises;
   std::vector<StudentMarks> students;
+  std::vector<std::string> unmatched{};  ///< folders of nobody on the roster
 };
 
 /// What was asked, summed up.
@@ -49,7 +50,7 @@ struct Total {
   void add(const Mark& mark);
 };
 
-/// The marks of those who take part.
+/// The marks of those who take part. While a folder is nobody's, whoever has none has no mark.
 /// @param jobs  of all folders with all exercises, folder by folder in the order of `all`
 Marks marks_of(const Course& course, const Assignment& assignment, const Participants& students,
                const std::vector<Job>& jobs, std::uint64_t seed, const HandedInAt& handed_in_at);

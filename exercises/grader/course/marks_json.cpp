@@ -58,11 +58,9 @@ StudentMarks student_from(const MarksJson& value) {
 }  // namespace
 
 std::string marks_json(const Marks& marks) {
-  MarksJson all{{"schema", marks_schema},
-                {"course", marks.course},
-                {"assignment", marks.assignment},
-                {"exercises", marks.exercises},
-                {"students", MarksJson::array()}};
+  MarksJson all{{"schema", marks_schema},         {"course", marks.course},
+                {"assignment", marks.assignment}, {"exercises", marks.exercises},
+                {"unmatched", marks.unmatched},   {"students", MarksJson::array()}};
   for (const StudentMarks& one : marks.students) {
     MarksJson row{{"student", one.student},
                   {"name", one.name},
@@ -81,6 +79,7 @@ std::optional<Marks> marks_from(std::string_view json) {
     Marks marks;
     all.at("assignment").get_to(marks.assignment);
     all.at("exercises").get_to(marks.exercises);
+    all.at("unmatched").get_to(marks.unmatched);
     for (const MarksJson& one : all.at("students")) {
       marks.students.push_back(student_from(one));
       if (marks.students.back().marks.size() != marks.exercises.size()) return std::nullopt;

@@ -147,7 +147,7 @@ void read_roster(Course& course, const TomlTable& table, const std::string& file
 
 void read_whole_course(Reading& reading, const toml::table& written) {
   const TomlTable table(written, reading.file,
-                        {"name", "time_zone", "roster", "submissions", "results", "times",
+                        {"name", "time_zone", "roster", "guests", "submissions", "results", "times",
                          "show_seed", "late", "assignment", "extension"});
   Course& course = reading.course;
   course.name = table.needed_text("name");
@@ -159,8 +159,10 @@ void read_whole_course(Reading& reading, const toml::table& written) {
   }
   read_roster(course, table, reading.file);
   course.results = beside(course, table.needed_text("results"));
-  if (const auto times = table.text("times"); times && *times != "files")
-    course.times = beside(course, *times);
+  if (table.has("guests")) course.guests = table.needed_texts("guests");
+  const auto times = table.text("times");
+  course.times_of_files = times == "files";
+  if (times && !course.times_of_files) course.times = beside(course, *times);
   course.show_seed = table.yes_or_no("show_seed").value_or(true);
   reading.late = late_rule(table, reading.file);
   if (const auto submissions = table.text("submissions"))
@@ -206,6 +208,14 @@ Instant due(const Course& course, const Assignment& assignment, const std::strin
   for (const Extension& one : course.extensions)
     if (one.student == student && one.assignment == assignment.name) return one.due;
   return assignment.due;
+}
+
+std::optional<Instant> last_moment(const Course& course, const Assignment& assignment,
+                                   const std::string& student) {
+  if (!assignment.late || !assignment.late->days) return std::nullopt;
+  const Instant end = due(course, assignment, student);
+  const std::chrono::days days(*assignment.late->days);
+  return std::max(end + assignment.late->grace, course.zone.latest(course.zone.local(end) + days));
 }
 
 }  // namespace grade

@@ -120,6 +120,34 @@ std::map<std::string, std::size_t> by_name(const std::vector<Member>& roster) {
   return found;
 }
 
+/// Whose a folder is, by its place in the roster.
+class Owners {
+ public:
+  Owners(const std::vector<Member>& roster, const std::map<std::string, Person>& people)
+      : names_(by_name(roster)), people_(people) {
+    for (std::size_t i = 0; i < roster.size(); ++i) {
+      keys_[roster[i].key] = i;
+      addresses_[lower(roster[i].key)] = i;
+    }
+  }
+
+  std::optional<std::size_t> find(const std::string& folder) const {
+    if (const auto found = keys_.find(folder); found != keys_.end()) return found->second;
+    const auto person = people_.find(folder);
+    if (person != people_.end()) {
+      if (const auto id = keys_.find(person->second.id); id != keys_.end()) return id->second;
+      const auto address = addresses_.find(lower(person->second.email));
+      if (address != addresses_.end()) return address->second;
+    }
+    const auto name = names_.find(name_in(folder));
+    return name == names_.end() ? std::nullopt : std::optional(name->second);
+  }
+
+ private:
+  std::map<std::string, std::size_t> keys_, addresses_, names_;
+  const std::map<std::string, Person>& people_;
+};
+
 }  // namespace
 
 std::vector<Member> read_roster(const std::filesystem::path& path, const std::string& key) {
@@ -149,22 +177,18 @@ std::vector<Member> read_roster(const std::filesystem::path& path, const std::st
   return members;
 }
 
-Participants match(const std::vector<Member>& roster, const std::vector<Student>& folders) {
+Participants match(const std::vector<Member>& roster, const std::vector<Student>& folders,
+                   const std::map<std::string, Person>& people,
+                   const std::vector<std::string>& guests) {
   Participants found;
-  std::map<std::string, std::size_t> keys;
-  for (std::size_t i = 0; i < roster.size(); ++i) {
-    keys[roster[i].key] = i;
-    found.all.push_back({roster[i], {}});
-  }
-  const auto names = by_name(roster);
+  for (const Member& one : roster) found.all.push_back({one, {}});
+  const Owners owners(roster, people);
   for (const Student& folder : folders) {
-    const auto key = keys.find(folder.name);
-    const auto name = names.find(name_in(folder.name));
-    if (key == keys.end() && name == names.end()) {
-      found.unmatched.push_back(folder.name);
-      continue;
-    }
-    Participant& owner = found.all[key != keys.end() ? key->second : name->second];
+    const auto whose = owners.find(folder.name);
+    const bool guest = std::ranges::find(guests, folder.name) != guests.end();
+    if (!whose && !guest) found.unmatched.push_back(folder.name);
+    if (!whose) continue;
+    Participant& owner = found.all[*whose];
     if (owner.folder)
       throw Usage("two folders are those of '" + printable_name(owner.member.key) + "': '" +
                   printable_name(owner.folder->name) + "' and '" + printable_name(folder.name) +

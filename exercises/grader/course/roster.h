@@ -4,11 +4,13 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "class/students.h"
+#include "hosts/haul.h"
 
 namespace grade {
 
@@ -33,13 +35,18 @@ struct Participant {
 
 struct Participants {
   std::vector<Participant> all;          ///< in the roster's order
-  std::vector<std::string> unmatched{};  ///< folders of nobody
+  std::vector<std::string> unmatched{};  ///< folders of nobody, and of no guest
 };
 
-/// Finds each member's folder. It is called like the key or, as Moodle calls it,
-/// `NAME_4711_assignsubmission_file`, with a name that no other member has.
+/// Finds each member's folder. It is called like the key; or those who collected it know an address
+/// or a number that is the key; or, as Moodle calls it, `NAME_4711_assignsubmission_file`, with a
+/// name that no other member has.
+/// @param people  by folder, as far as the collection knows
+/// @param guests  folders that need be nobody's
 /// @throws Usage  two folders are one member's
-Participants match(const std::vector<Member>& roster, const std::vector<Student>& folders);
+Participants match(const std::vector<Member>& roster, const std::vector<Student>& folders,
+                   const std::map<std::string, Person>& people = {},
+                   const std::vector<std::string>& guests = {});
 
 /// All who have a folder, where there is no roster.
 Participants with_folders(const std::vector<Student>& folders);

@@ -17,7 +17,10 @@
 #include "course/write_equal.h"
 #include "course/zip.h"
 #include "exit_codes.h"
+#include "format_values.h"
 #include "given_files.h"
+#include "hosts/store.h"
+#include "hosts/times.h"
 #include "printable.h"
 #include "report/files.h"
 
@@ -42,10 +45,23 @@ void check_times(const Course& course, const Assignment& assignment, const Parti
   for (const Participant& one : students.all) {
     for (const Exercise& exercise : assignment.exercises) {
       if (!one.folder || !has(*one.folder, exercise) || handed_in_at(one, exercise)) continue;
-      throw Usage(printable_name(course.times.string()) + ": when did '" +
+      throw Usage(printable_name(table_of_times(course, assignment).string()) + ": when did '" +
                   printable_name(one.member.key) + "' hand in " + exercise.name +
-                  "? Add a line with student, exercise and time");
+                  "? Fill it in, in a line with student, exercise and time; or write  times = "
+                  "\"files\"  in the course, where the files' own times are those");
     }
+  }
+}
+
+/// @throws Usage  these are no students' folders, but the submissions of rounds
+void refuse_collections(const std::vector<Student>& folders, const Assignment& assignment) {
+  for (const Student& one : folders) {
+    if (!is_collection(one.folder)) continue;
+    throw Usage(
+        folder_of(assignment) + " holds '" + printable_name(one.name) +
+        "', which grade collect made, and not the folders of students; write  submissions = "
+        "\"" +
+        printable_name(one.folder.string()) + "\"  in its [[assignment]]");
   }
 }
 
@@ -75,6 +91,7 @@ Class class_of(const Course& course, const Assignment& assignment, const Partici
   if (!work.seed_file.empty()) work.seed = seed_in(work.seed_file);
   work.jobs = asked.jobs;
   work.shard = asked.shard;
+  work.of_a_course = true;
   work.takes_part = [=](const Student& student) { return due_by_folder.contains(student.name); };
   work.is_due = [=](const Student& student) { return due_by_folder.at(student.name); };
   return work;
@@ -123,6 +140,16 @@ void write_round(const Course& course, const Assignment& assignment, const Class
   write_whole(marks_file(course, assignment), marks_json(marks));
 }
 
+/// What is somebody's and nobody's at once may be anybody's.
+int refuse_unmatched(const Course& course, const std::vector<std::string>& folders) {
+  print_some("Not graded, since on no line of the roster", folders);
+  return refuse(
+      Exit::bad_input,
+      counted(folders.size(), "folder") + " of nobody on the roster; so whoever has no " +
+          "folder has no mark, and not 0. Call them by the roster's keys, or name them in " +
+          printable_name(course.file.string()) + " by  guests = [\"FOLDER\"]");
+}
+
 }  // namespace
 
 std::filesystem::path marks_file(const Course& course, const Assignment& assignment) {
@@ -143,12 +170,15 @@ int grade_round(const Course& course, const Assignment& assignment,
                 assignment.name.c_str(), folder_of(assignment).c_str());
     return Exit::graded;
   }
+  refuse_collections(list.students, assignment);
   const Participants students =
-      roster ? match(*roster, list.students) : with_folders(list.students);
+      roster ? match(*roster, list.students, people_in(assignment.submissions / people_table),
+                     course.guests)
+             : with_folders(list.students);
   const HandedInAt handed_in_at = times_of(course, assignment);
-  if (!course.times.empty()) check_times(course, assignment, students, handed_in_at);
+  if (!table_of_times(course, assignment).empty())
+    check_times(course, assignment, students, handed_in_at);
   std::printf("%s\n", assignment.name.c_str());
-  print_some("Not graded, since on no line of the roster", students.unmatched);
   print_unused_extensions(course, assignment, students);
   const Class work = class_of(course, assignment, students, asked);
   const bool anybody = std::ranges::any_of(
@@ -156,7 +186,8 @@ int grade_round(const Course& course, const Assignment& assignment,
   const int code = anybody ? grade_class(work) : int(Exit::graded);
   if (code == Exit::bad_input || code == Exit::unreadable || asked.shard.of > 1) return code;
   write_round(course, assignment, work, students, handed_in_at);
-  return code;
+  if (students.unmatched.empty()) return code;
+  return refuse_unmatched(course, students.unmatched);
 }
 
 }  // namespace grade

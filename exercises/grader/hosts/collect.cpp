@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
+#include <set>
+#include <utility>
 
 #include "class/print_some.h"
 #include "command_line.h"
+#include "course/course.h"
 #include "exit_codes.h"
 #include "format_values.h"
 #include "given_files.h"
@@ -22,8 +25,6 @@
 namespace grade {
 namespace {
 
-constexpr const char* table_of_times = "times.csv";
-
 Instant instant_given(const std::string& text) {
   const auto time = time_from(text);
   if (!time || !time->offset)
@@ -35,12 +36,19 @@ Instant instant_given(const std::string& text) {
 Haul moodle(const Collection& work) {
   Haul haul = from_moodle(work.from);
   if (work.worksheet.empty()) return haul;
-  const auto times = times_in_worksheet(work.worksheet);
-  for (HandedFile& one : haul.files) {
-    const auto parts = moodle_name(one.student);
-    const auto found = times.find(parts ? parts->number : "");
-    if (found != times.end()) one.handed_in = found->second;
-  }
+  const MoodleWorksheet sheet(work.worksheet);
+  const auto times = times_in(sheet, printable_name(work.worksheet.string()));
+  const auto people = people_in(sheet);
+  const auto number = [](const std::string& folder) {
+    const auto parts = moodle_name(folder);
+    return parts ? parts->number : "";
+  };
+  for (HandedFile& one : haul.files)
+    if (const auto found = times.find(number(one.student)); found != times.end())
+      one.handed_in = found->second;
+  for (const std::string& folder : haul.students)
+    if (const auto found = people.find(number(folder)); found != people.end())
+      haul.people[folder] = found->second;
   return haul;
 }
 
@@ -54,25 +62,40 @@ Haul canvas(const Collection& work) {
   return haul;
 }
 
+/// By one time for all, or by each student's own end of a round and the days after it that count.
+Until until_of(const Collection& work) {
+  if (work.course.empty() != work.round.empty())
+    throw Usage("--course and --round belong together: a round of a course");
+  if (!work.course.empty() && !work.until.empty())
+    throw Usage("--until is one time for all; the course has each student's own");
+  if (!work.until.empty())
+    return [end = instant_given(work.until)](const std::string&) { return std::optional(end); };
+  if (work.course.empty()) return [](const std::string&) { return std::optional<Instant>(); };
+  const Course course = read_course(work.course);
+  const Assignment round = assignment_named(course, work.round);
+  return [=](const std::string& student) { return last_moment(course, round, student); };
+}
+
 Haul git(const Collection& work) {
-  if (work.until.empty()) return from_git(work.from, std::nullopt);
-  return from_git(work.from, instant_given(work.until));
+  return from_git(work.from, until_of(work));
 }
 
 Haul folders(const Collection& work) {
-  return from_folders(work.from);
+  Haul haul = from_folders(work.from);
+  haul.bears_times = true;
+  return haul;
 }
 
 struct Kind {
   const char* name;
   Haul (*read)(const Collection& work);
-  bool takes_until, takes_worksheet;
+  bool takes_until, takes_worksheet, takes_course;
 };
 
-constexpr Kind kinds[] = {{"moodle", moodle, false, true},
-                          {"canvas", canvas, true, false},
-                          {"git", git, true, false},
-                          {"folders", folders, false, false}};
+constexpr Kind kinds[] = {{"moodle", moodle, false, true, false},
+                          {"canvas", canvas, true, false, false},
+                          {"git", git, true, false, true},
+                          {"folders", folders, false, false, false}};
 
 const Kind& kind_of(const Collection& work) {
   const auto found =
@@ -83,13 +106,9 @@ const Kind& kind_of(const Collection& work) {
   if (!work.until.empty() && !found->takes_until) throw Usage("--until is for git and canvas");
   if (!work.worksheet.empty() && !found->takes_worksheet)
     throw Usage("--worksheet is Moodle's, for grade collect moodle");
+  if (!(work.course.empty() && work.round.empty()) && !found->takes_course)
+    throw Usage("--course and --round are for grade collect git");
   return *found;
-}
-
-/// The folder in which the submissions' folder lies.
-std::filesystem::path beside(const std::filesystem::path& to) {
-  const std::filesystem::path tidy = to.has_filename() ? to : to.parent_path();
-  return tidy.parent_path();
 }
 
 std::vector<std::string> empty_handed(const Haul& haul) {
@@ -100,16 +119,13 @@ std::vector<std::string> empty_handed(const Haul& haul) {
   return names;
 }
 
-void say_what_of_times(const Haul& haul, const std::filesystem::path& table, bool written) {
+void say_what_of_times(const Haul& haul, const std::filesystem::path& table) {
   const std::string shown = printable_name(table.string());
-  const auto unknown = std::ranges::count_if(
-      haul.files, [](const HandedFile& one) { return one.handed_in.empty(); });
-  if (!written) {
-    std::printf(
-        "Nothing here says when it was handed in; the files keep the times that they came with\n");
+  const std::size_t unknown = unknown_times(table);
+  if (haul.bears_times) {
+    std::printf("The times of the files count as those of handing in\n");
   } else if (unknown > 0) {
-    std::printf("%s: fill in the times of %s\n", shown.c_str(),
-                counted(std::size_t(unknown), "file").c_str());
+    std::printf("%s: fill in the times of %s\n", shown.c_str(), counted(unknown, "file").c_str());
   } else {
     std::printf("The times are in %s\n", shown.c_str());
   }
@@ -128,15 +144,19 @@ int collect_submissions(const Collection& work) {
   if (haul.students.empty())
     return refuse(Exit::unreadable, "there is nothing in '" + printable_name(work.from.string()) +
                                         "' that was handed in by way of " + kind.name);
-  const std::filesystem::path table = beside(work.to) / table_of_times;
-  check_is_ours(table);
+  const std::filesystem::path table = work.to / times_table, people = work.to / people_table;
+  check_are_ours(table, people);
+  const std::set<std::pair<std::string, std::string>> same = unchanged(haul, work.to);
   const std::vector<std::string> others = store(haul, work.to);
-  const bool written = write_times(haul, table);
+  if (!haul.bears_times)
+    write_times(haul, table,
+                [&](const HandedFile& one) { return same.contains({one.student, one.place}); });
+  write_people(haul, people);
   print_some("Note", haul.notes);
   print_some("Late", {haul.late.begin(), haul.late.end()});
   print_some("Nothing taken of", empty_handed(haul));
   print_some("Still there from before", others);
-  say_what_of_times(haul, table, written);
+  say_what_of_times(haul, table);
   std::printf("%s of %s, in %s\n", counted(haul.files.size(), "file").c_str(),
               counted(haul.students.size(), "student").c_str(),
               printable_name(work.to.string()).c_str());

@@ -11,11 +11,13 @@ struct Collection {
   std::filesystem::path from;       ///< that the system handed out
   std::filesystem::path to;         ///< the submissions of a course
   std::string until;                ///< a time with an offset; empty: none
-  std::filesystem::path worksheet;  ///< of Moodle, that knows the times; empty: none
+  std::filesystem::path worksheet;  ///< of Moodle, that knows times and people; empty: none
+  std::filesystem::path course;     ///< whose round says what still counts; empty: none
+  std::string round;
 };
 
-/// Brings what a system handed out into the folder that a course reads, and the times at which it
-/// was handed in into a table beside that folder, `times.csv`.
+/// Brings what a system handed out into the folder that a course reads, and what the system knows
+/// of it into tables there: when it was handed in, `times.csv`, and who that is, `people.csv`.
 /// @returns the exit code: 0; 3 if nothing was there
 /// @throws Usage  what to mend
 int collect_submissions(const Collection& work);

@@ -46,17 +46,34 @@ std::string moodle_number(const StudentMarks& student) {
   return parts ? parts->number : "";
 }
 
-void check_most(const MoodleWorksheet& sheet, const CsvRow& row, int sum,
-                const std::filesystem::path& file) {
-  const std::string most = sheet.most(row).value_or("");
-  // With decimals after a point or a comma, whichever Moodle's language writes.
+/// What a round is out of.
+int out_of(const StudentMarks& student) {
+  int of = 0;
+  for (const Mark& mark : student.marks) of += mark.of;
+  return of;
+}
+
+/// A mark out of another sum than the system's would be another share of it, and one above it is
+/// passed over there.
+/// @param most  as the system writes it, with decimals after a point or a comma
+void check_most(const std::string& most, const StudentMarks& student, const std::string& where) {
   const auto whole = whole_number(most.substr(0, most.find_first_of(".,")));
-  if (!whole || std::uint64_t(sum) <= *whole) return;
-  throw Usage(printable_name(file.string()) + ":" + std::to_string(row.line) + ": the mark is " +
-              std::to_string(sum) +
-              ", and Moodle passes over what is above the assignment's "
-              "maximum grade, " +
-              printable_name(most) + "; raise that, and download it again");
+  const int of = out_of(student);
+  if (!whole || std::uint64_t(of) == *whole) return;
+  throw Usage(where + ": the assignment is out of " + printable_name(most) +
+              " there, and this round out of " + std::to_string(of) + "; set it to " +
+              std::to_string(of) + " in the system, and download the table again");
+}
+
+/// The numbers of Moodle's participants are new with each assignment.
+void check_is_this_rounds(const MoodleWorksheet& sheet, const CsvRow& row,
+                          const StudentMarks& student, const std::string& where) {
+  const auto parts = moodle_name(student.folder);
+  const std::string name = as_moodle_writes(sheet.name(row).value_or(""));
+  if (!parts || name.empty() || name == parts->name) return;
+  throw Usage(where + ": participant " + parts->number + " is '" + printable_name(name) +
+              "' here, and '" + printable_name(parts->name) +
+              "' in this round; download the worksheet of its assignment");
 }
 
 std::size_t column_of_gradebook(const CsvRow& head, const std::string& column,
@@ -79,6 +96,16 @@ std::vector<std::string> names_in_gradebook(const CsvRow& head, const CsvRow& ro
       if (head.cells[i] == column) names.push_back(trimmed(row.cells[i]));
   const bool nobody = names.empty() || names[0].empty();
   return nobody ? std::vector<std::string>() : names;
+}
+
+/// Canvas's row of what could be had; null if there is none.
+const CsvRow* row_of_most(const CsvRow& head, const std::vector<CsvRow>& rows) {
+  const auto column = std::ranges::find(head.cells, "Student") - head.cells.begin();
+  const auto found = std::ranges::find_if(rows, [&](const CsvRow& row) {
+    return std::size_t(column) < row.cells.size() &&
+           trimmed(row.cells[std::size_t(column)]) == "Points Possible";
+  });
+  return found == rows.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -116,9 +143,10 @@ Filled filled_worksheet(const Marks& marks, const std::filesystem::path& file) {
   Filled filled;
   CsvChanges changes(sheet.text());
   for (const StudentMarks& one : marks.students) {
-    auto at = numbers.find(moodle_number(one));
-    if (!at) at = addresses.find(one.student);
-    if (!at) at = names.find(one.name);
+    const std::string number = moodle_number(one);
+    auto at = numbers.find(number);
+    if (!at && number.empty()) at = addresses.find(one.student);
+    if (!at && number.empty()) at = names.find(one.name);
     const auto sum = sum_of(one);
     if (!sum) {
       filled.no_mark.push_back(called(one));
@@ -126,7 +154,9 @@ Filled filled_worksheet(const Marks& marks, const std::filesystem::path& file) {
       filled.nowhere.push_back(called(one));
     } else {
       const CsvRow& row = sheet.rows()[*at];
-      check_most(sheet, row, *sum, file);
+      const std::string where = printable_name(file.string()) + ":" + std::to_string(row.line);
+      check_is_this_rounds(sheet, row, one, where);
+      check_most(sheet.most(row).value_or(""), one, where);
       changes.set(row, sheet.grade_column(), std::to_string(*sum));
       if (sheet.comment_column()) changes.set(row, *sheet.comment_column(), comment_on(one));
       ++filled.students;
@@ -148,9 +178,12 @@ Filled filled_gradebook(const Marks& marks, const std::filesystem::path& file,
   RowsByName names;
   for (std::size_t i = 1; i < rows.size(); ++i)
     for (const std::string& name : names_in_gradebook(head, rows[i])) names.add(name, i);
+  const CsvRow* const possible = row_of_most(head, rows);
   Filled filled;
   CsvChanges changes(text);
   for (const StudentMarks& one : marks.students) {
+    if (possible && at < possible->cells.size())
+      check_most(trimmed(possible->cells[at]), one, shown + ":" + std::to_string(possible->line));
     const auto sum = sum_of(one);
     auto found = names.find(one.student);
     if (!found) found = names.find(one.name);

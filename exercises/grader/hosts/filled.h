@@ -24,13 +24,14 @@ std::optional<int> sum_of(const StudentMarks& student);
 std::string comment_on(const StudentMarks& student);
 
 /// Moodle's worksheet: the grade, and a comment where it has a column for these. A student is found
-/// by the number in the folder's name, or else by address, or else by a name that only one has.
-/// @throws Usage  it is none, or a sum is above what the assignment gives at most
+/// by the number in the folder's name; where it has none, by address or by a name that only one
+/// has.
+/// @throws Usage  it is none, or another assignment's, or that is out of another sum than the round
 Filled filled_worksheet(const Marks& marks, const std::filesystem::path& file);
 
 /// Canvas's gradebook: one column. A student is found by `ID`, or else by `SIS Login ID`, `SIS User
 /// ID` or the name.
-/// @throws Usage  it is none, or lacks the column
+/// @throws Usage  it is none, or lacks the column, or that is out of another sum than the round
 Filled filled_gradebook(const Marks& marks, const std::filesystem::path& file,
                         const std::string& column);
 

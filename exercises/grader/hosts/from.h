@@ -2,7 +2,9 @@
 /// @file
 /// What systems hand out, read.
 #pragma once
+#include <functional>
 #include <optional>
+#include <string>
 
 #include "hosts/haul.h"
 
@@ -22,9 +24,12 @@ Haul from_canvas(const std::filesystem::path& from);
 /// A folder for each student, as by hand.
 Haul from_folders(const std::filesystem::path& from);
 
+/// The last moment at which what this student hands in is taken; nothing if it always is.
+using Until = std::function<std::optional<Instant>(const std::string& student)>;
+
 /// Git repositories: a folder with one for each student, or a table with the columns `student` and
 /// `repository`. Of each the last commit of its branch is read, or the last until then by the time
-/// that the commit itself bears.
-Haul from_git(const std::filesystem::path& from, std::optional<Instant> until);
+/// that the commit itself bears. A header was handed in by the commit that last changed it.
+Haul from_git(const std::filesystem::path& from, const Until& until);
 
 }  // namespace grade

@@ -9,6 +9,7 @@
 #include "hosts/canvas_name.h"
 #include "hosts/from.h"
 #include "hosts/moodle_name.h"
+#include "hosts/store.h"
 #include "printable.h"
 
 namespace grade {
@@ -16,12 +17,13 @@ namespace {
 
 constexpr std::size_t most_entries = 100'000;
 
-/// Each thing in the folder that is not hidden.
+/// Each thing in the folder that is not hidden, nor called as a table of a collection.
 template <class Take>
 void for_each_in(const std::filesystem::path& from, const Take& take) {
   const Entry all = folder_named(from);
   for (const std::string& name : names_in(all, most_entries)) {
-    const auto found = name.starts_with('.') ? std::nullopt : entry(all.file.get(), name);
+    const bool passed_over = name.starts_with('.') || is_of_collection(name);
+    const auto found = passed_over ? std::nullopt : entry(all.file.get(), name);
     if (found) take(name, *found);
   }
 }

@@ -9,6 +9,7 @@
 #include "exercise.h"
 #include "hosts/from.h"
 #include "hosts/git.h"
+#include "hosts/store.h"
 #include "hosts/times.h"
 #include "printable.h"
 
@@ -34,7 +35,6 @@ std::string why_not_taken(const GitEntry& one) {
 /// Takes the headers in a folder of a commit, under the names that they have there.
 void take_from_commit(Haul& haul, const std::string& student, const GitObjects& objects,
                       const std::string& commit, const std::string& chapter) {
-  const Instant time = objects.time_of(commit);
   for (const GitEntry& one : objects.entries(commit, chapter)) {
     const std::string place = chapter.empty() ? one.name : chapter + "/" + one.name;
     if (!one.name.ends_with(".h")) continue;
@@ -42,6 +42,7 @@ void take_from_commit(Haul& haul, const std::string& student, const GitObjects& 
     const auto text = why.empty() ? objects.file(one.hash, most_of_a_header) : std::nullopt;
     if (why.empty() && !text) why = "is longer than a megabyte";
     if (why.empty()) {
+      const Instant time = objects.changed(commit, place);
       haul.files.push_back({student, place, one.name, *text, time, as_written(time)});
     } else {
       haul.not_taken.push_back(student + ": " + place + " " + why);
@@ -50,11 +51,11 @@ void take_from_commit(Haul& haul, const std::string& student, const GitObjects& 
 }
 
 void take_repository(Haul& haul, const std::string& student, const Entry& folder,
-                     std::optional<Instant> until) {
+                     const Until& until) {
   haul.students.insert(student);
   try {
     const GitObjects objects(folder);
-    const std::string commit = objects.commit(until);
+    const std::string commit = objects.commit(until(student));
     if (commit.empty()) {
       haul.not_taken.push_back(student + ": there is no commit by then");
       return;
@@ -89,7 +90,7 @@ class CloneFolder {
 };
 
 void take_address(Haul& haul, const std::string& student, const std::string& address,
-                  const std::filesystem::path& table, std::optional<Instant> until) {
+                  const std::filesystem::path& table, const Until& until) {
   const std::filesystem::path here = table.parent_path() / address;
   if (std::filesystem::is_directory(here)) {
     take_repository(haul, student, folder_named(here), until);
@@ -109,7 +110,7 @@ void take_address(Haul& haul, const std::string& student, const std::string& add
   throw Usage(printable_name(table.string()) + ":" + std::to_string(row.line) + ": " + why);
 }
 
-Haul from_table_of_repositories(const std::filesystem::path& table, std::optional<Instant> until) {
+Haul from_table_of_repositories(const std::filesystem::path& table, const Until& until) {
   Haul haul;
   const std::vector<CsvRow> rows = csv_file(table);
   const std::vector<std::string> heads{"student", "repository"};
@@ -121,7 +122,8 @@ Haul from_table_of_repositories(const std::filesystem::path& table, std::optiona
     std::vector<std::string> cells = rows[i].cells;
     cells.resize(heads.size());
     const std::string student = trimmed(cells[0]), address = trimmed(cells[1]);
-    if (student.empty() || student.starts_with('.') || student.find('/') != student.npos)
+    if (student.empty() || student.starts_with('.') || student.find('/') != student.npos ||
+        is_of_collection(student))
       refuse_row(table, rows[i], "a folder can't be called '" + printable_name(student) + "'");
     if (address.empty() || address.starts_with('-'))
       refuse_row(table, rows[i], "where is the repository? Write its address, or its folder");
@@ -134,12 +136,13 @@ Haul from_table_of_repositories(const std::filesystem::path& table, std::optiona
 
 }  // namespace
 
-Haul from_git(const std::filesystem::path& from, std::optional<Instant> until) {
+Haul from_git(const std::filesystem::path& from, const Until& until) {
   if (!std::filesystem::is_directory(from)) return from_table_of_repositories(from, until);
   Haul haul;
   const Entry all = folder_named(from);
   for (const std::string& name : names_in(all, 100'000)) {
-    const auto found = name.starts_with('.') ? std::nullopt : entry(all.file.get(), name);
+    const bool passed_over = name.starts_with('.') || is_of_collection(name);
+    const auto found = passed_over ? std::nullopt : entry(all.file.get(), name);
     if (!found) continue;
     const bool bare = name.ends_with(".git");
     const std::string student = bare ? name.substr(0, name.size() - 4) : name;

@@ -103,6 +103,7 @@ std::string GitObjects::git(const std::vector<std::string>& words, std::size_t m
                                    "GIT_CONFIG_NOSYSTEM=1",
                                    "GIT_CONFIG_GLOBAL=/dev/null",
                                    "GIT_NO_REPLACE_OBJECTS=1",
+                                   "GIT_LITERAL_PATHSPECS=1",
                                    "GIT_NO_LAZY_FETCH=1",
                                    "GIT_ALLOW_PROTOCOL=none",
                                    "HOME=/nonexistent",
@@ -129,6 +130,11 @@ std::string GitObjects::commit(std::optional<Instant> until) const {
 Instant GitObjects::time_of(const std::string& commit) const {
   const std::string text = git({"show", "-s", "--no-show-signature", "--format=%ct", commit, "--"});
   return Instant(std::chrono::seconds(std::stoll(text)));
+}
+
+Instant GitObjects::changed(const std::string& commit, const std::string& path) const {
+  const std::string last = first_word(git({"rev-list", "-1", commit, "--", path}));
+  return time_of(last.empty() ? commit : last);
 }
 
 std::vector<GitEntry> GitObjects::entries(const std::string& commit,

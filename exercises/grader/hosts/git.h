@@ -36,6 +36,9 @@ class GitObjects {
   /// The committer's time.
   Instant time_of(const std::string& commit) const;
 
+  /// That of the commit by which the file at this path became what it is in this one.
+  Instant changed(const std::string& commit, const std::string& path) const;
+
   /// What lies in a folder of a commit; empty if there is no such folder.
   std::vector<GitEntry> entries(const std::string& commit, const std::string& folder) const;
 

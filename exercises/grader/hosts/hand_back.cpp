@@ -28,6 +28,15 @@ Marks marks_in(const std::filesystem::path& results) {
               "'; name the folder of a round that grade class has graded, such as results/week-2");
 }
 
+/// What nobody handed in is a zero in the table, and would be one of somebody who did.
+void refuse_unmatched(const Marks& marks) {
+  if (marks.unmatched.empty()) return;
+  throw Usage("no marks go out while folders of this round are nobody's on the roster, such as '" +
+              marks.unmatched[0] +
+              "'; call them by the roster's keys, or name them in the course by  guests = "
+              "[\"FOLDER\"], and grade it again");
+}
+
 Filled filled_by(const HandBack& work, const Marks& marks) {
   if (work.kind == "moodle" && work.column.empty()) return filled_worksheet(marks, work.table);
   if (work.kind == "moodle") throw Usage("--column is for Canvas; Moodle's worksheet has its own");
@@ -52,6 +61,7 @@ std::string byte_order_mark_of(const std::filesystem::path& file) {
 
 int hand_back(const HandBack& work) {
   const Marks marks = marks_in(work.results);
+  refuse_unmatched(marks);
   const Filled filled = filled_by(work, marks);
   const std::filesystem::path out = work.results / (work.kind + ".csv");
   std::error_code none;

@@ -19,6 +19,11 @@ std::string joined(const std::string& folder, const std::string& name) {
   return folder.empty() ? name : folder + "/" + name;
 }
 
+/// In small letters or in capitals: the student is told how it should be called.
+bool is_header(const std::string& name) {
+  return name.ends_with(".h") || name.ends_with(".H");
+}
+
 bool is_chapter(const std::string& name) {
   const auto all = exercises();
   return std::ranges::any_of(all, [&](const Exercise& one) { return one.chapter() == name; });
@@ -30,7 +35,7 @@ std::string not_a_file(const std::string& name, const Entry& found) {
   if (found.is_folder()) return "is a folder";
   if (!found.is_regular()) return "is no file";
   if (name.ends_with(".zip")) return "is an archive: unpack it";
-  if (!name.ends_with(".h")) return "is no header";
+  if (!is_header(name)) return "is no header";
   if (std::size_t(found.about.st_size) > most_bytes) return "is longer than a megabyte";
   return "";
 }
@@ -52,15 +57,12 @@ void take_headers(Haul& haul, const std::string& student, const std::string& cha
 bool better(const HandedFile& one, const HandedFile& other) {
   if (one.file_time > other.file_time + apart) return true;
   if (other.file_time > one.file_time + apart) return false;
-  const unsigned a = asked_name(one.called).number, b = asked_name(other.called).number;
-  if (a == 0 || b == 0) return a < b;
-  return a > b;
+  return asked_name(one.called).number > asked_name(other.called).number;
 }
 
 std::string why_better(const HandedFile& one, const HandedFile& other) {
-  if (one.file_time > other.file_time + apart) return "which is later";
-  return asked_name(one.called).number == 0 ? "as the task calls it"
-                                            : "which has the highest number";
+  const bool is_later = one.file_time > other.file_time + apart;
+  return is_later ? "which is later" : "which has the highest number";
 }
 
 }  // namespace

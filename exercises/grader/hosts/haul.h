@@ -2,6 +2,7 @@
 /// @file
 /// What a system handed out, as far as it is taken.
 #pragma once
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -21,9 +22,16 @@ struct HandedFile {
   std::string handed_in{};  ///< when it was handed in, as a table of times has it; empty if unknown
 };
 
+/// Who somebody is, as a system's table says it; what it does not say is empty.
+struct Person {
+  std::string name, id, email;
+};
+
 struct Haul {
-  std::set<std::string> students;  ///< all, those too of whom nothing was taken
-  std::set<std::string> late;      ///< of these, as the system says
+  std::set<std::string> students;        ///< all, those too of whom nothing was taken
+  std::map<std::string, Person> people;  ///< by the name of their folder, as far as known
+  bool bears_times = false;              ///< whether the files' own times are those of handing in
+  std::set<std::string> late;            ///< of these, as the system says
   std::vector<HandedFile> files;
   std::vector<std::string> not_taken;  ///< what, and why
   std::vector<std::string> notes;
@@ -37,9 +45,9 @@ void take_file(Haul& haul, const std::string& student, const std::string& chapte
 /// is followed that is a link.
 void take_folder(Haul& haul, const std::string& student, const Entry& folder);
 
-/// Leaves one file in each place: the one that is later by more than a minute, or else the one that
-/// is called as the task says, or else the one with the highest number. Archives bear the times of
-/// their making, so that less than a minute says nothing. Notes what was chosen.
+/// Leaves one file in each place: the one that is later by more than a minute, or else the one with
+/// the highest number, `orbit-drift (2).h` before `orbit-drift.h`. Archives bear the times of their
+/// making, so that less than a minute says nothing. Notes what was chosen.
 void leave_one_each(Haul& haul);
 
 }  // namespace grade

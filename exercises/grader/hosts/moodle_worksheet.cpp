@@ -49,6 +49,7 @@ MoodleWorksheet::MoodleWorksheet(const std::filesystem::path& file) {
   id_ = *id;
   grade_ = *grade;
   name_ = column_of(head, {"Full name", "Vollständiger Name"});
+  number_ = column_of(head, {"ID number", "ID-Nummer"});
   email_ = column_of(head, {"Email address", "E-Mail-Adresse"});
   submitted_ = column_of(head, {"Last modified (submission)", "Zuletzt geändert (Abgabe)"});
   most_ = column_of(head, {"Maximum Grade", "Maximum grade", "Bestwertung"});
@@ -84,11 +85,10 @@ std::optional<std::string> moodle_time(const std::string& text) {
   return time_from(written) ? std::optional<std::string>(written) : std::nullopt;
 }
 
-std::map<std::string, std::string> times_in_worksheet(const std::filesystem::path& file) {
-  const MoodleWorksheet sheet(file);
+std::map<std::string, std::string> times_in(const MoodleWorksheet& sheet, const std::string& name) {
   std::map<std::string, std::string> times;
   for (const CsvRow& row : sheet.rows()) {
-    const std::string where = printable_name(file.string()) + ":" + std::to_string(row.line) + ": ";
+    const std::string where = name + ":" + std::to_string(row.line) + ": ";
     const auto submitted = sheet.submitted(row);
     if (!submitted) throw Usage(where + "there is no column 'Last modified (submission)'");
     if (submitted->empty() || *submitted == "-") continue;
@@ -100,6 +100,14 @@ std::map<std::string, std::string> times_in_worksheet(const std::filesystem::pat
     times[sheet.number(row)] = *time;
   }
   return times;
+}
+
+std::map<std::string, Person> people_in(const MoodleWorksheet& sheet) {
+  std::map<std::string, Person> people;
+  for (const CsvRow& row : sheet.rows())
+    people[sheet.number(row)] = {sheet.name(row).value_or(""), sheet.id_number(row).value_or(""),
+                                 sheet.email(row).value_or("")};
+  return people;
 }
 
 }  // namespace grade

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "csv.h"
+#include "hosts/haul.h"
 
 namespace grade {
 
@@ -25,6 +26,7 @@ class MoodleWorksheet {
 
   /// A cell, or nothing if the worksheet has no such column.
   std::optional<std::string> name(const CsvRow& row) const { return cell(row, name_); }
+  std::optional<std::string> id_number(const CsvRow& row) const { return cell(row, number_); }
   std::optional<std::string> email(const CsvRow& row) const { return cell(row, email_); }
   std::optional<std::string> submitted(const CsvRow& row) const { return cell(row, submitted_); }
   std::optional<std::string> most(const CsvRow& row) const { return cell(row, most_); }
@@ -41,7 +43,7 @@ class MoodleWorksheet {
   std::string text_;
   std::vector<CsvRow> rows_;
   std::size_t id_ = 0, grade_ = 0;
-  std::optional<std::size_t> name_, email_, submitted_, most_, comment_;
+  std::optional<std::size_t> name_, number_, email_, submitted_, most_, comment_;
 };
 
 /// `Monday, 8 February 2027, 11:59 PM`, as Moodle writes a time in English or German, as
@@ -49,7 +51,11 @@ class MoodleWorksheet {
 std::optional<std::string> moodle_time(const std::string& text);
 
 /// When each participant handed in, by number.
+/// @param name  of the file, for messages
 /// @throws Usage  it lacks the column, or a time in it can't be read
-std::map<std::string, std::string> times_in_worksheet(const std::filesystem::path& file);
+std::map<std::string, std::string> times_in(const MoodleWorksheet& sheet, const std::string& name);
+
+/// Who each participant is, by number.
+std::map<std::string, Person> people_in(const MoodleWorksheet& sheet);
 
 }  // namespace grade

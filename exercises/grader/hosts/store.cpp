@@ -84,6 +84,23 @@ void store_student(const Haul& haul, const std::string& student, const std::file
 
 }  // namespace
 
+bool is_collection(const std::filesystem::path& folder) {
+  std::error_code none;
+  return std::filesystem::exists(folder / collected_mark, none);
+}
+
+bool is_of_collection(const std::string& name) {
+  return name == collected_mark || name == times_table || name == people_table;
+}
+
+std::set<std::pair<std::string, std::string>> unchanged(const Haul& haul,
+                                                        const std::filesystem::path& to) {
+  std::set<std::pair<std::string, std::string>> same;
+  for (const HandedFile& one : haul.files)
+    if (read_whole(to / one.student / one.place) == one.text) same.insert({one.student, one.place});
+  return same;
+}
+
 std::vector<std::string> store(const Haul& haul, const std::filesystem::path& to) {
   claim(to);
   remove_parts(to);
@@ -91,7 +108,7 @@ std::vector<std::string> store(const Haul& haul, const std::filesystem::path& to
     if (no_folder(to / student)) throw NotOwn(to / student);
   std::vector<std::string> others = names_below(to);
   std::erase_if(others, [&](const std::string& name) {
-    return name.starts_with('.') || haul.students.contains(name);
+    return name.starts_with('.') || is_of_collection(name) || haul.students.contains(name);
   });
   for (const std::string& student : haul.students) store_student(haul, student, to);
   return others;

@@ -14,6 +14,12 @@ namespace grade {
 namespace {
 
 const std::vector<std::string> heads{"student", "exercise", "time"};
+const std::vector<std::string> people_heads{"folder", "name", "id", "email"};
+
+[[noreturn]] void refuse_table(const std::filesystem::path& table, const char* of) {
+  throw Usage("'" + printable_name(table.string()) + "' is no table of " + of +
+              " that was collected; move it away");
+}
 
 /// By student and exercise.
 using Rows = std::map<std::pair<std::string, std::string>, std::string>;
@@ -23,13 +29,11 @@ Rows rows_of(const std::filesystem::path& table) {
   if (no_file(table)) throw NotOwn(table);
   if (!std::filesystem::exists(table)) return rows;
   const std::vector<CsvRow> lines = csv_file(table);
-  if (lines.empty() || lines[0].cells != heads)
-    throw Usage("'" + printable_name(table.string()) +
-                "' is no table of times that was collected; move it away");
+  if (lines.empty() || lines[0].cells != heads) refuse_table(table, "times");
   for (std::size_t i = 1; i < lines.size(); ++i) {
     std::vector<std::string> cells = lines[i].cells;
     cells.resize(heads.size());
-    rows[{cells[0], cells[1]}] = cells[2];
+    rows[{as_was(cells[0]), cells[1]}] = cells[2];
   }
   return rows;
 }
@@ -49,25 +53,58 @@ std::string as_written(Instant time) {
   return text + "Z";
 }
 
-void check_is_ours(const std::filesystem::path& table) {
-  rows_of(table);
+void check_are_ours(const std::filesystem::path& times, const std::filesystem::path& people) {
+  rows_of(times);
+  people_in(people);
 }
 
-bool write_times(const Haul& haul, const std::filesystem::path& table) {
-  const bool any =
-      std::ranges::any_of(haul.files, [](const HandedFile& one) { return !one.handed_in.empty(); });
-  if (!any) return false;
-  Rows rows = rows_of(table);
+std::size_t unknown_times(const std::filesystem::path& table) {
+  const Rows rows = rows_of(table);
+  return std::size_t(
+      std::ranges::count_if(rows, [](const auto& row) { return row.second.empty(); }));
+}
+
+void write_times(const Haul& haul, const std::filesystem::path& table,
+                 const std::function<bool(const HandedFile&)>& same) {
+  const Rows before = rows_of(table);
+  Rows rows = before;
+  std::erase_if(rows, [&](const auto& row) { return haul.students.contains(row.first.first); });
   for (const HandedFile& one : haul.files) {
     const auto exercise = exercise_at(one.place);
     // A line end in a name would be a line of the table. Whoever is not in it is asked for.
-    if (exercise && printable_name(one.student) == one.student)
-      rows[{one.student, *exercise}] = one.handed_in;
+    if (!exercise || printable_name(one.student) != one.student) continue;
+    const auto old = before.find({one.student, *exercise});
+    const bool stays = one.handed_in.empty() && old != before.end() && same(one);
+    rows[{one.student, *exercise}] = stays ? old->second : one.handed_in;
   }
   std::string text = csv_line(heads);
   for (const auto& [of, time] : rows) text += csv_line({of.first, of.second, time});
   write_whole(table, text);
-  return true;
+}
+
+void write_people(const Haul& haul, const std::filesystem::path& table) {
+  std::map<std::string, Person> all = people_in(table);
+  for (const auto& [folder, person] : haul.people)
+    if (printable_name(folder) == folder) all[folder] = person;
+  if (all.empty()) return;
+  std::string text = csv_line(people_heads);
+  for (const auto& [folder, one] : all) text += csv_line({folder, one.name, one.id, one.email});
+  write_whole(table, text);
+}
+
+std::map<std::string, Person> people_in(const std::filesystem::path& table) {
+  std::map<std::string, Person> all;
+  if (no_file(table)) throw NotOwn(table);
+  if (!std::filesystem::exists(table)) return all;
+  const std::vector<CsvRow> lines = csv_file(table);
+  if (lines.empty() || lines[0].cells != people_heads) refuse_table(table, "people");
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    std::vector<std::string> cells = lines[i].cells;
+    cells.resize(people_heads.size());
+    std::ranges::transform(cells, cells.begin(), as_was);
+    all[cells[0]] = {cells[1], cells[2], cells[3]};
+  }
+  return all;
 }
 
 }  // namespace grade

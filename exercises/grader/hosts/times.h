@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// The table of times that a course reads.
+/// The tables of a collection, which a course reads.
 #pragma once
 #include <filesystem>
+#include <functional>
 
 #include "hosts/haul.h"
 
@@ -11,14 +12,26 @@ namespace grade {
 /// Seconds on UTC's clocks, as such a table has them.
 std::string as_written(Instant time);
 
-/// @throws Usage  the table that is there is another one
-void check_is_ours(const std::filesystem::path& table);
+/// @throws Usage  a table that is there is another one
+void check_are_ours(const std::filesystem::path& times, const std::filesystem::path& people);
 
-/// Says when each file was handed in, by the folder of its student: in a table beside the folder of
-/// submissions, whose other lines stay. A file of which nobody knows the time has an empty cell,
-/// which a course asks to fill in. Without any time there is nothing to write.
-/// @returns whether it was written
+/// How many files the table still lacks the time of.
+std::size_t unknown_times(const std::filesystem::path& table);
+
+/// Says when each file was handed in, by the folder of its student. Lines of students who are not
+/// in this haul stay. A file of which nobody knows the time has an empty cell, which a course asks
+/// to fill in; what was filled in stays as long as the file is the same.
+/// @param same  whether this file has been there with these bytes
 /// @throws Usage  the table that is there is another one
-bool write_times(const Haul& haul, const std::filesystem::path& table);
+void write_times(const Haul& haul, const std::filesystem::path& table,
+                 const std::function<bool(const HandedFile&)>& same);
+
+/// Says whose the folders are, as far as the system did: in a table by which a course finds the
+/// student that its roster calls otherwise.
+void write_people(const Haul& haul, const std::filesystem::path& table);
+
+/// Reads it back; nobody if there is none.
+/// @throws Usage  it is another one
+std::map<std::string, Person> people_in(const std::filesystem::path& table);
 
 }  // namespace grade

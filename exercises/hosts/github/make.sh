@@ -28,6 +28,13 @@ here=$source/exercises/hosts/github grader=$out/.grader
 mkdir -p "$out/.github/workflows"
 cp "$here/classroom.yml" "$out/.github/workflows"
 cp "$here/student.md" "$out/README.md"
+cat >"$out/.gitignore" <<'END'
+# What the grader makes when it runs
+/.grader/build/exercises/done.txt
+/.grader/build/exercises/hints.txt
+/.grader/build/exercises/grader/kit/compiler.txt
+/.grader/build/exercises/grader/kit/harness/
+END
 put_grader "$source" "$build" "$grader" task.md,starter.h,harness.h "${exercises[@]}"
 for exercise in "${exercises[@]}"; do
   cp "$source/exercises/$exercise/starter.h" "$out/${exercise##*/}.h"

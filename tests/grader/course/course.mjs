@@ -30,7 +30,7 @@ export const time = text => new Time(text);
 const isTables = (key, value) => ['assignment', 'extension'].includes(key) && Array.isArray(value);
 
 export function courseFile(course) {
-  const above = Object.entries(course).filter(([key, value]) => !isTables(key, value));
+  const above = Object.entries(course).filter(([key, value]) => value !== undefined && !isTables(key, value));
   const lines = above.map(([key, value]) => `${key} = ${toml(value)}`);
   for (const name of ['assignment', 'extension'])
     for (const one of isTables(name, course[name]) ? course[name] : [])

@@ -59,4 +59,6 @@ TEST_CASE("what is written is read as it was, but for what a spreadsheet would c
   CHECK(csv_line({"a,b", "\"q\"", "", "plain"}) == "\"a,b\",\"\"\"q\"\"\",,plain\r\n");
   CHECK(csv_line({"=1+1", "-rf"}) == "'=1+1,'-rf\r\n");
   CHECK(cells(csv_line({"a,b", "\"q\"", "c;d"})) == std::vector<Cells>{{"a,b", "\"q\"", "c;d"}});
+  for (const char* text : {"=1+1", "-rf", "'quoted", "'", "", "plain"})
+    CHECK(as_was(cells(csv_line({text, "x"}))[0][0]) == text);
 }

@@ -29,6 +29,7 @@ const bySchema = course => accepted(JSON.parse(JSON.stringify(course)));
 const whole = {
   ...usual({
     roster: { file: 'roster.csv', key: 'student' },
+    guests: ['Eve_4711_assignsubmission_file'],
     times: 'times.csv',
     show_seed: false,
     late: { grace_minutes: 15, points_a_day: 1, days: 3 },
@@ -236,14 +237,14 @@ refuses(
   /can't read the seed file 'none'; make one by/,
   { schema: false },
 );
-refuses('whose roster is not there', usual({ roster: 'none.csv' }), /can't read 'none\.csv'/, { schema: false });
+refuses('whose roster is not there', usual({ roster: 'none.csv' }), /there is no table 'none\.csv'/, { schema: false });
 refuses(
   'whose roster lacks the key',
   usual({ roster: { file: 'roster.csv', key: 'Numbre' } }),
   /roster\.csv:1: there is no column 'Numbre'; did you mean 'Number'\?/,
   { schema: false },
 );
-refuses('whose times are not there', usual({ times: 'none.csv' }), /can't read 'none\.csv'/, { schema: false });
+refuses('whose times are not there', usual({ times: 'none.csv' }), /there is no table 'none\.csv'/, { schema: false });
 refuses(
   'with an extension of no assignment',
   usual({ extension: [extension({ assignment: 'week-2' })] }),

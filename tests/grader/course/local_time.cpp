@@ -92,10 +92,13 @@ TEST_CASE("a time is read as ISO 8601 has it, and nothing else is") {
     CHECK(!time_from(none));
 }
 
-TEST_CASE("a duration is said by its two largest parts") {
+TEST_CASE("a duration is said in days, hours and minutes, and in seconds below an hour") {
   CHECK(duration(40s) == "40 s");
   CHECK(duration(5min) == "5 min");
   CHECK(duration(2h + 5min + 59s) == "2 h 5 min");
   CHECK(duration(24h) == "1 day");
+  CHECK(duration(24h + 59s) == "1 day");
+  CHECK(duration(24h + 1min) == "1 day 1 min");
+  CHECK(duration(5min + 20s) == "5 min 20 s");
   CHECK(duration(75h) == "3 days 3 h");
 }

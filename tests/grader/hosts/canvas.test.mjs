@@ -24,7 +24,10 @@ test('files are taken by the number of their student, and who is late is said', 
   room.handOut(handedIn);
   const { status, stdout, stderr } = room.collect('canvas');
   assert.deepEqual([status, stderr], [0, '']);
-  assert.match(stdout, /^Note: 12: one-2.h is taken for one.h\nLate: 12\nLate: anon_a1B2c\nNothing here says when/);
+  assert.match(
+    stdout,
+    /^Note: 12: one-2.h is taken for one.h\nLate: 12\nLate: anon_a1B2c\nto\/times.csv: fill in the times of 6 files\n/,
+  );
   assert.match(stdout, /\n6 files of 5 students, in to\n$/);
   assert.deepEqual(
     room.files(),
@@ -53,16 +56,41 @@ test('whoever was in time is so by the end, and the late ones’ times are asked
   const room = host();
   room.handOut(handedIn);
   const { stdout } = room.collect('canvas', '--until', '2020-02-08T23:59:00+01:00');
-  assert.match(stdout, /^times.csv: fill in the times of 2 files$/m);
-  assert.match(room.read('times.csv'), /^4711,1-first\/one,2020-02-08T22:59Z\r$/m);
-  assert.match(room.read('times.csv'), /^12,1-first\/one,\r$/m);
-  const asked = room.gradeCourse({ times: 'times.csv' });
+  assert.match(stdout, /^to\/times.csv: fill in the times of 2 files$/m);
+  assert.match(room.read('to/times.csv'), /^4711,1-first\/one,2020-02-08T22:59Z\r$/m);
+  assert.match(room.read('to/times.csv'), /^12,1-first\/one,\r$/m);
+  const asked = room.gradeCourse({ times: undefined });
   assert.equal(asked.status, 2);
-  assert.match(asked.stderr, /^grade: .*times.csv:2: '' is no time; write it as/);
-  room.write('times.csv', room.read('times.csv').replaceAll(/one,\r/g, 'one,2020-02-09T00:59\r'));
-  assert.equal(room.gradeCourse({ times: 'times.csv', late: { points_a_day: 1 } }).status, 0);
+  assert.match(asked.stderr, /^grade: to\/times.csv: when did '12' hand in 1-first\/one\? Fill it in/);
+  fillIn(room);
+  assert.equal(room.gradeCourse({ times: undefined, late: { points_a_day: 1 } }).status, 0);
   assert.deepEqual(room.points()['12'], [3, 0]);
   assert.deepEqual(room.points()['4711'], [10, 4]);
+});
+
+const fillIn = room =>
+  room.write('to/times.csv', room.read('to/times.csv').replaceAll(/one,\r/g, 'one,2020-02-09T00:59\r'));
+
+test('what was filled in stays when all is collected again, unless another file has come', () => {
+  const room = host();
+  room.handOut(handedIn);
+  room.collect('canvas', '--until', '2020-02-08T23:59:00+01:00');
+  fillIn(room);
+  room.handOut({ 'LATE_anon_a1B2c_98769_one.h': '// score 4\n' });
+  const { stdout } = room.collect('canvas', '--until', '2020-02-08T23:59:00+01:00');
+  assert.match(stdout, /^to\/times.csv: fill in the times of 1 file$/m);
+  assert.match(room.read('to/times.csv'), /^12,1-first\/one,2020-02-09T00:59\r$/m);
+  assert.match(room.read('to/times.csv'), /^anon_a1B2c,1-first\/one,\r$/m);
+});
+
+test('a time that is not known stops nobody else, where its student takes no part', () => {
+  const room = host();
+  room.handOut(handedIn);
+  room.collect('canvas', '--until', '2020-02-08T23:59:00+01:00');
+  room.write('roster.csv', 'student\n4711\n');
+  const guests = ['12', '77', 'anon_a1B2c', 'anon_x1Y2z'];
+  assert.equal(room.gradeCourse({ times: undefined, roster: 'roster.csv', guests }).status, 0);
+  assert.deepEqual(room.points(), { 4711: [10, 4] });
 });
 
 test('the gradebook is filled in, in one column and nowhere else', () => {
@@ -70,7 +98,7 @@ test('the gradebook is filled in, in one column and nowhere else', () => {
   room.handOut(handedIn);
   room.write('book.csv', gradebook);
   room.collect('canvas');
-  room.gradeCourse({ roster: 'book.csv' });
+  room.gradeCourse({ roster: 'book.csv', guests: ['77', 'anon_a1B2c', 'anon_x1Y2z'] });
   const { status, stdout, stderr } = room.run(
     'hand-back',
     'canvas',
@@ -86,6 +114,22 @@ test('the gradebook is filled in, in one column and nowhere else', () => {
     .replace('agent,A,,', 'agent,A,4,')
     .replace('test,A,,', 'test,A,0,');
   assert.equal(room.read('results/week-1/canvas.csv'), filled);
+});
+
+test('a column out of another sum than the round is not filled in', () => {
+  const room = host();
+  room.handOut(handedIn);
+  room.write('book.csv', gradebook.replace('20.00', '100.00'));
+  room.collect('canvas');
+  room.gradeCourse({ roster: 'book.csv', guests: ['77', 'anon_a1B2c', 'anon_x1Y2z'] });
+  const words = ['hand-back', 'canvas', 'book.csv', 'results/week-1', '--column', 'week 1 (123)'];
+  const { status, stderr } = room.run(...words);
+  assert.equal(status, 2);
+  assert.match(
+    stderr,
+    /^grade: book.csv:3: the assignment is out of 100.00 there, and this round out of 20; set it to 20 /,
+  );
+  assert.ok(!room.has('results/week-1/canvas.csv'));
 });
 
 test('a key of one’s own is found in the other columns that name a student', () => {

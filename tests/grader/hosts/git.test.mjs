@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { appendFileSync, chmodSync, cpSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { host } from './hosts.mjs';
+import { host, time } from './hosts.mjs';
 import { commit, git } from './repository.mjs';
 
 const inTime = '2020-02-08T22:00:00Z';
@@ -19,12 +19,13 @@ test('the last commit is taken, or the last one by then, with its time', () => {
   assert.deepEqual([now.status, now.stderr], [0, '']);
   assert.match(
     now.stdout,
-    /^Note: ada: commit [0-9a-f]{10} of 2020-02-09T12:00Z\nThe times are in times.csv\n2 files of 1 student, in to\n$/,
+    /^Note: ada: commit [0-9a-f]{10} of 2020-02-09T12:00Z\nThe times are in to\/times.csv\n2 files of 1 student, in to\n$/,
   );
   assert.deepEqual(room.files(), ['to/ada/1-first/two.h', 'to/ada/one.h']);
   assert.equal(room.read('to/ada/one.h'), '// score 10\n');
   assert.equal(room.modified('to/ada/one.h'), new Date(late).toISOString());
-  assert.match(room.read('times.csv'), /^ada,1-first\/two,2020-02-09T12:00Z\r$/m);
+  assert.match(room.read('to/times.csv'), /^ada,1-first\/one,2020-02-09T12:00Z\r$/m);
+  assert.match(room.read('to/times.csv'), /^ada,1-first\/two,2020-02-08T22:00Z\r$/m); // which that commit left alone
   assert.match(room.collect('git', '--until', end).stdout, /of 2020-02-08T22:00Z$/m);
   assert.equal(room.read('to/ada/one.h'), '// score 4\n');
   assert.match(
@@ -173,6 +174,44 @@ test('a round is graded by the times of commits', () => {
   commit(room.path('from/ada'), { 'one.h': '// score 10\n' }, inTime);
   commit(room.path('from/bob'), { 'one.h': '// score 10\n' }, late);
   room.collect('git');
-  room.gradeCourse({ times: 'times.csv', late: { points_a_day: 3 } });
+  room.gradeCourse({ times: undefined, late: { points_a_day: 3 } });
   assert.deepEqual(room.points(), { ada: [10, 0], bob: [7, 0] });
 });
+
+test('a course takes what still counts of each student, and tidying up is not late', () => {
+  const room = host();
+  const dayAfter = '2020-02-10T12:00:00Z';
+  const weekAfter = '2020-02-16T12:00:00Z';
+  for (const name of ['ada', 'bob', 'cy', 'dan'])
+    commit(room.path(`from/${name}`), { 'one.h': '// score 4\n' }, inTime);
+  commit(room.path('from/ada'), { 'one.h': '// score 10\n' }, late); // with an extension
+  commit(room.path('from/bob'), { 'one.h': '// score 10\n' }, dayAfter);
+  commit(room.path('from/cy'), { 'notes.txt': '' }, dayAfter);
+  commit(room.path('from/dan'), { 'one.h': '// score 10\n' }, weekAfter);
+  const course = {
+    times: undefined,
+    late: { points_a_day: 1, days: 3 },
+    extension: [{ student: 'ada', assignment: 'week-1', due: time('2020-02-09T23:59:00') }],
+  };
+  room.handOut({}, 'to');
+  room.gradeCourse(course); // writes the file
+  const { status, stderr } = room.collect('git', '--course', 'course.toml', '--round', 'week-1');
+  assert.deepEqual([status, stderr], [0, '']);
+  room.gradeCourse(course);
+  assert.deepEqual(room.points(), { ada: [10, 0], bob: [8, 0], cy: [4, 0], dan: [4, 0] });
+});
+
+for (const [says, ...words] of [
+  [/--course and --round belong together/, '--round', 'week-1'],
+  [/--until is one time for all/, '--course', 'course.toml', '--round', 'week-1', '--until', end],
+  [/there is no assignment 'week-2'; did you mean 'week-1'\?/, '--course', 'course.toml', '--round', 'week-2'],
+])
+  test(`refuses ${words.join(' ')}: ${says}`, () => {
+    const room = host();
+    commit(room.path('from/ada'), { 'one.h': '// score 4\n' }, inTime);
+    room.gradeCourse();
+    const { status, stderr } = room.collect('git', ...words);
+    assert.match(stderr, says);
+    assert.equal(status, 2);
+    assert.ok(!room.has('to'));
+  });

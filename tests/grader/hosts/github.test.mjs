@@ -137,6 +137,7 @@ test('right answers get all points, in the form that the reporter reads', () => 
     20,
   );
   assert.match(readFileSync(at('summary'), 'utf8'), /orbit-drift/);
+  assert.equal(git(at('clone'), ['status', '--porcelain']), '', 'what the grader makes is nothing to commit');
 });
 
 test('a header that is missing costs its points and no other, and the run goes on', () => {

@@ -30,7 +30,7 @@ test('folders are taken as they are called, and headers as they lie in them', ()
   room.handOut(handedIn);
   const { status, stdout, stderr } = room.collect('moodle');
   assert.deepEqual([status, stderr], [0, '']);
-  assert.match(stdout, /^Nothing here says when it was handed in; [^\n]*\n3 files of 2 students, in to\n$/);
+  assert.match(stdout, /^to\/times.csv: fill in the times of 3 files\n3 files of 2 students, in to\n$/);
   assert.deepEqual(room.files(), [
     'to/Ada Lovelace_4711_assignsubmission_file/1-first/two.h',
     'to/Ada Lovelace_4711_assignsubmission_file/one.h',
@@ -39,7 +39,7 @@ test('folders are taken as they are called, and headers as they lie in them', ()
   assert.equal(room.read('to/Bob OBrien_4712_assignsubmission_file/one.h'), '// score 4\n');
   assert.equal(room.modified('to/Bob OBrien_4712_assignsubmission_file/one.h'), madeAt.toISOString());
   assert.equal(room.mode('to/Bob OBrien_4712_assignsubmission_file/one.h'), 0o600);
-  assert.ok(!room.has('times.csv'));
+  assert.ok(!room.has('to/people.csv'));
 });
 
 test('files without folders are taken into folders that Moodle takes back', () => {
@@ -59,9 +59,9 @@ for (const [name, files] of Object.entries({ folders: handedIn, files: flat }))
     room.handOut(files);
     room.write('sheet.csv', worksheet);
     room.write('roster.csv', roster);
-    assert.match(room.collect('moodle', '--worksheet', 'sheet.csv').stdout, /^The times are in times.csv\n/);
+    assert.match(room.collect('moodle', '--worksheet', 'sheet.csv').stdout, /^The times are in to\/times.csv\n/);
     const late = { points_a_day: 2 };
-    const { status, stderr } = room.gradeCourse({ roster: 'roster.csv', times: 'times.csv', late });
+    const { status, stderr } = room.gradeCourse({ roster: 'roster.csv', times: undefined, late });
     assert.deepEqual([status, stderr], [0, '']);
     assert.deepEqual(room.points(), {
       'ada@example.org': [10, 4],
@@ -91,7 +91,7 @@ test('without a roster the number in the folder is enough', () => {
   room.handOut(handedIn);
   room.write('sheet.csv', worksheet);
   room.collect('moodle', '--worksheet', 'sheet.csv');
-  assert.equal(room.gradeCourse({ times: 'times.csv' }).status, 0);
+  assert.equal(room.gradeCourse({ times: undefined }).status, 0);
   const { stdout } = room.run('hand-back', 'moodle', 'sheet.csv', 'results/week-1');
   assert.match(stdout, /^2 marks of week-1 filled in/);
   assert.match(room.read('results/week-1/moodle.csv'), /"Cy, C.",cy@example.org,"No submission",,20/);
@@ -112,19 +112,91 @@ test('whoever has no row, and whoever has no mark, is said', () => {
   assert.match(stdout, /\nWithout a mark, and left as it was: Cy C._4713_assignsubmission_file\n2 marks/);
 });
 
-test('a mark above the maximum grade is refused, since Moodle would pass over it', () => {
+for (const most of ['10.00', '100.00'])
+  test(`a round is not handed back into an assignment out of ${most}`, () => {
+    const room = host();
+    room.handOut(handedIn);
+    room.write('sheet.csv', worksheet.replaceAll('20.00', most));
+    room.collect('moodle');
+    room.gradeCourse();
+    const { status, stderr } = room.run('hand-back', 'moodle', 'sheet.csv', 'results/week-1');
+    assert.equal(status, 2);
+    assert.match(
+      stderr,
+      new RegExp(`^grade: sheet.csv:2: the assignment is out of ${most} there, and this round out of 20; [^\\n]*\\n$`),
+    );
+    assert.ok(!room.has('results/week-1/moodle.csv'));
+  });
+
+test('the worksheet of another assignment is refused, in which the numbers are others’', () => {
   const room = host();
   room.handOut(handedIn);
-  room.write('sheet.csv', worksheet.replaceAll('20.00', '10,00'.replace(',', '.')));
+  room.write('sheet.csv', worksheet.replace('4711', '9').replace('4712', '4711'));
   room.collect('moodle');
   room.gradeCourse();
   const { status, stderr } = room.run('hand-back', 'moodle', 'sheet.csv', 'results/week-1');
   assert.equal(status, 2);
   assert.match(
     stderr,
-    /^grade: sheet.csv:2: the mark is 14, and Moodle passes over .* maximum grade, 10.00; [^\n]*\n$/,
+    /^grade: sheet.csv:3: participant 4711 is 'Bob OBrien' here, and 'Ada Lovelace' in this round; download the worksheet of its/,
   );
+});
+
+test('who somebody is the worksheet knows, where names are two people’s or turned round', () => {
+  const room = host();
+  room.handOut({
+    'Ada Lovelace_4711_assignsubmission_file/one.h': '// score 10\n',
+    'Ada Lovelace_4712_assignsubmission_file/one.h': '// score 4\n',
+    'C. Cy_4713_assignsubmission_file/one.h': '// score 0\n',
+  });
+  const sheet = worksheet
+    .replace("Bob O'Brien", 'Ada Lovelace')
+    .replace('Cy, C.', 'C. Cy')
+    .replace('Yes,-,-', 'Yes,"8 February 2020, 11:58 PM",-');
+  room.write('sheet.csv', sheet);
+  room.write('roster.csv', roster.replace("Bob,O'Brien", 'Ada,Lovelace').replace('bob@', 'BOB@'));
+  room.collect('moodle', '--worksheet', 'sheet.csv');
+  assert.match(
+    room.read('to/people.csv'),
+    /^folder,name,id,email\r\nAda Lovelace_4711_assignsubmission_file,Ada Lovelace,,ada@example.org\r\n/,
+  );
+  assert.equal(room.gradeCourse({ times: undefined, roster: 'roster.csv' }).status, 0);
+  assert.deepEqual(room.points(), { 'ada@example.org': [10, 0], 'BOB@example.org': [4, 0], 'cy@example.org': [0, 0] });
+  assert.match(room.run('hand-back', 'moodle', 'sheet.csv', 'results/week-1').stdout, /^3 marks/);
+  assert.match(room.read('results/week-1/moodle.csv'), /^"Participant 4712","Ada Lovelace",bob@[^\n]*,4,20.00/m);
+});
+
+test('while a folder is nobody’s, nobody has a zero by it, and no mark goes out', () => {
+  const room = host();
+  room.handOut({ ...handedIn, 'Eve_4799_assignsubmission_file/one.h': '// score 10\n' });
+  room.write('sheet.csv', worksheet);
+  room.write('roster.csv', roster);
+  room.collect('moodle');
+  const course = { roster: 'roster.csv' };
+  const { status, stdout, stderr } = room.gradeCourse(course);
+  assert.equal(status, 2);
+  assert.match(stdout, /^Not graded, since on no line of the roster: Eve_4799_assignsubmission_file$/m);
+  assert.match(stderr, /^grade: 1 folder of nobody on the roster; [^\n]* guests = \["FOLDER"\]\n$/);
+  assert.match(room.read('results/grades.csv'), /^cy@example.org,Cy C.,,,,\r?$/m);
+  const back = room.run('hand-back', 'moodle', 'sheet.csv', 'results/week-1');
+  assert.equal(back.status, 2);
+  assert.match(back.stderr, /^grade: no marks go out while [^\n]*'Eve_4799_assignsubmission_file'[^\n]*\n$/);
   assert.ok(!room.has('results/week-1/moodle.csv'));
+  assert.equal(room.gradeCourse({ ...course, guests: ['Eve_4799_assignsubmission_file'] }).status, 0);
+  assert.match(room.read('results/grades.csv'), /^cy@example.org,Cy C.,0,0,0,20\r?$/m);
+  assert.match(room.run('hand-back', 'moodle', 'sheet.csv', 'results/week-1').stdout, /^3 marks/);
+});
+
+test('the folder of all rounds is no folder of students', () => {
+  const room = host();
+  room.handOut(handedIn);
+  room.run('collect', 'moodle', 'from', 'submissions/week-1');
+  const { status, stderr } = room.gradeCourse({ submissions: 'submissions' });
+  assert.equal(status, 2);
+  assert.match(
+    stderr,
+    /^grade: 'submissions' holds 'week-1', which grade collect made, [^\n]* submissions = "submissions\/week-1" [^\n]*\n$/,
+  );
 });
 
 test('a worksheet in German with semicolons is filled in', () => {
@@ -134,22 +206,22 @@ test('a worksheet in German with semicolons is filled in', () => {
     'sheet.csv',
     'ID;"Vollständiger Name";E-Mail-Adresse;Bewertung;"Zuletzt geändert (Abgabe)";"Feedback als Kommentar"\n' +
       'Teilnehmer/in4711;"Ada Lovelace";ada@example.org;;"Samstag, 8. Februar 2020, 23:58";\n' +
-      'Teilnehmer/in4712;Bob;bob@example.org;;"Sonntag, 1. März 2020, 00:59";\n',
+      'Teilnehmer/in4712;Bob OBrien;bob@example.org;;"Sonntag, 1. März 2020, 00:59";\n',
   );
-  assert.match(room.collect('moodle', '--worksheet', 'sheet.csv').stdout, /times.csv/);
+  assert.match(room.collect('moodle', '--worksheet', 'sheet.csv').stdout, /to\/times.csv/);
   assert.equal(
-    room.read('times.csv'),
+    room.read('to/times.csv'),
     'student,exercise,time\r\n' +
       'Ada Lovelace_4711_assignsubmission_file,1-first/one,2020-02-08T23:58\r\n' +
       'Ada Lovelace_4711_assignsubmission_file,1-first/two,2020-02-08T23:58\r\n' +
       'Bob OBrien_4712_assignsubmission_file,1-first/one,2020-03-01T00:59\r\n',
   );
-  room.gradeCourse({ times: 'times.csv' });
+  room.gradeCourse({ times: undefined });
   room.run('hand-back', 'moodle', 'sheet.csv', 'results/week-1');
   assert.match(room.read('results/week-1/moodle.csv'), /^Teilnehmer\/in4711;"Ada Lovelace";ada@example.org;14;/m);
 });
 
-test('a second try is taken: the later one, else the one with the right name, else the highest number', () => {
+test('a second try is taken: the later one, else the one with the highest number', () => {
   const room = host();
   const of = (number, name) => `from/N_${number}_assignsubmission_file/${name}`;
   const made = (name, at = madeAt) => {
@@ -170,13 +242,13 @@ test('a second try is taken: the later one, else the one with the right name, el
   const { stdout } = room.collect('moodle');
   const taken = number => room.read(`to/N_${number}_assignsubmission_file/one.h`).trim();
   assert.equal(taken(1), of(1, 'one (1).h'));
-  assert.equal(taken(2), of(2, 'one.h'));
+  assert.equal(taken(2), of(2, 'one (1).h'));
   assert.equal(taken(3), of(3, 'one (10).h'));
   assert.equal(taken(4), of(4, 'one (1).h'));
   assert.equal(taken(6), of(6, 'one (2).h'));
   assert.ok(room.has('to/N_5_assignsubmission_file/other (1).h'));
   assert.match(stdout, /^Note: N_1_\w+: of one \(1\).h and one.h the first is taken, which is later$/m);
-  assert.match(stdout, /^Note: N_2_\w+: of one.h and one \(1\).h the first is taken, as the task calls it$/m);
+  assert.match(stdout, /^Note: N_2_\w+: of one \(1\).h and one.h the first is taken, which has the highest number$/m);
   assert.match(
     stdout,
     /^Note: N_3_\w+: of one \(10\).h and one \(2\).h the first is taken, which has the highest number$/m,
@@ -235,7 +307,25 @@ test('hostile names stay names', () => {
   assert.ok(!/\u202e/.test(stdout) && !stdout.includes('a\nb'), stdout);
   assert.ok(!room.has('forged'));
   assert.deepEqual(room.files(), [`to/${name}/one.h`]);
-  assert.equal(room.read('times.csv'), 'student,exercise,time\r\n');
+  assert.equal(room.read('to/times.csv'), 'student,exercise,time\r\n');
+});
+
+test('a name like a formula is found again', () => {
+  const room = host();
+  room.handOut({ '=SUM A1_4711_assignsubmission_file/one.h': '// score 10\n' });
+  room.write('sheet.csv', worksheet.replace('Ada Lovelace', '=SUM A1'));
+  room.collect('moodle', '--worksheet', 'sheet.csv');
+  assert.match(room.read('to/times.csv'), /^'=SUM A1_4711/m);
+  assert.equal(room.gradeCourse({ times: undefined }).status, 0);
+  assert.deepEqual(Object.values(room.points()), [[10, 0]]);
+});
+
+test('a header in capitals is taken, for the student to be told its name', () => {
+  const room = host();
+  room.handOut({ 'Ada_1_assignsubmission_file/ONE.H': '// score 10\n' });
+  assert.doesNotMatch(room.collect('moodle').stdout, /Not taken/);
+  const { stdout } = room.gradeCourse();
+  assert.match(stdout, /^Belongs to no exercise: Ada_1_assignsubmission_file\/ONE.H$/m);
 });
 
 test('collected again, a student has what is handed out now, and others keep what they had', () => {
@@ -255,14 +345,17 @@ test('collected again, a student has what is handed out now, and others keep wha
   assert.ok(!room.has('to/.part-of-one-that-was-killed'));
 });
 
-test('times of other weeks stay in the table', () => {
+test('the times of those who are not in this collection stay, and each collection has its own', () => {
   const room = host();
   room.handOut(handedIn);
   room.write('sheet.csv', worksheet);
-  room.write('times.csv', 'student,exercise,time\nold,1-first/one,2020-01-01T10:00\n');
   room.collect('moodle', '--worksheet', 'sheet.csv');
-  assert.match(room.read('times.csv'), /^old,1-first\/one,2020-01-01T10:00\r$/m);
-  assert.match(room.read('times.csv'), /^Ada Lovelace_4711_assignsubmission_file,1-first\/two,2020-02-08T23:58\r$/m);
+  room.run('collect', 'moodle', 'from', 'resit');
+  rmSync(room.path('from/Bob OBrien_4712_assignsubmission_file'), { recursive: true });
+  room.collect('moodle', '--worksheet', 'sheet.csv');
+  assert.match(room.read('to/times.csv'), /^Bob OBrien_4712_assignsubmission_file,1-first\/one,2020-02-09T00:59\r$/m);
+  assert.match(room.read('to/times.csv'), /^Ada Lovelace_4711_assignsubmission_file,1-first\/two,2020-02-08T23:58\r$/m);
+  assert.match(room.read('resit/times.csv'), /^Bob OBrien_4712_assignsubmission_file,1-first\/one,\r$/m);
 });
 
 function refuses(code, says, prepare, ...words) {
@@ -327,8 +420,11 @@ refuses(
 );
 refuses(
   2,
-  /'times.csv' is no table of times that was collected/,
-  room => room.write('times.csv', 'a,b\n'),
+  /'to\/times.csv' is no table of times that was collected/,
+  room => {
+    room.write('to/.collected', '');
+    room.write('to/times.csv', 'a,b\n');
+  },
   'collect',
   'moodle',
   'from',
@@ -373,6 +469,7 @@ refuses(
         course: '',
         assignment: '',
         exercises: [],
+        unmatched: [],
         students: [],
       }),
     ),

@@ -48,7 +48,7 @@ const worksheet =
     )
     .join('');
 
-// Each leaves the submissions in `to`, and the times in times.csv.
+// Each leaves the submissions in `to`, with their times; those of plain folders are told in times.csv.
 const ways = {
   'plain folders': room => {
     for (const one of students) room.handOut({ [`${one.name}/2-euler/${file(one)}`]: text(one) });
@@ -72,7 +72,7 @@ const ways = {
     for (const one of students)
       room.handOut({ [`${one.name}${one.at === late ? '_LATE' : ''}_${one.number}_98765_${file(one)}`]: text(one) });
     room.collect('canvas', '--until', '2020-02-08T23:59:00+01:00');
-    room.write('times.csv', room.read('times.csv').replaceAll(/,\r/g, `,${late}\r`));
+    room.write('to/times.csv', room.read('to/times.csv').replaceAll(/,\r/g, `,${late}\r`));
   },
   'git': room => {
     for (const one of students) commit(room.path(`from/${one.name}`), { [`2-euler/${file(one)}`]: text(one) }, one.at);
@@ -89,7 +89,7 @@ function marksBy(way) {
   room.write('seed', '20\n');
   chmodSync(room.path('seed'), 0o600);
   const run = room.gradeCourse({
-    times: 'times.csv',
+    times: room.has('times.csv') ? 'times.csv' : undefined,
     assignment: [
       {
         name: 'week-1',
