@@ -30,7 +30,7 @@ struct Class {
   std::filesystem::path seed_file;  ///< from which the seed came; empty if it was given openly
   std::size_t jobs = 1;             ///< submissions at a time, of a student one
   Shard shard;
-  bool of_a_course = false;  ///< whose table has the grades, after what being late takes
+  std::string round{};  ///< its name, with that of the course, whose table has the grades; or empty
   std::set<Emit> emits;
   std::function<bool(const Student&)> takes_part;  ///< empty: everybody does
   /// Whether what was assigned and not handed in counts as such by now; empty: it does.

@@ -105,13 +105,14 @@ std::string students(const Results& results) {
 
 }  // namespace
 
-std::string summary_html(const Results& results) {
+std::string summary_html(const Results& results, const std::string& title) {
   const std::string seed = results.all().empty() ? "" : std::to_string(results.all().front().seed);
   return std::string(
              "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-             "<title>Grades of a class</title>\n<style>") +
-         page_style + "</style>\n</head>\n<body>\n<main>\n<h1>Grades of a class</h1>\n<p>" +
+             "<title>") +
+         html(title) + "</title>\n<style>" + page_style +
+         "</style>\n</head>\n<body>\n<main>\n<h1>" + html(title) + "</h1>\n<p>" +
          counted(results.students.size(), "student") + ", " +
          counted(results.exercises.size(), "exercise") + ", seed " + seed +
          ". Shares are of those whose submission was taken.</p>\n" +

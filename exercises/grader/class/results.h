@@ -44,6 +44,6 @@ std::string grades_csv(const Results& results);
 std::string report_csv(const Results& results);
 
 /// A page that needs nothing but itself.
-std::string summary_html(const Results& results);
+std::string summary_html(const Results& results, const std::string& title);
 
 }  // namespace grade

@@ -33,9 +33,10 @@ int write_tables(const ClassList& list, const std::vector<Exercise>& exercises,
   if (!old.empty()) return refuse_stale(old);
   const std::filesystem::path tables = work.tables();
   std::filesystem::create_directories(tables);
-  if (!work.of_a_course) write_whole(tables / "grades.csv", grades_csv(results));
+  if (work.round.empty()) write_whole(tables / "grades.csv", grades_csv(results));
   write_whole(tables / "report.csv", report_csv(results));
-  write_whole(tables / "summary.html", summary_html(results));
+  write_whole(tables / "summary.html",
+              summary_html(results, work.round.empty() ? "Grades of a class" : work.round));
   const std::vector<Report> reports = results.all();
   const auto failed = std::ranges::count_if(reports, std::not_fn(is_graded));
   std::printf("%s, %s: see %s\n", counted(list.students.size(), "student").c_str(),

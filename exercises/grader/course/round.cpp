@@ -91,7 +91,7 @@ Class class_of(const Course& course, const Assignment& assignment, const Partici
   if (!work.seed_file.empty()) work.seed = seed_in(work.seed_file);
   work.jobs = asked.jobs;
   work.shard = asked.shard;
-  work.of_a_course = true;
+  work.round = course.name + ", " + assignment.name;
   work.takes_part = [=](const Student& student) { return due_by_folder.contains(student.name); };
   work.is_due = [=](const Student& student) { return due_by_folder.at(student.name); };
   return work;

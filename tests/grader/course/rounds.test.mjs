@@ -36,6 +36,8 @@ test('who is on the roster has a row, also who handed in nothing, and nobody els
   const { status, stderr, stdout, graded } = room.grade();
   assert.deepEqual([status, stderr], [0, '']);
   assert.doesNotMatch(stdout, /Not graded/);
+  assert.match(room.read('week-1/summary.html'), /<h1>Numerical integration, week-1<\/h1>/);
+  assert.ok(!existsSync(room.path('results/week-1/grades.csv')), 'marks stand in one table');
   assert.deepEqual(graded, ['ada 1-first/one', 'ada 1-first/two']);
   assert.deepEqual(rows(room.read('grades.csv')), [
     'student,name,week-1 1-first/one,week-1 1-first/two,week-1,week-1 of',
