@@ -38,7 +38,8 @@ std::uint64_t seed_in(const std::filesystem::path& file) {
   std::erase_if(*text, [](char c) { return c == '\n' || c == '\r' || c == ' '; });
   // The seed itself may be a secret: what the file holds is not printed.
   if (const auto held = whole_number(*text)) return *held;
-  throw Usage("the seed file must hold a whole number below 2^64 and nothing else");
+  throw Usage("the seed file '" + printable_name(file.string()) +
+              "' must hold a whole number below 2^64 and nothing else");
 }
 
 bool lies_within(const std::filesystem::path& inner, const std::filesystem::path& outer) {

@@ -164,8 +164,10 @@ int grade_round(const Course& course, const Assignment& assignment,
     list = read_students(assignment.submissions);
   } catch (const std::filesystem::filesystem_error& error) {
     if (!asked.round.empty() || error.code() != std::errc::no_such_file_or_directory)
-      return refuse(Exit::unreadable, "can't read the folder " + folder_of(assignment) + ": " +
-                                          error.code().message());
+      return refuse(Exit::unreadable, assignment.name + ": can't read the folder " +
+                                          folder_of(assignment) + ": " + error.code().message() +
+                                          "; collect into it, or name another in " +
+                                          printable_name(course.file.string()));
     std::printf("%s: nothing is collected yet, since there is no folder %s\n",
                 assignment.name.c_str(), folder_of(assignment).c_str());
     return Exit::graded;

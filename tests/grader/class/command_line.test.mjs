@@ -57,7 +57,7 @@ refuses(2, /whole number below 2\^64, not '-1'/, '1-first/one', 'full.h', '--see
 refuses(2, /whole number below 2\^64, not '1e3'/, '1-first/one', 'full.h', '--seed', '1e3');
 refuses(2, /below 2\^64/, '1-first/one', 'full.h', '--seed', '18446744073709551616');
 refuses(2, /can't read the seed file 'none'/, '1-first/one', 'full.h', '--seed-file', 'none');
-refuses(2, /seed file must hold a whole number/, '1-first/one', 'full.h', '--seed-file', 'words');
+refuses(2, /seed file .words. must hold a whole number/, '1-first/one', 'full.h', '--seed-file', 'words');
 refuses(2, /excludes/, '1-first/one', 'full.h', '--seed-file', 'seed', '--seed', '1');
 refuses(2, /'file' is a file; name a folder/, '1-first/one', 'full.h', '--out', 'file');
 refuses(2, /'file\/below' is below a file; name a folder/, '1-first/one', 'full.h', '--out', 'file/below');

@@ -275,7 +275,7 @@ test('each assignment may have a folder of its own, and one that is not there ye
   assert.match(rows(room.read('grades.csv'))[0], /week-1 of$/);
   const named = room.grade(['--round', 'week-2']);
   assert.equal(named.status, 3);
-  assert.match(named.stderr, /^grade: can't read the folder 'collected\/week-2': [^\n]*\n$/);
+  assert.match(named.stderr, /^grade: week-2: can't read the folder 'collected\/week-2': [^\n]*\n$/);
 });
 
 test("folders as Moodle calls them are matched by the students' names", () => {
