@@ -143,11 +143,12 @@ void write_round(const Course& course, const Assignment& assignment, const Class
 /// What is somebody's and nobody's at once may be anybody's.
 int refuse_unmatched(const Course& course, const std::vector<std::string>& folders) {
   print_some("Not graded, since on no line of the roster", folders);
-  return refuse(
-      Exit::bad_input,
-      counted(folders.size(), "folder") + " of nobody on the roster; so whoever has no " +
-          "folder has no mark, and not 0. Call them by the roster's keys, or name them in " +
-          printable_name(course.file.string()) + " by  guests = [\"FOLDER\"]");
+  return refuse(Exit::bad_input,
+                counted(folders.size(), "folder") +
+                    " of nobody on the roster; so whoever has no folder has no mark, and not 0. "
+                    "Collect Moodle's with --worksheet, or call them by the roster's keys, or name "
+                    "them in " +
+                    printable_name(course.file.string()) + " by  guests = [\"FOLDER\"]");
 }
 
 }  // namespace
