@@ -23,12 +23,14 @@
 #include "shelf/damper.h"
 #include "shelf/first_order.h"
 #include "shelf/fixed_step.h"
+#include "shelf/jump.h"
 #include "shelf/link.h"
 #include "shelf/orientation.h"
 #include "snippets/shelf_calls/bounce.h"
 #include "snippets/shelf_calls/damper.h"
 #include "snippets/shelf_calls/first_order.h"
 #include "snippets/shelf_calls/fixed_step.h"
+#include "snippets/shelf_calls/jump.h"
 #include "snippets/shelf_calls/link.h"
 
 namespace {
@@ -135,6 +137,7 @@ int main() {
   print("damper", damper_on<Doubles>);
   print("first_order", first_order_on<Doubles>);
   print("fixed_step", fixed_step_on<Doubles>);
+  print("jump", jump_on<Doubles>);
   print("link", link_on<Doubles>);
   print("orientation", turns_without_sines);
 }

@@ -3,6 +3,7 @@
 #include "fuzz.h"
 #include "shelf/bounce.h"
 #include "shelf/fixed_step.h"
+#include "shelf/jump.h"
 
 namespace fuzz {
 namespace {
@@ -83,6 +84,18 @@ Cases bounces() {
               "0 at the older one, 1 at the newer");
       if (!(frame > Real(0)))
         require(clock.steps == before, "a frame that is negative or not a number takes no step");
+    }
+  });
+  add_numbers(cases, "jump", "a jump in steps of any length", []<class Real>(Source& source) {
+    const Real rising = source.size<Real>(), falling = source.size<Real>();
+    Real x = source.number<Real>(), v = source.number<Real>();
+    const Real top = v > Real(0) ? x + v / rising * v / Real(2) : x;
+    const Real allowed = 64 * std::numeric_limits<Real>::epsilon() * (std::abs(x) + std::abs(top));
+    for (int n = 0; n < 8; ++n) {
+      shelf::jump_step(x, v, rising, falling, source.size<Real>());
+      if (source.tame() && std::isfinite(top))
+        require(x <= top + allowed, "no higher than its top");
+      if (source.tame()) require(finite(x) && finite(v), "a jump is somewhere");
     }
   });
   return cases;

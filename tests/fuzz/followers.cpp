@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
-// What follows a target.
+// What follows a target, and what the air brakes.
 #include "fuzz.h"
+#include "shelf/quadratic_drag.h"
 #include "shelf/smooth_damp.h"
 
 namespace fuzz {
@@ -34,6 +35,26 @@ Cases followers() {
       allowed += 8 * std::numeric_limits<Real>::epsilon() * (std::abs(x) + std::abs(target));
       shelf::smooth_damp_no_overshoot(x, v, target, Real(0), omega, source.size<Real>(), product);
       if (source.tame()) require(side * (x - target) >= -allowed, "never passes its target");
+    }
+  });
+  add(cases, "quadratic_drag", "any way", []<class Vec, class Real>(Source& source) {
+    Vec x = source.vector<Vec>(), v = source.vector<Vec>();
+    const Vec a = source.vector<Vec>(), wind = source.vector<Vec>();
+    for (int n = 0; n < 4; ++n) {
+      shelf::quadratic_drag(x, v, a, wind, source.size<Real>(), source.size<Real>(), length);
+      if (source.tame()) require(finite(x) && finite(v), "both stay numbers");
+    }
+  });
+  add_numbers(cases, "quadratic_drag", "along a line", []<class Real>(Source& source) {
+    Real x = source.number<Real>(), v = source.number<Real>();
+    const Real a = source.number<Real>();
+    for (int n = 0; n < 4; ++n) {
+      const bool goes_along = (v < Real(0)) == (a < Real(0));
+      const Real before = x, h = source.size<Real>();
+      shelf::quadratic_drag_fall(x, v, a, source.size<Real>(), h);
+      if (!source.tame()) continue;
+      require(finite(x) && finite(v), "both stay numbers");
+      if (goes_along && a < Real(0)) require(x <= before, "what falls goes on to fall");
     }
   });
   return cases;
