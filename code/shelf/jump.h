@@ -12,7 +12,8 @@
 ///   shelf::jump_step(height, speed, jump.gravity, falling, 1 / 50.0);
 /// }
 /// double tapped = 0, tapped_speed = jump.speed;
-/// for (const double frame : {0.01, 0.03, 0.07}) {
+/// const double frames[] = {0.01, 0.03, 0.07};
+/// for (const double frame : frames) {
 ///   shelf::jump_step(tapped, tapped_speed, released, falling, frame);
 /// }
 /// // Now height is 4.0000.

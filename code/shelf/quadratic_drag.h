@@ -49,12 +49,56 @@
 
 namespace shelf {
 
-/// log(1 + y) / y, also for y = 0, and 0 where y is beyond any number. Not below -1.
+/// What the steps are made of: a way along a line, the speed behind it, and how both come about.
 template <class Real>
-Real log1p_over(Real y) {
-  if (!(y < std::numeric_limits<Real>::max())) return Real(0);
-  return y > Real(0) || y < Real(0) ? std::log1p(y) / y : Real(1);
-}
+struct DraggedWay {
+  Real way;    ///< [m]
+  Real speed;  ///< at its end [m/s]
+
+  /// log(1 + y) / y, also for y = 0, and 0 where y is beyond any number.
+  /// @param y  not below -1
+  static Real log1p_over(Real y) {
+    if (!(y < (std::numeric_limits<Real>::max)())) return Real(0);
+    return y > Real(0) || y < Real(0) ? std::log1p(y) / y : Real(1);
+  }
+
+  /// Against a pull, until it stops at the latest.
+  /// @param u  speed with the pull, below zero [m/s]
+  /// @param pull  acceleration by all but the drag [m/s^2]; not negative
+  /// @param k  drag per mass and squared speed [1/m]; not negative
+  /// @param h  no longer than it takes to stop [s]
+  static DraggedWay rise(Real u, Real pull, Real k, Real h) {
+    // [rise]
+    const Real w = std::sqrt(pull * k), half = w * h / Real(2);
+    const Real once = half > Real(0) ? std::sin(w * h) / w : h;
+    const Real twice = half > Real(0) ? std::sin(half) / half : Real(1);
+    const Real back = -u * once - pull * h * h / Real(2) * twice * twice;
+    const Real s = half > Real(0) ? std::tan(w * h) / w : h;
+    return {-back * log1p_over(k * back), (u + pull * s) / (Real(1) - k * u * s)};
+    // [rise]
+  }
+
+  /// With a pull, or without one.
+  /// @param u  speed with the pull, not below zero [m/s]
+  /// @param pull  acceleration by all but the drag [m/s^2]; not negative
+  /// @param k  drag per mass and squared speed [1/m]; not negative
+  /// @param h  step size [s]; above zero
+  static DraggedWay sink(Real u, Real pull, Real k, Real h) {
+    // [sink]
+    const Real w = std::sqrt(pull * k), half = w * h / Real(2);
+    const Real s = half > Real(0) ? std::tanh(w * h) / w : h;
+    const Real speed = (u + pull * s) / (Real(1) + k * u * s);
+    if (half > Real(1)) {  // where sinh would soon be beyond any number
+      const Real lead = (Real(1) - k * u / w) / Real(2) * std::expm1(Real(-2) * w * h);
+      return {(w * h + std::log1p(lead)) / k, speed};
+    }
+    const Real once = half > Real(0) ? std::sinh(w * h) / w : h;
+    const Real twice = half > Real(0) ? std::sinh(half) / half : Real(1);
+    const Real ahead = u * once + pull * h * h / Real(2) * twice * twice;
+    return {ahead * log1p_over(k * ahead), speed};
+    // [sink]
+  }
+};
 
 /// One step under a push and a drag that goes with the square, in any direction: half of the push,
 /// the exact step of the drag, the other half.
@@ -83,50 +127,10 @@ void quadratic_drag(Vec& x, Vec& v, const std::decay_t<Vec>& a, const std::decay
     const Vec push = (h / Real(2)) * a;
     const Vec through = v + push + Real(-1) * wind;
     const Real y = h * k * norm(through);
-    x = x + (h * wind + (h * log1p_over(y)) * through);
+    x = x + (h * wind + (h * DraggedWay<Real>::log1p_over(y)) * through);
     v = Real(1) / (Real(1) + y) * through + wind + push;
     // [any-way]
   }
-}
-
-/// How far something has come, and how fast it is then.
-template <class Real>
-struct Fallen {
-  Real way, speed;
-};
-
-/// Against a pull, until it stops at the latest: the part of quadratic_drag_fall on the way up.
-/// @param u  speed with the pull, below zero
-/// @param h  no longer than it takes to stop
-template <class Real>
-Fallen<Real> quadratic_drag_rise(Real u, Real pull, Real k, Real h) {
-  // [rise]
-  const Real w = std::sqrt(pull * k), half = w * h / Real(2);
-  const Real once = half > Real(0) ? std::sin(w * h) / w : h;
-  const Real twice = half > Real(0) ? std::sin(half) / half : Real(1);
-  const Real back = -u * once - pull * h * h / Real(2) * twice * twice;
-  const Real s = half > Real(0) ? std::tan(w * h) / w : h;
-  return {-back * log1p_over(k * back), (u + pull * s) / (Real(1) - k * u * s)};
-  // [rise]
-}
-
-/// With a pull, or without one: the part of quadratic_drag_fall on the way down.
-/// @param u  speed with the pull, not below zero
-template <class Real>
-Fallen<Real> quadratic_drag_sink(Real u, Real pull, Real k, Real h) {
-  // [sink]
-  const Real w = std::sqrt(pull * k), half = w * h / Real(2);
-  const Real s = half > Real(0) ? std::tanh(w * h) / w : h;
-  const Real speed = (u + pull * s) / (Real(1) + k * u * s);
-  if (half > Real(1)) {  // where sinh would soon be beyond any number
-    const Real lead = (Real(1) - k * u / w) / Real(2) * std::expm1(Real(-2) * w * h);
-    return {(w * h + std::log1p(lead)) / k, speed};
-  }
-  const Real once = half > Real(0) ? std::sinh(w * h) / w : h;
-  const Real twice = half > Real(0) ? std::sinh(half) / half : Real(1);
-  const Real ahead = u * once + pull * h * h / Real(2) * twice * twice;
-  return {ahead * log1p_over(k * ahead), speed};
-  // [sink]
 }
 
 /// One step along a line, under a push that stays and a drag that goes with the square, exact for
@@ -146,17 +150,17 @@ void quadratic_drag_fall(Real& x, Real& v, Real a, Real k, Real h) {
   // [fall]
   const Real side = a < Real(0) ? Real(-1) : Real(1);  // as if it were pulled ahead
   const Real pull = side * a;
-  Fallen<Real> now{Real(0), side * v};
+  DraggedWay<Real> now{Real(0), side * v};
   if (now.speed < Real(0)) {
     const Real w = std::sqrt(pull * k), q = -now.speed * w / pull;
     const Real stops = q > Real(0) ? std::atan(q) / w : -now.speed / pull;
     const bool turns = pull > Real(0) && stops < h;
-    now = quadratic_drag_rise(now.speed, pull, k, turns ? stops : h);
+    now = DraggedWay<Real>::rise(now.speed, pull, k, turns ? stops : h);
     if (turns) now.speed = Real(0);
     h = turns ? h - stops : Real(0);
   }
   if (h > Real(0)) {
-    const Fallen<Real> then = quadratic_drag_sink(now.speed, pull, k, h);
+    const DraggedWay<Real> then = DraggedWay<Real>::sink(now.speed, pull, k, h);
     now = {now.way + then.way, then.speed};
   }
   x = x + side * now.way;
