@@ -20,14 +20,15 @@
 /// // Now tapped is 1.0000.
 /// @endcode
 ///
-/// The button is held: the pull while it rises is `jump.gravity`. It is let go: from that frame on
-/// hand over `released`, which is stronger, and the jump ends lower. Whoever falls is pulled by
-/// `falling`. In which part of a frame the top lies makes no difference, since the step is taken
-/// in two there. Other ways to step lose height, and more of it where frames are longer: see the
-/// promises. That a player may jump a little after he left the edge is a timer of your own.
+/// On the way up hand over `jump.gravity` while the button is held. From the frame on in which it
+/// is let go, hand over `released`, which is stronger, so that the jump ends lower. The last pull
+/// is that of the way down. In which part of a frame the top lies makes no difference, since there
+/// the step is taken in two. Steps that change the velocity first lose height, and more of it where
+/// frames are longer. That a player may jump a little after he left the edge is a timer of your
+/// own.
 ///
-/// When the ground is reached, `impact_plane` of bounce.h says, with one pull for the whole step.
-/// In most games it is enough to put the player onto the ground where a step ended below it.
+/// When the ground is reached, `impact_plane` of bounce.h says, for a step under one pull. In most
+/// games it is enough to put the player onto the ground where a step ended below it.
 ///
 /// Promises:
 /// - after the time that was asked for it is as high as was asked for, and at its top, to 1e-13 of

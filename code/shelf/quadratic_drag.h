@@ -30,7 +30,7 @@
 /// `quadratic_drag` takes what pushes besides the air, gravity and thrust, as it is at the start of
 /// the step. Where only the air brakes it is exact. What falls ends a little too fast, by a share
 /// of k |a| h^2 / 8: 1.3e-4 of a parachute's 5 m/s at 60 Hz, and 1 % where the last speed is 0.6
-/// m/s. A leaf is lighter than that; for it take linear_damping.h.
+/// m/s. A leaf falls more slowly; for it take linear_damping.h.
 ///
 /// Promises:
 /// - along a line it is where fine steps of RK4 take it, up and down, to 1e-12 of the way, for h k
