@@ -22,7 +22,7 @@
 /// step. `FixedStep<float>`, with `1 / 60.0f`, is for what never asks for the time: in float, after
 /// an hour, two steps of 16.67 ms in a row begin 16.60 or 16.85 ms apart. Ten seconds of frames may
 /// make 599 steps, with nearly a whole one saved, since a sixtieth is no binary number. To draw
-/// between two steps, keep a copy of what was before the last, as here.
+/// between two steps, keep a copy of what was before the last, as here; blend.h has other ways.
 ///
 /// For slow motion make the frames shorter, `clock.frame(0.25 * frame, step)`, and for a pause
 /// bring none: the steps are the same, and so is the jump. Leave `h` as it is. A step begins at

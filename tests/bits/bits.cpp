@@ -19,6 +19,7 @@
 #include "scenes/outer_solar_system.h"
 #include "scenes/pendulum.h"
 #include "scenes/spring.h"
+#include "shelf/blend.h"
 #include "shelf/bounce.h"
 #include "shelf/damper.h"
 #include "shelf/first_order.h"
@@ -26,6 +27,7 @@
 #include "shelf/jump.h"
 #include "shelf/link.h"
 #include "shelf/orientation.h"
+#include "snippets/shelf_calls/blend.h"
 #include "snippets/shelf_calls/bounce.h"
 #include "snippets/shelf_calls/damper.h"
 #include "snippets/shelf_calls/first_order.h"
@@ -133,6 +135,7 @@ int main() {
   list::for_each(list::Joined<list::OnSprings, list::Damping>(), [&](auto method) {
     print<decltype(method)>("spring", spring, spring.start(), 1e-3, 10'000);
   });
+  print("blend", blend_on<Doubles>);
   print("bounce", bounce_on<Doubles>);
   print("damper", damper_on<Doubles>);
   print("first_order", first_order_on<Doubles>);

@@ -55,7 +55,7 @@ function sectionText(fragment) {
   const main = document.querySelector('main');
   const headings = [...main.querySelectorAll('h1, h2[id], h3[id], h4[id]')];
   const start = fragment ? headings.find(h => h.id === fragment) : headings[0];
-  if (!start) return '';
+  if (!start) return document.getElementById(fragment)?.textContent ?? ''; // an exercise is a box by itself
   const later = headings.slice(headings.indexOf(start) + 1);
   const end = later.find(h => h.tagName <= start.tagName || start.tagName === 'H1');
   const range = document.createRange();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // What bounces, and the clock that a game is stepped by.
 #include "fuzz.h"
+#include "shelf/blend.h"
 #include "shelf/bounce.h"
 #include "shelf/fixed_step.h"
 #include "shelf/jump.h"
@@ -85,6 +86,16 @@ Cases bounces() {
       if (!(frame > Real(0)))
         require(clock.steps == before, "a frame that is negative or not a number takes no step");
     }
+  });
+  add(cases, "blend", "between two places", []<class Vec, class Real>(Source& source) {
+    const Vec before = source.vector<Vec>(), now = source.vector<Vec>(), v = source.vector<Vec>();
+    const Real share = Real(source.share()), h = source.size<Real>();
+    const Vec straight = shelf::blend(before, now, share);
+    const Vec curved = shelf::blend_curved(before, v, now, source.vector<Vec>(), h, share);
+    const Vec turned = shelf::blend_turned(before, now, share, product);
+    if (source.tame()) require(finite(straight) && finite(curved), "somewhere between");
+    if (!source.tame() || !finite(turned)) return;  // as where both have no length
+    require(std::abs(length(turned) - Real(1)) < Real(1e-3), "of length one");
   });
   add_numbers(cases, "jump", "a jump in steps of any length", []<class Real>(Source& source) {
     const Real rising = source.size<Real>(), falling = source.size<Real>();
