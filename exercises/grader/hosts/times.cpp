@@ -16,9 +16,24 @@ namespace {
 const std::vector<std::string> heads{"student", "exercise", "time"};
 const std::vector<std::string> people_heads{"folder", "name", "id", "email"};
 
-[[noreturn]] void refuse_table(const std::filesystem::path& table, const char* of) {
-  throw Usage("'" + printable_name(table.string()) + "' is no table of " + of +
-              " that was collected; move it away");
+/// The rows of a table that a collection has written; none if it is not there.
+/// @throws Usage  it is another one
+std::vector<std::vector<std::string>> rows_in(const std::filesystem::path& table,
+                                              const std::vector<std::string>& heads,
+                                              const char* of) {
+  std::vector<std::vector<std::string>> all;
+  if (no_file(table)) throw NotOwn(table);
+  if (!std::filesystem::exists(table)) return all;
+  const std::vector<CsvRow> lines = csv_file(table);
+  if (lines.empty() || lines[0].cells != heads)
+    throw Usage("'" + printable_name(table.string()) + "' is no table of " + of +
+                " that was collected; move it away");
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    std::vector<std::string>& cells = all.emplace_back(lines[i].cells);
+    cells.resize(heads.size());
+    std::ranges::transform(cells, cells.begin(), as_was);
+  }
+  return all;
 }
 
 /// By student and exercise.
@@ -26,15 +41,7 @@ using Rows = std::map<std::pair<std::string, std::string>, std::string>;
 
 Rows rows_of(const std::filesystem::path& table) {
   Rows rows;
-  if (no_file(table)) throw NotOwn(table);
-  if (!std::filesystem::exists(table)) return rows;
-  const std::vector<CsvRow> lines = csv_file(table);
-  if (lines.empty() || lines[0].cells != heads) refuse_table(table, "times");
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    std::vector<std::string> cells = lines[i].cells;
-    cells.resize(heads.size());
-    rows[{as_was(cells[0]), cells[1]}] = cells[2];
-  }
+  for (const auto& cells : rows_in(table, heads, "times")) rows[{cells[0], cells[1]}] = cells[2];
   return rows;
 }
 
@@ -94,16 +101,8 @@ void write_people(const Haul& haul, const std::filesystem::path& table) {
 
 std::map<std::string, Person> people_in(const std::filesystem::path& table) {
   std::map<std::string, Person> all;
-  if (no_file(table)) throw NotOwn(table);
-  if (!std::filesystem::exists(table)) return all;
-  const std::vector<CsvRow> lines = csv_file(table);
-  if (lines.empty() || lines[0].cells != people_heads) refuse_table(table, "people");
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    std::vector<std::string> cells = lines[i].cells;
-    cells.resize(people_heads.size());
-    std::ranges::transform(cells, cells.begin(), as_was);
+  for (const auto& cells : rows_in(table, people_heads, "people"))
     all[cells[0]] = {cells[1], cells[2], cells[3]};
-  }
   return all;
 }
 
