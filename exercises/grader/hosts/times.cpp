@@ -13,7 +13,7 @@
 namespace grade {
 namespace {
 
-const std::vector<std::string> heads{"student", "exercise", "time"};
+const std::vector<std::string> times_heads{"student", "exercise", "time"};
 const std::vector<std::string> people_heads{"folder", "name", "id", "email"};
 
 /// The rows of a table that a collection has written; none if it is not there.
@@ -41,7 +41,8 @@ using Rows = std::map<std::pair<std::string, std::string>, std::string>;
 
 Rows rows_of(const std::filesystem::path& table) {
   Rows rows;
-  for (const auto& cells : rows_in(table, heads, "times")) rows[{cells[0], cells[1]}] = cells[2];
+  for (const auto& cells : rows_in(table, times_heads, "times"))
+    rows[{cells[0], cells[1]}] = cells[2];
   return rows;
 }
 
@@ -84,7 +85,7 @@ void write_times(const Haul& haul, const std::filesystem::path& table,
     const bool stays = one.handed_in.empty() && old != before.end() && same(one);
     rows[{one.student, *exercise}] = stays ? old->second : one.handed_in;
   }
-  std::string text = csv_line(heads);
+  std::string text = csv_line(times_heads);
   for (const auto& [of, time] : rows) text += csv_line({of.first, of.second, time});
   write_whole(table, text);
 }
