@@ -25,6 +25,19 @@
 /// // Now nose.x is 1.0000.
 /// @endcode
 ///
+/// A turret that aims at what runs round it, at 0.5 rad/s:
+/// @code
+/// shelf::Quaternion<double> turret, aim;
+/// shelf::Vec3<double> w;
+/// for (int n = 0; n < 60; ++n) {
+///   shelf::turn_exact(aim, {0, 0.5, 0}, 1 / 60.0);
+///   shelf::turn_damp(turret, w, aim, {0, 0.5, 0}, 8, 1 / 60.0);
+/// }
+/// const double behind = shelf::turn_between(aim, turret).y;
+/// // Now w.y is 0.50117.
+/// // Now behind is 0.00017.
+/// @endcode
+///
 /// A body that air slows down, and one beside it without air, slowed down by Bullet's step alone:
 /// @code
 /// const shelf::Vec3<double> inertia{1, 2, 3};
@@ -86,6 +99,11 @@
 /// - a step by -h takes back a step by h of the rotations and of the midpoint rule, to 1e-14 rad
 /// - spin_damped leaves exp(-c*t) of L at any frame rate, and turns a body with two equal moments
 ///   without error: 1e-13 in two seconds at 1 to 240 Hz
+/// - turn_damp about one axis ends where smooth_damp does, to 1e-13 rad in a second at 15 to 240
+///   Hz, towards what turns evenly, too
+/// - towards what rests it ends a second in the same place at 15, 30, 60, 120 and 240 Hz, to 1e-12
+///   rad, whatever the axis of its spin
+/// - it goes the shorter way round, from rest past no target, for turns of up to 3.1 rad
 /// - a corner that is pushed with (1 + e) times its speed over inverse_mass_at leaves with e times
 ///   that speed, to 1e-14 of it
 /// - such a push keeps the angular momentum about the corner, and with e = 1 the energy, to 1e-14
@@ -210,6 +228,52 @@ void turn_exact(Quaternion<Real>& q, const typename Quaternion<Real>::Vec& w,
   const Real angle = std::sqrt(dot(half, half));
   const Vec3<Real> by = (angle > Real(0) ? std::sin(angle) / angle : Real(1)) * half;
   q = normalised(Quaternion<Real>{std::cos(angle), by.x, by.y, by.z} * q);
+}
+
+/// The turn by which one orientation is ahead of another, the shorter way round: an axis in the
+/// world's axes, as long as the angle [rad].
+///
+/// Calls an arc tangent and a square root.
+///
+/// @param q  orientation
+/// @param from  the other one, both of length one
+template <class Real>
+Vec3<Real> turn_between(const Quaternion<Real>& q, const Quaternion<Real>& from) {
+  const Quaternion<Real> by = q * Quaternion<Real>{from.w, -from.x, -from.y, -from.z};
+  const Real side = by.w < Real(0) ? Real(-1) : Real(1);
+  const Vec3<Real> half{side * by.x, side * by.y, side * by.z};
+  const Real sine = std::sqrt(dot(half, half));
+  return (sine > Real(0) ? Real(2) * std::atan2(sine, side * by.w) / sine : Real(2)) * half;
+}
+
+/// One step of a critically damped spring towards an orientation, the shorter way round: turrets,
+/// heads, cameras, and what others call a PD controller.
+///
+/// Exact for any h where it all turns about one axis, as from rest it does; and towards what rests
+/// it is the same at any frame rate. About several axes at once `w` is how fast the way that is
+/// left changes, which is the angular velocity once it has come near. Calls sines, an arc tangent,
+/// exponentials and square roots.
+///
+/// @param q  orientation of the follower, advanced in place
+/// @param w  its angular velocity in the world's axes, advanced in place [rad/s]
+/// @param target  how the target is turned at the end of the step
+/// @param target_w  angular velocity with which it has come there; zero, if it rests [rad/s]
+/// @param omega  how fast [rad/s]; not negative
+/// @param h  step size [s]; finite, not negative
+template <class Real>
+void turn_damp(Quaternion<Real>& q, Vec3<Real>& w, const Quaternion<Real>& target,
+               const typename Quaternion<Real>::Vec& target_w,
+               typename Quaternion<Real>::Number omega, typename Quaternion<Real>::Number h) {
+  // [turn-damp]
+  Quaternion<Real> start = target;
+  turn_exact(start, target_w, -h);
+  const Vec3<Real> way = turn_between(q, start), speed = w + Real(-1) * target_w;
+  const Real left = std::exp(-omega * h), lost = std::expm1(-omega * h);
+  const Real pull = omega * h * left;
+  q = target;
+  turn_exact(q, (Real(1) + lost + pull) * way + (h * left) * speed, Real(1));
+  w = w + ((lost - pull) * speed + (-omega * pull) * way);
+  // [turn-damp]
 }
 
 /// The moments of inertia of a box about its own three axes [kg m^2].

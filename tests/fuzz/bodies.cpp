@@ -60,6 +60,18 @@ Cases bodies() {
     shelf::spin_by_midpoint(beside, L, inertia, source.number<Real>());
     shelf::spin_by_bullet(beside, L, inertia, source.number<Real>());
   });
+  add_numbers(cases, "orientation", "follows", []<class Real>(Source& source) {
+    auto q = orientation<Real>(source);
+    auto w = source.vector<Vec3<Real>>();
+    for (int n = 0; n < 4; ++n) {
+      const auto target = orientation<Real>(source);
+      shelf::turn_damp(q, w, target, source.vector<Vec3<Real>>(), source.size<Real>(),
+                       source.size<Real>());
+      check(source, q);
+      const auto left = shelf::turn_between(target, q);
+      if (source.tame()) require(length(left) < Real(3.15), "the shorter way round");
+    }
+  });
   add_numbers(cases, "orientation", "pushes", []<class Real>(Source& source) {
     const auto q = orientation<Real>(source);
     const auto inertia = shelf::inertia_of_box(

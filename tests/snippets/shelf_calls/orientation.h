@@ -36,6 +36,13 @@ void orientation_on(Numbers& found) {
   found.add(double(dot(w, inertia)));
   found.add(double(shelf::inverse_mass_at(q, inertia, Real(0.5), w, {Real(0), Real(1), Real(0)})));
 
+  shelf::Quaternion<Real> follower;
+  shelf::Vec3<Real> its_w;
+  shelf::turn_damp(follower, its_w, q, w, Real(3), h);
+  turned(follower);
+  out(its_w);
+  out(shelf::turn_between(q, follower));
+
   shelf::Vec3<Real> L = shelf::angular_momentum(q, w, inertia);
   for (int n = 0; n < 3; ++n) {
     shelf::spin_by_rotations(q, L, inertia, h);
