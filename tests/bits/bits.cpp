@@ -22,6 +22,7 @@
 #include "shelf/blend.h"
 #include "shelf/bounce.h"
 #include "shelf/damper.h"
+#include "shelf/event.h"
 #include "shelf/first_order.h"
 #include "shelf/fixed_step.h"
 #include "shelf/jump.h"
@@ -30,6 +31,7 @@
 #include "snippets/shelf_calls/blend.h"
 #include "snippets/shelf_calls/bounce.h"
 #include "snippets/shelf_calls/damper.h"
+#include "snippets/shelf_calls/event.h"
 #include "snippets/shelf_calls/first_order.h"
 #include "snippets/shelf_calls/fixed_step.h"
 #include "snippets/shelf_calls/jump.h"
@@ -138,6 +140,7 @@ int main() {
   print("blend", blend_on<Doubles>);
   print("bounce", bounce_on<Doubles>);
   print("damper", damper_on<Doubles>);
+  print("event", event_on<Doubles>);
   print("first_order", first_order_on<Doubles>);
   print("fixed_step", fixed_step_on<Doubles>);
   print("jump", jump_on<Doubles>);

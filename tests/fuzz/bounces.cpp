@@ -3,6 +3,7 @@
 #include "fuzz.h"
 #include "shelf/blend.h"
 #include "shelf/bounce.h"
+#include "shelf/event.h"
 #include "shelf/fixed_step.h"
 #include "shelf/jump.h"
 
@@ -96,6 +97,19 @@ Cases bounces() {
     if (source.tame()) require(finite(straight) && finite(curved), "somewhere between");
     if (!source.tame() || !finite(turned)) return;  // as where both have no length
     require(std::abs(length(turned) - Real(1)) < Real(1e-3), "of length one");
+  });
+  add_numbers(cases, "event", "within a step", []<class Real>(Source& source) {
+    const Real start = source.number<Real>(), h = source.size<Real>(), a = source.number<Real>(),
+               b = source.number<Real>();
+    int asked = 0;
+    const auto step = [&](Real& x, Real part) { ++asked, x = x + part * (a + part * b); };
+    const auto found = shelf::first_crossing(start, h, step, [](Real x) { return x; }, 3);
+    require(asked <= 400, "comes back soon");
+    if (!found.found) return;
+    Real there = start;
+    step(there, found.time);
+    require(!(there > Real(0)), "not above zero there");
+    require(found.time >= Real(0) && found.time <= h, "within the step");
   });
   add_numbers(cases, "jump", "a jump in steps of any length", []<class Real>(Source& source) {
     const Real rising = source.size<Real>(), falling = source.size<Real>();
