@@ -25,8 +25,8 @@
 /// so that it is not seen on its way. A curve knows nothing of a bounce: where the speed has
 /// jumped, blend straight.
 ///
-/// A quaternion that has + and * is turned as it is, with its own dot product; of others hand over
-/// the four numbers in a vector.
+/// A quaternion of yours that has `+` and `*` is turned as it is, by its own dot product; of others
+/// hand over the four numbers in a vector.
 ///
 /// Promises:
 /// - a metre round a lamp, at 3 rad/s in 20 steps a second, the straight blend is 2.8 mm inside

@@ -30,10 +30,10 @@
 /// // Now ball.x is 1.986.
 /// @endcode
 ///
-/// A step across a place where a force switches loses its order, whatever the method: RK4 is then
-/// no better than Euler. Go to that place, switch, and go on. A time is an event as well, as where
-/// a road has a kerb: let the state have the time in it. What it costs is some ten steps more, in
-/// the step in which it happens, and one in all others.
+/// A step across a place where a force switches loses its order: RK4 is of order 1 there, like
+/// Euler's method. Go to that place, switch, and go on. A time is an event as well, as where a road
+/// has a kerb: let the state have the time in it. It costs one step more in each, and some fifteen
+/// in the one in which it happens.
 ///
 /// Promises:
 /// - a ball that falls meets the ground when impact_plane says so, to 1e-13 of the step
