@@ -27,7 +27,7 @@ void add_unknown(std::vector<std::string>& found, const Student& student,
   for (const auto& file :
        std::filesystem::directory_iterator(student.folder / chapter, unreadable)) {
     const std::string header = file.path().filename().string();
-    if ((header.ends_with(".h") || header.ends_with(".H")) && !known(header))
+    if (is_header(header) && !known(header))
       found.push_back((std::filesystem::path(student.name) / chapter / header).string());
   }
 }
@@ -54,6 +54,10 @@ std::vector<std::string> first_few(std::vector<std::string> names, const std::st
 }
 
 }  // namespace
+
+bool is_header(const std::string& name) {
+  return name.ends_with(".h") || name.ends_with(".H");
+}
 
 bool has(const Student& student, const Exercise& exercise) {
   for (const auto& folder : {student.folder / exercise.chapter(), student.folder}) {

@@ -34,6 +34,10 @@ bool has(const Student& student, const Exercise& exercise);
 std::vector<Exercise> handed_in(const std::vector<Student>& students,
                                 const std::vector<Exercise>& exercises);
 
+/// Whether a file is called as a header, in small letters or in capitals: so that its student is
+/// told how it should be called.
+bool is_header(const std::string& name);
+
 /// Headers in the place of an exercise that there is not: `ada/2-euler/orbit-drfit.h`, or
 /// `ada/orbit-drfit.h`. Of many of one student come the first few, and how many more there are.
 std::vector<std::string> without_exercise(const std::vector<Student>& students,

@@ -119,12 +119,9 @@ std::vector<std::string> empty_handed(const Haul& haul) {
   return names;
 }
 
-void say_what_of_times(const Haul& haul, const std::filesystem::path& table) {
+void say_what_of_times(const std::filesystem::path& table, std::size_t unknown) {
   const std::string shown = printable_name(table.string());
-  const std::size_t unknown = unknown_times(table);
-  if (haul.bears_times) {
-    std::printf("The times of the files count as those of handing in\n");
-  } else if (unknown > 0) {
+  if (unknown > 0) {
     std::printf("%s: fill in the times of %s\n", shown.c_str(), counted(unknown, "file").c_str());
   } else {
     std::printf("The times are in %s\n", shown.c_str());
@@ -146,17 +143,25 @@ int collect_submissions(const Collection& work) {
                                         "' that was handed in by way of " + kind.name);
   const std::filesystem::path table = work.to / times_table, people = work.to / people_table;
   check_are_ours(table, people);
-  const std::set<std::pair<std::string, std::string>> same = unchanged(haul, work.to);
+  // Before the new files take the place of the old ones.
+  std::set<std::pair<std::string, std::string>> same;
+  if (!haul.bears_times) same = unchanged(haul, work.to);
   const std::vector<std::string> others = store(haul, work.to);
+  std::size_t unknown = 0;
   if (!haul.bears_times)
-    write_times(haul, table,
-                [&](const HandedFile& one) { return same.contains({one.student, one.place}); });
+    unknown = write_times(haul, table, [&](const HandedFile& one) {
+      return same.contains({one.student, one.place});
+    });
   write_people(haul, people);
   print_some("Note", haul.notes);
   print_some("Late", {haul.late.begin(), haul.late.end()});
   print_some("Nothing taken of", empty_handed(haul));
   print_some("Still there from before", others);
-  say_what_of_times(haul, table);
+  if (haul.bears_times) {
+    std::printf("The times of the files count as those of handing in\n");
+  } else {
+    say_what_of_times(table, unknown);
+  }
   std::printf("%s of %s, in %s\n", counted(haul.files.size(), "file").c_str(),
               counted(haul.students.size(), "student").c_str(),
               printable_name(work.to.string()).c_str());

@@ -181,9 +181,10 @@ Filled filled_gradebook(const Marks& marks, const std::filesystem::path& file,
   const CsvRow* const possible = row_of_most(head, rows);
   Filled filled;
   CsvChanges changes(text);
+  if (possible && at < possible->cells.size() && !marks.students.empty())
+    check_most(trimmed(possible->cells[at]), marks.students.front(),
+               shown + ":" + std::to_string(possible->line));
   for (const StudentMarks& one : marks.students) {
-    if (possible && at < possible->cells.size())
-      check_most(trimmed(possible->cells[at]), one, shown + ":" + std::to_string(possible->line));
     const auto sum = sum_of(one);
     auto found = names.find(one.student);
     if (!found) found = names.find(one.name);

@@ -22,8 +22,7 @@ template <class Take>
 void for_each_in(const std::filesystem::path& from, const Take& take) {
   const Entry all = folder_named(from);
   for (const std::string& name : names_in(all, most_entries)) {
-    const bool passed_over = name.starts_with('.') || is_of_collection(name);
-    const auto found = passed_over ? std::nullopt : entry(all.file.get(), name);
+    const auto found = is_nobodys(name) ? std::nullopt : entry(all.file.get(), name);
     if (found) take(name, *found);
   }
 }

@@ -122,8 +122,7 @@ Haul from_table_of_repositories(const std::filesystem::path& table, const Until&
     std::vector<std::string> cells = rows[i].cells;
     cells.resize(heads.size());
     const std::string student = trimmed(cells[0]), address = trimmed(cells[1]);
-    if (student.empty() || student.starts_with('.') || student.find('/') != student.npos ||
-        is_of_collection(student))
+    if (student.empty() || is_nobodys(student) || student.find('/') != student.npos)
       refuse_row(table, rows[i], "a folder can't be called '" + printable_name(student) + "'");
     if (address.empty() || address.starts_with('-'))
       refuse_row(table, rows[i], "where is the repository? Write its address, or its folder");
@@ -141,8 +140,7 @@ Haul from_git(const std::filesystem::path& from, const Until& until) {
   Haul haul;
   const Entry all = folder_named(from);
   for (const std::string& name : names_in(all, 100'000)) {
-    const bool passed_over = name.starts_with('.') || is_of_collection(name);
-    const auto found = passed_over ? std::nullopt : entry(all.file.get(), name);
+    const auto found = is_nobodys(name) ? std::nullopt : entry(all.file.get(), name);
     if (!found) continue;
     const bool bare = name.ends_with(".git");
     const std::string student = bare ? name.substr(0, name.size() - 4) : name;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "class/students.h"
 #include "exercise.h"
 #include "hosts/second_try.h"
 
@@ -17,11 +18,6 @@ constexpr std::chrono::minutes apart(1);  // from which a time says which is lat
 
 std::string joined(const std::string& folder, const std::string& name) {
   return folder.empty() ? name : folder + "/" + name;
-}
-
-/// In small letters or in capitals: the student is told how it should be called.
-bool is_header(const std::string& name) {
-  return name.ends_with(".h") || name.ends_with(".H");
 }
 
 bool is_chapter(const std::string& name) {

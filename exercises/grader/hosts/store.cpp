@@ -93,6 +93,10 @@ bool is_of_collection(const std::string& name) {
   return name == collected_mark || name == times_table || name == people_table;
 }
 
+bool is_nobodys(const std::string& name) {
+  return name.starts_with('.') || is_of_collection(name);
+}
+
 std::set<std::pair<std::string, std::string>> unchanged(const Haul& haul,
                                                         const std::filesystem::path& to) {
   std::set<std::pair<std::string, std::string>> same;
@@ -108,7 +112,7 @@ std::vector<std::string> store(const Haul& haul, const std::filesystem::path& to
     if (no_folder(to / student)) throw NotOwn(to / student);
   std::vector<std::string> others = names_below(to);
   std::erase_if(others, [&](const std::string& name) {
-    return name.starts_with('.') || is_of_collection(name) || haul.students.contains(name);
+    return is_nobodys(name) || haul.students.contains(name);
   });
   for (const std::string& student : haul.students) store_student(haul, student, to);
   return others;

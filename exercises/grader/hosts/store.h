@@ -21,6 +21,9 @@ bool is_collection(const std::filesystem::path& folder);
 /// Whether a file of this name there is of the collection itself.
 bool is_of_collection(const std::string& name);
 
+/// Whether no student's folder there is called so: hidden, or of the collection itself.
+bool is_nobodys(const std::string& name);
+
 /// Student and place of each file that lies there with the same bytes.
 std::set<std::pair<std::string, std::string>> unchanged(const Haul& haul,
                                                         const std::filesystem::path& to);

@@ -66,14 +66,8 @@ void check_are_ours(const std::filesystem::path& times, const std::filesystem::p
   people_in(people);
 }
 
-std::size_t unknown_times(const std::filesystem::path& table) {
-  const Rows rows = rows_of(table);
-  return std::size_t(
-      std::ranges::count_if(rows, [](const auto& row) { return row.second.empty(); }));
-}
-
-void write_times(const Haul& haul, const std::filesystem::path& table,
-                 const std::function<bool(const HandedFile&)>& same) {
+std::size_t write_times(const Haul& haul, const std::filesystem::path& table,
+                        const std::function<bool(const HandedFile&)>& same) {
   const Rows before = rows_of(table);
   Rows rows = before;
   std::erase_if(rows, [&](const auto& row) { return haul.students.contains(row.first.first); });
@@ -88,6 +82,8 @@ void write_times(const Haul& haul, const std::filesystem::path& table,
   std::string text = csv_line(times_heads);
   for (const auto& [of, time] : rows) text += csv_line({of.first, of.second, time});
   write_whole(table, text);
+  return std::size_t(
+      std::ranges::count_if(rows, [](const auto& row) { return row.second.empty(); }));
 }
 
 void write_people(const Haul& haul, const std::filesystem::path& table) {

@@ -64,14 +64,19 @@ test('whoever has no row, and whoever has no mark, is said', () => {
   assert.match(stdout, /\nWithout a mark, and left as it was: Cy C._4713_assignsubmission_file\n2 marks/);
 });
 
+// What becomes of a round, by the times of the files, that goes back into this worksheet.
+function handedBack(sheet) {
+  const room = host();
+  room.handOut(handedIn);
+  room.write('sheet.csv', sheet);
+  room.collect('moodle');
+  room.gradeCourse();
+  return { room, ...room.run('hand-back', 'moodle', 'sheet.csv', 'results/week-1') };
+}
+
 for (const most of ['10.00', '100.00'])
   test(`a round is not handed back into an assignment out of ${most}`, () => {
-    const room = host();
-    room.handOut(handedIn);
-    room.write('sheet.csv', worksheet.replaceAll('20.00', most));
-    room.collect('moodle');
-    room.gradeCourse();
-    const { status, stderr } = room.run('hand-back', 'moodle', 'sheet.csv', 'results/week-1');
+    const { room, status, stderr } = handedBack(worksheet.replaceAll('20.00', most));
     assert.equal(status, 2);
     assert.match(
       stderr,
@@ -81,12 +86,7 @@ for (const most of ['10.00', '100.00'])
   });
 
 test('the worksheet of another assignment is refused, in which the numbers are others’', () => {
-  const room = host();
-  room.handOut(handedIn);
-  room.write('sheet.csv', worksheet.replace('4711', '9').replace('4712', '4711'));
-  room.collect('moodle');
-  room.gradeCourse();
-  const { status, stderr } = room.run('hand-back', 'moodle', 'sheet.csv', 'results/week-1');
+  const { status, stderr } = handedBack(worksheet.replace('4711', '9').replace('4712', '4711'));
   assert.equal(status, 2);
   assert.match(
     stderr,
