@@ -19,6 +19,7 @@
 #include "scenes/outer_solar_system.h"
 #include "scenes/pendulum.h"
 #include "scenes/spring.h"
+#include "shelf/aim.h"
 #include "shelf/blend.h"
 #include "shelf/bounce.h"
 #include "shelf/damper.h"
@@ -28,6 +29,8 @@
 #include "shelf/jump.h"
 #include "shelf/link.h"
 #include "shelf/orientation.h"
+#include "shelf/wheel.h"
+#include "snippets/shelf_calls/aim.h"
 #include "snippets/shelf_calls/blend.h"
 #include "snippets/shelf_calls/bounce.h"
 #include "snippets/shelf_calls/damper.h"
@@ -36,6 +39,7 @@
 #include "snippets/shelf_calls/fixed_step.h"
 #include "snippets/shelf_calls/jump.h"
 #include "snippets/shelf_calls/link.h"
+#include "snippets/shelf_calls/wheel.h"
 
 namespace {
 
@@ -137,6 +141,7 @@ int main() {
   list::for_each(list::Joined<list::OnSprings, list::Damping>(), [&](auto method) {
     print<decltype(method)>("spring", spring, spring.start(), 1e-3, 10'000);
   });
+  print("aim", aim_on<Doubles>);
   print("blend", blend_on<Doubles>);
   print("bounce", bounce_on<Doubles>);
   print("damper", damper_on<Doubles>);
@@ -146,4 +151,5 @@ int main() {
   print("jump", jump_on<Doubles>);
   print("link", link_on<Doubles>);
   print("orientation", turns_without_sines);
+  print("wheel", wheel_on<Doubles>);
 }

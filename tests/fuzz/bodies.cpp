@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // What turns and tumbles.
 #include "fuzz.h"
+#include "shelf/wheel.h"
 
 namespace fuzz {
 namespace {
@@ -31,6 +32,18 @@ void check(Source& source, const Quaternion<Real>& q) {
 
 Cases bodies() {
   Cases cases;
+  add_numbers(cases, "wheel", "one wheel", []<class Real>(Source& source) {
+    Real force = source.size<Real>();
+    for (int n = 0; n < 4; ++n) {
+      const Real compression = source.number<Real>(), speed = source.number<Real>();
+      const shelf::Suspension<Real> suspension{source.size<Real>(), source.size<Real>()};
+      const Real push = shelf::wheel_push(force, compression, speed, source.size<Real>(),
+                                          suspension, source.size<Real>());
+      if (!source.tame()) continue;
+      require(finite(force) && finite(push), "both stay numbers");
+      require(force >= Real(0), "no wheel pulls");
+    }
+  });
   add_numbers(cases, "orientation", "turns", []<class Real>(Source& source) {
     auto q = orientation<Real>(source);
     shelf::turn(q, source.vector<Vec3<Real>>(), source.number<Real>());

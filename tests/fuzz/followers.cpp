@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // What follows a target, and what the air brakes.
 #include "fuzz.h"
+#include "shelf/aim.h"
 #include "shelf/quadratic_drag.h"
 #include "shelf/smooth_damp.h"
 
@@ -24,6 +25,16 @@ Cases followers() {
                                     product);
     if (source.tame()) require(finite(x) && finite(v), "a follower stays somewhere");
   });
+  add(cases, "smooth_damp", "limits", []<class Vec, class Real>(Source& source) {
+    Vec x = source.vector<Vec>(), v = source.vector<Vec>();
+    const Vec target = source.vector<Vec>(), moves = source.vector<Vec>();
+    for (int n = 0; n < 4; ++n) {
+      const Real top = source.size<Real>(), most = source.size<Real>();
+      shelf::smooth_damp_limited(x, v, target, moves, source.size<Real>(), top, most,
+                                 source.size<Real>(), product);
+      if (source.tame()) require(finite(x) && finite(v), "a follower stays somewhere");
+    }
+  });
   add_numbers(cases, "smooth_damp", "no overshoot", []<class Real>(Source& source) {
     Real x = source.number<Real>(), v = source.number<Real>();
     const Real target = source.number<Real>(), omega = source.size<Real>();
@@ -36,6 +47,20 @@ Cases followers() {
       shelf::smooth_damp_no_overshoot(x, v, target, Real(0), omega, source.size<Real>(), product);
       if (source.tame()) require(side * (x - target) >= -allowed, "never passes its target");
     }
+  });
+  add(cases, "aim", "at anything", []<class Vec, class Real>(Source& source) {
+    const Vec from = source.vector<Vec>(), place = source.vector<Vec>(), a = source.vector<Vec>();
+    const Real h = source.size<Real>(), speed = source.size<Real>(), within = source.size<Real>();
+    const shelf::Gun<Real> gun{speed, h, Real(20) * h, within};
+    const auto step = [&](Vec& x, Vec& v) { v = v + h * a, x = x + h * v; };
+    const auto target = [&](Real) { return place; };
+    const auto shot = shelf::aim(from, target, step, product, gun, source.size<Real>());
+    const auto height = [&](const Vec& x) { return product(x, place); };
+    const auto fall = shelf::landing(from, place, h, Real(20) * h, step, height);
+    if (!source.tame()) return;
+    require(finite(shot.velocity) && finite(shot.time), "a throw is a number");
+    require(finite(fall.place) && finite(fall.time), "a landing is a number");
+    if (shot.found) require(shot.time > Real(0) && shot.time <= gun.longest, "within the time");
   });
   add(cases, "quadratic_drag", "any way", []<class Vec, class Real>(Source& source) {
     Vec x = source.vector<Vec>(), v = source.vector<Vec>();

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT-0
+#include "shelf/wheel.h"
+
+#include <algorithm>
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <limits>
+
+#include "frames/recorded.h"
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double g = 9.81;
+
+// A plank of 100 kg and of length 2 b on two wheels, in the plane, as high as its springs are long.
+template <class Real>
+struct Plank {
+  Real mass = 100, moment = 30, b = 1;
+  Real y = Real(0.5), turned = 0, rises = 0, spin = 0;
+  Real force[2] = {0, 0};
+  bool warm = true;
+  Real felt = 1 / mass + b * b / moment;
+
+  void push(int side, Real by) {
+    rises += by / mass;
+    spin += Real(side == 0 ? -1 : 1) * b * by / moment;
+  }
+
+  void step(Real h, Real stiffness, Real damping) {
+    rises -= h * Real(g);
+    for (int i = 0; i < 2; ++i) {
+      if (!warm) force[i] = 0;
+      push(i, h * force[i]);
+    }
+    for (int i = 0; i < 2; ++i) {
+      const Real arm = Real(i == 0 ? -1 : 1) * b;
+      push(i, shelf::wheel_push(force[i], Real(0.4) - (y + arm * turned), rises + arm * spin, felt,
+                                shelf::Suspension<Real>{stiffness, damping}, h));
+    }
+    y += h * rises;
+    turned += h * spin;
+  }
+
+  double height() const { return double(y); }
+};
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("On two wheels a plank comes to rest where its springs carry it", "", float,
+                   double) {
+  for (const int rate : {15, 60, 240}) {
+    for (const double damping : {1e3, 1e4}) {
+      CAPTURE(rate, damping);
+      Plank<TestType> plank;
+      plank.turned = TestType(0.1);
+      for (int n = 0; n < 60 * rate; ++n) {
+        plank.step(1 / TestType(rate), TestType(1e4), TestType(damping));
+      }
+      const double tolerance = 1e4 * double(std::numeric_limits<TestType>::epsilon());
+      CHECK_THAT(plank.height(), WithinAbs(0.4 - 100 * g / 2e4, tolerance));
+      CHECK_THAT(double(plank.turned), WithinAbs(0, tolerance));
+    }
+  }
+}
+
+TEST_CASE("A wheel that is handed nothing on stands aslant after one pass, and not after twenty") {
+  const auto stands = [](bool warm, double tilt) {
+    Plank<double> plank;
+    plank.warm = warm, plank.turned = tilt;
+    for (int n = 0; n < 6000; ++n) plank.step(1 / 60.0, 1e4, 1e4);
+    return std::abs(plank.turned);
+  };
+  CHECK(stands(true, 0.1) < 1e-9);
+  CHECK(stands(false, 0.1) > 1e-3);
+}
+
+TEST_CASE("With the mass of the whole for that of one wheel, strong dampers throw it") {
+  Plank<double> plank;
+  plank.moment = 5, plank.felt = 1 / plank.mass;
+  double highest = 0;
+  for (int n = 0; n < 600; ++n) {
+    plank.step(1 / 60.0, 1e4, 1e5);
+    highest = std::max(highest, std::abs(plank.turned));
+    if (highest > 10) break;
+    if (n == 60) plank.spin += 0.01;
+  }
+  CHECK(highest > 10);
+}
+
+TEST_CASE("In the air a wheel carries nothing, and gives back what was handed on") {
+  for (const double compression : {0.0, -0.2}) {
+    double force = 700;
+    CHECK(shelf::wheel_push(force, compression, -3.0, 0.01, {1e4, 1e3}, 0.02) == -0.02 * 700);
+    CHECK(force == 0);
+  }
+  double force = 700;  // pulled apart faster than the spring pushes
+  CHECK(shelf::wheel_push(force, 0.01, 30.0, 0.01, {1e4, 1e3}, 0.02) == -0.02 * 700);
+  CHECK(force == 0);
+}
+
+TEST_CASE("Frames of any length stand as well, since a force is handed on and no push") {
+  frames::Playback frame;
+  Plank<double> plank;
+  for (int n = 0; n < 3000; ++n) plank.step(frame.next(), 1e4, 3e3);
+  CHECK_THAT(plank.height(), WithinAbs(0.4 - 100 * g / 2e4, 1e-9));
+}
+
+TEST_CASE("Halved steps halve how far it is off") {
+  const auto height = [](int rate) {
+    Plank<double> plank;
+    plank.y = 0.37;  // on its springs all the time
+    for (int n = 0; n < rate; ++n) plank.step(1.0 / rate, 1e4, 1e3);
+    return plank.height();
+  };
+  const double ratio = (height(4096) - height(8192)) / (height(8192) - height(16384));
+  CHECK_THAT(std::log2(ratio), WithinAbs(1, 0.1));
+}
+
+TEST_CASE(
+    "Without a spring and a damper nothing is pushed, and nothing is learned from no number") {
+  double force = 0;
+  CHECK(shelf::wheel_push(force, 0.1, -3.0, 0.01, {0.0, 0.0}, 0.02) == 0);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  force = 300;
+  shelf::wheel_push(force, nan, -3.0, 0.01, {1e4, 1e3}, 0.02);
+  CHECK(force == 0);
+}
