@@ -30,10 +30,12 @@
 /// screen, keep a copy of x from before the whole step; `before` is another thing.
 ///
 /// No damping is built in. Of a bobbing the links take little: in its eleventh second the rope
-/// above still bobs by 6.4 cm. Of a swing they take more, and the more the longer the step: for a
-/// grapple, see the promises, and take 4 substeps or 8. To slow each point as exp(-c t) does, do
-/// this before each substep: `before[i] = before[i] + (c * h) * (x[i] - before[i])`, with c h well
-/// below 1.
+/// above still bobs by 6.4 cm. Of a swing they take more, and the more the longer the step: see the
+/// promises. For a player on one rope, take grapple.h, which takes nothing; for two bodies on a
+/// link 4 substeps or 8. Who takes hold of a rope hands over his velocity as `before = x + (-h) *
+/// v`, and who lets go has it back. To reel in, make `length` a little shorter in each step. To
+/// slow each point as exp(-c t) does, do this before each substep: `before[i] = before[i] + (c * h)
+/// * (x[i] - before[i])`, with c h well below 1.
 ///
 /// In float keep the places near the origin, as by counting them from the hook, or take double.
 /// What a substep adds to a place, h^2 a, is rounded as the place is, and so gravity is wrong by a

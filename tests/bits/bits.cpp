@@ -26,6 +26,7 @@
 #include "shelf/event.h"
 #include "shelf/first_order.h"
 #include "shelf/fixed_step.h"
+#include "shelf/grapple.h"
 #include "shelf/jump.h"
 #include "shelf/link.h"
 #include "shelf/orientation.h"
@@ -37,6 +38,7 @@
 #include "snippets/shelf_calls/event.h"
 #include "snippets/shelf_calls/first_order.h"
 #include "snippets/shelf_calls/fixed_step.h"
+#include "snippets/shelf_calls/grapple.h"
 #include "snippets/shelf_calls/jump.h"
 #include "snippets/shelf_calls/link.h"
 #include "snippets/shelf_calls/wheel.h"
@@ -148,6 +150,7 @@ int main() {
   print("event", event_on<Doubles>);
   print("first_order", first_order_on<Doubles>);
   print("fixed_step", fixed_step_on<Doubles>);
+  print("grapple", grapple_on<Doubles>);
   print("jump", jump_on<Doubles>);
   print("link", link_on<Doubles>);
   print("orientation", turns_without_sines);

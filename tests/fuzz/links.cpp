@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // Links and ropes of them.
 #include "fuzz.h"
+#include "shelf/grapple.h"
 #include "shelf/link.h"
 
 namespace fuzz {
@@ -80,6 +81,18 @@ Cases links() {
       if (w[i] > Real(0))
         require(!(dot(x[i], up) < dot(ground, up)),
                 "no free point is below the floor after a step");
+    }
+  });
+  add(cases, "grapple", "a player on a rope", []<class Vec, class Real>(Source& source) {
+    Vec x = source.vector<Vec>(), v = source.vector<Vec>();
+    const Vec hook = source.vector<Vec>(), moves = source.vector<Vec>(), a = source.vector<Vec>();
+    Real rope = source.size<Real>();
+    for (int n = 0; n < 4; ++n) {
+      const Real pull = shelf::grapple_step(x, v, rope, hook, moves, source.number<Real>(), a,
+                                            source.above<Real>(), product);
+      if (!source.tame()) continue;
+      require(finite(x) && finite(v) && finite(rope) && finite(pull), "all stay numbers");
+      require(rope >= Real(0) && pull >= Real(0), "no rope of less than nothing, and none pushes");
     }
   });
   return cases;
