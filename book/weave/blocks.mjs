@@ -7,12 +7,22 @@ import { sourceHref } from './source-pages.mjs';
 import { tableHtml } from './tables.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 import { rateHtml, takeHtml } from './pick-a-method.mjs';
+import { sketchHtml } from './sketch.mjs';
 
 export function blockHtml(context, piece) {
-  return { listing, fence, display, rows, card, contents, pause, take: takeHtml, rate: rateHtml }[piece.name](
-    context,
-    piece,
-  );
+  return {
+    listing,
+    fence,
+    display,
+    rows,
+    card,
+    contents,
+    outline,
+    pause,
+    take: takeHtml,
+    rate: rateHtml,
+    sketch: sketchHtml,
+  }[piece.name](context, piece);
 }
 
 export function codeLines(lines, numbers, { id = () => '', gaps = true } = {}) {
@@ -93,6 +103,19 @@ function pause({ page }, piece) {
 
 function contents({ book }) {
   return contentsHtml([...book.chapters.values()]);
+}
+
+// The subsections of a long page, under the names of their sections.
+function outline({ page }) {
+  const link = ({ id, text }) => `<a href="#${id}">${escapeHtml(smarten(text))}</a>`;
+  const groups = page.sections.reduce(
+    (all, section) => (section.level === 2 ? [...all, [section]] : [...all.slice(0, -1), [...all.at(-1), section]]),
+    [],
+  );
+  const html = groups
+    .filter(([, ...below]) => below.length)
+    .map(([head, ...below]) => `<dt>${link(head)}</dt><dd>${below.map(link).join('')}</dd>`);
+  return `<dl class="outline">${html.join('\n')}</dl>`;
 }
 
 export function contentsHtml(pages) {

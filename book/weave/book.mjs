@@ -168,6 +168,7 @@ function readPages(book) {
         owner: program.name,
       });
       program.title = program.page.title;
+      addBeside(program, name => !IN_SHORT.includes(name));
     }
   }
   AFTER.forEach(addAround);

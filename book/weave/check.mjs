@@ -180,15 +180,19 @@ const CHECKS = {
     plainTitle(context.piece.args[0], context.report);
     checkChange(context);
   },
-  rows({ book, page, piece, report }) {
-    const [name] = piece.args;
-    const tables = book.programs.get(page.owner)?.tables ?? new Map();
-    piece.table = tables.get(name);
-    if (!piece.table) report(`the program of this chapter writes no table "${name}".${nameOneOf(name, tables.keys())}`);
-    const fault = piece.table && tableFault(piece.table);
-    if (fault) report(fault);
-  },
+  rows: checkTable,
+  sketch: checkTable,
 };
+
+// A table that the page's program has written.
+function checkTable({ book, page, piece, report }) {
+  const [name] = piece.args;
+  const tables = book.programs.get(page.owner)?.tables ?? new Map();
+  piece.table = tables.get(name);
+  if (!piece.table) report(`the program of this chapter writes no table "${name}".${nameOneOf(name, tables.keys())}`);
+  const fault = piece.table && tableFault(piece.table);
+  if (fault) report(fault);
+}
 
 function checkLive(book, page, piece, report) {
   const [name] = piece.args;

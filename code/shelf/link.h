@@ -32,10 +32,11 @@
 /// No damping is built in. Of a bobbing the links take little: in its eleventh second the rope
 /// above still bobs by 6.4 cm. Of a swing they take more, and the more the longer the step: see the
 /// promises. For a player on one rope, take grapple.h, which takes nothing; for two bodies on a
-/// link 4 substeps or 8. Who takes hold of a rope hands over his velocity as `before = x + (-h) *
-/// v`, and who lets go has it back. To reel in, make `length` a little shorter in each step. To
-/// slow each point as exp(-c t) does, do this before each substep: `before[i] = before[i] + (c * h)
-/// * (x[i] - before[i])`, with c h well below 1.
+/// link 4 substeps or 8. Who takes hold of a rope hands over his velocity, and has it back when he
+/// lets go: `before = x + (-h) * v`. To reel in, make `length` a little shorter in each step.
+///
+/// To slow each point as exp(-c t) does, do this before each substep, with c h well below 1:
+/// `before[i] = before[i] + (c * h) * (x[i] - before[i])`.
 ///
 /// In float keep the places near the origin, as by counting them from the hook, or take double.
 /// What a substep adds to a place, h^2 a, is rounded as the place is, and so gravity is wrong by a
