@@ -77,12 +77,12 @@ function howMuch(row) {
 }
 
 const THINGS = `<h2 id="things">Things that a game needs</h2>
-<p>Each is a function or two over your own types, and no engine: one body at a time, each contact at a point. On its page stands an example, and what it promises beside what was measured of each promise; one that
+<p>Each is a function or two over your own types, and no engine: one body at a time. On its page stands an example, and what it promises beside what was measured of each promise; one that
 is not kept stops the build. A rounding is 2<sup>−52</sup> of what is named, or 2<sup>−23</sup> in float.</p>`;
 
 const LEFT_OUT = `<h2 id="left-out">What is left out</h2>
-<p>Many bodies that rest on each other want a solver of contacts. Look at those of Box2D and Jolt, and at Erin Catto’s <i>Iterative Dynamics with Temporal Coherence</i>
-(2005), from which most of them come. A crate that tumbles and hits the floor is here, a crate that comes to rest on its side is not. Friction that is right in all directions at once, in a cone, is in Stewart and Trinkle’s <i>An Implicit Time-Stepping Scheme for
+<p>Many bodies that rest on each other want a solver for all their contacts. Look at those of Box2D and Jolt, and at Erin Catto’s <i>Iterative Dynamics with Temporal Coherence</i>
+(2005), from which most of them come. A crate that comes to rest on its side is here, a stack of crates is not. What friction in a cone asks of such a solver is in Stewart and Trinkle’s <i>An Implicit Time-Stepping Scheme for
 Rigid Body Dynamics</i> (1996). For soft bodies whose stiffness is that of a material, there are finite elements: Sifakis and Barbič, <i>FEM Simulation of 3D Deformable
 Solids</i> (2012). For those that only have to look right, and fast, projective dynamics: Bouaziz and others, <i>Projective Dynamics</i> (2014).</p>`;
 

@@ -22,6 +22,7 @@
 #include "shelf/aim.h"
 #include "shelf/blend.h"
 #include "shelf/bounce.h"
+#include "shelf/contact.h"
 #include "shelf/damper.h"
 #include "shelf/event.h"
 #include "shelf/first_order.h"
@@ -34,6 +35,7 @@
 #include "snippets/shelf_calls/aim.h"
 #include "snippets/shelf_calls/blend.h"
 #include "snippets/shelf_calls/bounce.h"
+#include "snippets/shelf_calls/contact.h"
 #include "snippets/shelf_calls/damper.h"
 #include "snippets/shelf_calls/event.h"
 #include "snippets/shelf_calls/first_order.h"
@@ -146,6 +148,7 @@ int main() {
   print("aim", aim_on<Doubles>);
   print("blend", blend_on<Doubles>);
   print("bounce", bounce_on<Doubles>);
+  print("contact", contact_on<Doubles>);
   print("damper", damper_on<Doubles>);
   print("event", event_on<Doubles>);
   print("first_order", first_order_on<Doubles>);

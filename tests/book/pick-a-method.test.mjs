@@ -408,7 +408,7 @@ test('the page prints on one sheet, all open, and is then as it was', async () =
 test('whoever picks rope, crate, bounce, camera, wheel or joint is led to the header that has it', () => {
   const wanted = {
     'links': 'link',
-    'touches': ['bounce', 'orientation'],
+    'touches': ['bounce', 'orientation', 'contact'],
     'between': 'damper',
     'spring': 'smooth-damp',
     'one-stiff': 'soft-constraint',

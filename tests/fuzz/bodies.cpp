@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 // What turns and tumbles.
 #include "fuzz.h"
+#include "shelf/contact.h"
 #include "shelf/wheel.h"
 
 namespace fuzz {
@@ -26,6 +27,45 @@ void check(Source& source, const Quaternion<Real>& q) {
   const Real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
   require(std::abs(square - Real(1)) < 16 * std::numeric_limits<Real>::epsilon(),
           "the length of q stays one");
+}
+
+// A body of some metres with up to eight corners that may touch something, each something else.
+void add_contacts(Cases& cases) {
+  add_numbers(cases, "contact", "lands and rests", []<class Real>(Source& source) {
+    const auto some = [&] {
+      return source.tame() ? source.number<Real>() / 100 : source.number<Real>();
+    };
+    const auto vector = [&] { return Vec3<Real>{some(), some(), some()}; };
+    const auto q = orientation<Real>(source);
+    const auto edge = [&] { return source.tame() ? Real(0.1 + 4 * source.share()) : some(); };
+    const auto inertia = shelf::inertia_of_box(edge(), {edge(), edge(), edge()});
+    Vec3<Real> v = vector(), L = vector();
+    shelf::Contact<Vec3<Real>, Real> contacts[8];
+    const int count = source.whole(0, 8);
+    const shelf::Surface<Real> surface{source.size<Real>(), Real(source.share()),
+                                       source.size<Real>()};
+    const auto spin = [&](const Vec3<Real>& now) { return angular_velocity(q, now, inertia); };
+    const auto across = [](const Vec3<Real>& p, const Vec3<Real>& r) { return cross(p, r); };
+    for (int n = 0; n < 4; ++n) {
+      for (int i = 0; i < count; ++i) {
+        contacts[i].r = vector();
+        contacts[i].normal = source.direction<Vec3<Real>>();
+        contacts[i].gap = some();
+      }
+      const Real h = source.size<Real>(), inverse_mass = edge();
+      const Vec3<Real> a = vector();
+      const auto way = shelf::contact_step(v, L, a, h, contacts, count, surface, inverse_mass, spin,
+                                           product, across, 4);
+      if (!source.tame()) continue;
+      require(finite(v) && finite(L) && finite(way.v) && finite(way.L), "it is somewhere");
+      for (int i = 0; i < count; ++i) {
+        const auto& corner = contacts[i];
+        require(corner.push >= Real(0), "nothing draws a body to a floor");
+        require(length(corner.grip) <= surface.friction * corner.push * Real(1.001),
+                "friction has its bound");
+      }
+    }
+  });
 }
 
 }  // namespace
@@ -93,6 +133,7 @@ Cases bodies() {
     const Real inverse = shelf::inverse_mass_at(q, inertia, source.size<Real>(), r, n);
     if (source.tame()) require(inverse >= Real(0), "what 1/mass is to a push");
   });
+  add_contacts(cases);
   return cases;
 }
 
