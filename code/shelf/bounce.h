@@ -44,8 +44,25 @@
 /// // Now v.real() is 0.
 /// @endcode
 ///
+/// On a platform that goes up and down by 2 m: what it carries stays on it.
+/// @code
+/// #include <cmath>
+/// const auto dot = [](double a, double b) { return a * b; };
+/// const auto platform = [](double t) {
+///   const double x = 2 * std::sin(2 * t), v = 4 * std::cos(2 * t);
+///   return shelf::MovingPlane<double, double>{{1, 0, 0.5, 0.4, 0.5}, x, v};
+/// };
+/// double x = 0, v = 4;
+/// for (int n = 0; n < 120; ++n) {
+///   const double t = n / 60.0;
+///   shelf::bounce_step(x, v, -9.81, 1 / 60.0, platform(t), platform(t + 1 / 60.0), dot);
+/// }
+/// const double above = x - platform(2.0).x;
+/// // Now above is 0.
+/// @endcode
+///
 /// The pushes here are speeds, those of a point. What a push at the corner of a body does, which
-/// turns it, see in orientation.h.
+/// turns it, see in orientation.h, and how it comes to rest on several corners in contact.h.
 ///
 /// Promises:
 /// - a plane is met where the height is 0, to 10^-14 m in falls of some metres, and never later
@@ -60,6 +77,14 @@
 ///   bit
 /// - a puck slides v^2 / (2 mu g) and stops, to mu g h^2 / 8
 /// - on a slope friction holds it as long as the tangent of the slope is below mu
+/// - a platform that swings by 2 m with 2 rad/s carries a ball, which is on it after each step to
+///   10^-15 m, at 15 to 240 Hz
+/// - with 3 rad/s it leaves the platform where that falls faster than a stone, and is at 60 Hz
+///   within 2 mm of its flight from there
+/// - from a floor that rises or sinks it comes back with its share of the speed at which they met,
+///   to 10^-13 m/s
+/// - on a floor that tilts it begins to slide within three steps of when the tangent of the angle
+///   is mu
 #pragma once
 #include <cmath>
 #include <type_traits>
@@ -324,6 +349,60 @@ int bounce_step(Vec& x, Vec& v, const Vec& a, Real h, const Plane<Vec, Real>& pl
         return bounces;
       }
     }
+  }
+}
+
+/// A plane that moves: where it is at some moment, and how fast.
+template <class Vec, class Real>
+struct MovingPlane {
+  Plane<Vec, Real> plane;  ///< as it is seen from x: its level is a ball's radius, as a rule
+  Vec x;                   ///< place of one of its points: if it turns, the one under the ball [m]
+  Vec v;                   ///< velocity of that point [m/s]
+};
+
+/// One step of a point or a ball above a plane that moves and tilts: a lift, a deck, a belt.
+///
+/// Within the step the plane is taken to speed up evenly. What it carries is where it is at the
+/// end, and what it doesn't meet flies as without it. It calls square roots.
+///
+/// @param x  place, advanced in place [m]
+/// @param v  velocity, advanced in place [m/s]
+/// @param a  acceleration throughout the step, of gravity as a rule [m/s^2]
+/// @param h  step size [s]; not negative
+/// @param before  the plane at the start of the step
+/// @param now  the plane at its end, with the place and the velocity of the same point
+/// @param dot  callable `(Vec, Vec) -> Real`, the dot product
+/// @returns  how often it came up again
+template <class Vec, class Real, class Dot>
+int bounce_step(Vec& x, Vec& v, const Vec& a, Real h, const MovingPlane<Vec, Real>& before,
+                const MovingPlane<Vec, Real>& now, Dot&& dot) {
+  constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
+  constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
+  constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
+  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(dots, "dot must be callable as Real(Vec, Vec)");
+  static_assert(!std::is_integral_v<Real>, "h must be no integer");
+  if constexpr (scales && dots) {
+    if (!(h > Real(0))) return 0;
+    // As it is seen from the plane.
+    const Vec& normal = before.plane.normal;
+    Vec place = x + Real(-1) * before.x, speed = v + Real(-1) * before.v;
+    const Vec drawn = a + (Real(-1) / h) * Vec(now.v + Real(-1) * before.v);
+    const Real height = Real(dot(place, normal)) - before.plane.level, pull = dot(drawn, normal);
+    if (!(height < Real(0)) && !impact_plane(height, Real(dot(speed, normal)), pull, h).hit) {
+      x = x + (h * v + (h * h / Real(2)) * a);
+      v = v + h * a;
+      return 0;
+    }
+    const int bounces = bounce_step(place, speed, drawn, h, before.plane, dot);
+    if (bounces == 0 && pull < Real(0)) {  // it rests, and goes on with the plane
+      const Vec& up = now.plane.normal;
+      place = place + Real(now.plane.level - Real(dot(place, up))) * up;
+      speed = speed + Real(-Real(dot(speed, up))) * up;
+    }
+    x = place + now.x;
+    v = speed + now.v;
+    return bounces;
   }
 }
 

@@ -67,12 +67,35 @@ void add_steps(Cases& cases) {
   });
 }
 
+void add_moving(Cases& cases) {
+  add(cases, "bounce", "steps above a plane that moves", []<class Vec, class Real>(Source& source) {
+    Vec x = source.vector<Vec>(), v = source.vector<Vec>();
+    const Vec a = source.vector<Vec>();
+    const auto moving = [&] {
+      const Real back = source.tame() ? Real(source.share()) : source.size<Real>();
+      return shelf::MovingPlane<Vec, Real>{{source.direction<Vec>(), source.number<Real>(), back,
+                                            source.size<Real>(), source.size<Real>()},
+                                           source.vector<Vec>(),
+                                           source.vector<Vec>()};
+    };
+    shelf::MovingPlane<Vec, Real> before = moving();
+    for (int n = 0; n < 4; ++n) {
+      const shelf::MovingPlane<Vec, Real> now = moving();
+      const int bounces = shelf::bounce_step(x, v, a, source.size<Real>(), before, now, product);
+      require(bounces >= 0 && bounces <= 64, "64 times at most");
+      if (source.tame()) require(finite(x) && finite(v), "it is somewhere");
+      before = now;
+    }
+  });
+}
+
 }  // namespace
 
 Cases bounces() {
   Cases cases;
   add_impacts(cases);
   add_steps(cases);
+  add_moving(cases);
   add_numbers(cases, "fixed_step", "frames of any length", []<class Real>(Source& source) {
     shelf::FixedStep<Real> clock{Real(0.001 + source.share())};
     clock.longest_frame = Real(source.share());

@@ -240,10 +240,109 @@ Promise slope() {
           held < 1e-15 && slid > 1e-5, held, 2, "m/s"};
 }
 
+// A platform that goes up and down by 2 m, and a ball of 10 cm on it.
+shelf::MovingPlane<double, double> platform(double omega, double t) {
+  return {{1, 0.1, 0.5, 0.4, 0.5}, 2 * std::sin(omega * t), 2 * omega * std::cos(omega * t)};
+}
+
+Promise carried() {
+  double most = 0;
+  for (const int rate : {15, 30, 60, 120, 240}) {
+    double x = 0.1, v = 4;
+    for (int n = 0; n < 10 * rate; ++n) {
+      const auto now = platform(2, (n + 1.0) / rate);
+      shelf::bounce_step(x, v, -g, 1.0 / rate, platform(2, double(n) / rate), now, times);
+      most = std::max(most, std::abs(x - 0.1 - now.x));
+    }
+  }
+  return {
+      "a platform that swings by 2 m with 2 rad/s carries a ball, which is on it after each step "
+      "to "
+      "10^-15 m, at 15 to 240 Hz",
+      most < 1e-15, most, 2, "m"};
+}
+
+// Where the platform falls faster than a stone, the ball flies on as it was then.
+double left_off(int rate) {
+  double x = 0.1, v = 6, most = 0;
+  const double leaves = std::asin(g / 18) / 3;
+  const auto there = platform(3, leaves);
+  for (int n = 1; n * 10 <= 8 * rate; ++n) {
+    const double t = double(n) / rate, since = t - leaves;
+    shelf::bounce_step(x, v, -g, 1.0 / rate, platform(3, t - 1.0 / rate), platform(3, t), times);
+    const double flown = there.x + 0.1 + (there.v - g * since / 2) * since;
+    if (since > 0) most = std::max(most, std::abs(x - flown));
+  }
+  return most;
+}
+
+Promise left() {
+  const double off = 1e3 * left_off(60);
+  return {
+      "with 3 rad/s it leaves the platform where that falls faster than a stone, and is at 60 Hz "
+      "within 2 mm of its flight from there",
+      off < 2, off, 2, "mm"};
+}
+
+Promise risen() {
+  double off = 0;
+  for (const int rate : {15, 60, 240}) {
+    for (const double up : {-2.0, 1.5, 4.0}) {
+      const auto floor = [&](double t) {
+        return shelf::MovingPlane<double, double>{{1, 0, 0.8, 0, 0.5}, up * t, up};
+      };
+      Ball ball;
+      for (int n = 0; n < rate * 4 / 5; ++n) {
+        const double t = double(n) / rate;
+        shelf::bounce_step(ball.x, ball.v, -g, 1.0 / rate, floor(t), floor(t + 1.0 / rate), times);
+      }
+      const double meets = (std::sqrt(up * up + 4 * g) - up) / g, since = 0.8 - meets;
+      const double back = up + 0.8 * (up + g * meets);
+      off = std::max(off, std::abs(ball.v - (since > 0 ? back - g * since : -g * 0.8)));
+    }
+  }
+  return {
+      "from a floor that rises or sinks it comes back with its share of the speed at which they "
+      "met, to 10^-13 m/s",
+      off < 1e-13, off, 2, "m/s"};
+}
+
+// By how many steps it is early or late that a block begins to slide on a floor that tilts by 0.1
+// rad a second.
+double slides_late(double mu, int rate) {
+  const double h = 1.0 / rate;
+  Flat x{0.1, 0}, v{0, 0.01};
+  for (int n = 0;; ++n) {
+    const auto along = [](double t) { return Flat{std::cos(0.1 * t), std::sin(0.1 * t)}; };
+    const double far = dot(x, along(n * h));  // from its hinge
+    const auto floor = [&](double t) {
+      const Flat way = along(t), up{-way.up, way.right};
+      return shelf::MovingPlane<Flat, double>{{up, 0, 0, mu, 1}, far * way, 0.1 * far * up};
+    };
+    shelf::bounce_step(x, v, Flat{0, -g}, h, floor(n * h), floor((n + 1) * h), dot);
+    if (std::abs(dot(x, along((n + 1) * h)) - far) > 1e-9 || n > 20 * rate)
+      return std::abs(n + 1 - std::atan(mu) / 0.1 * rate);
+  }
+}
+
+Promise tilts() {
+  double late = 0;
+  for (const double mu : {0.2, 0.4, 0.8}) {
+    for (const int rate : {15, 60, 240}) late = std::max(late, slides_late(mu, rate));
+  }
+  return {
+      "on a floor that tilts it begins to slide within three steps of when the tangent of the "
+      "angle "
+      "is mu",
+      late < 3, late, 2, "steps"};
+}
+
 }  // namespace
 
 ShelfCard bounce() {
-  return {"bounce", {plane(), sphere(), hundred(), due(), rest(), puck(), slope()}};
+  return {"bounce",
+          {plane(), sphere(), hundred(), due(), rest(), puck(), slope(), carried(), left(), risen(),
+           tilts()}};
 }
 
 }  // namespace measure::shelf_cards

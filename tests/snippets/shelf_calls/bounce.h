@@ -30,4 +30,13 @@ void bounce_on(Numbers& found) {
     add_all<Kind>(found, x);
     add_all<Kind>(found, v);
   }
+  const Real side[] = {Real(0.5), 0, Real(0.25)};
+  const Vec moves = Kind::make(side);
+  for (int n = 0; n < 8; ++n) {
+    const shelf::MovingPlane<Vec, Real> before{floor, Real(n) / Real(8) * moves, moves},
+        now{floor, Real(n + 1) / Real(8) * moves, moves};
+    found.add(shelf::bounce_step(x, v, gravity, Real(0.125), before, now, Dot<Kind>()));
+    add_all<Kind>(found, x);
+    add_all<Kind>(found, v);
+  }
 }
