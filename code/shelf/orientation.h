@@ -51,7 +51,8 @@
 /// // Now L_beside.y is 33.479.
 /// @endcode
 ///
-/// A crate of 20 kg that lands on one of its corners and bounces, with half of the corner's speed:
+/// A crate of 20 kg that lands on one of its corners and bounces, with half of the corner's speed;
+/// for one that comes to rest on several see contact.h:
 /// @code
 /// const shelf::Vec3<double> inertia = shelf::inertia_of_box(20.0, {0.8, 0.6, 0.6});
 /// const shelf::Vec3<double> up{0, 1, 0};
