@@ -48,7 +48,8 @@ git: to test a clean checkout"
 $firefox: to test the live figures in another browser
 clang-tidy-19: to look the sources over
 poppler-utils: to read the book's PDF
-g++-aarch64-linux-gnu qemu-user: to see the same bits on 64-bit Arm"
+g++-aarch64-linux-gnu qemu-user: to see the same bits on 64-bit Arm
+g++-mingw-w64-x86-64-posix: to compile the headers for Windows"
 [ "$system" != "debian 12" ] || [ "$*" != thorough ] || needs+="
 clang-14: the distribution's own clang, which readers of the headers have"
 [ "$*" != peers ] || needs+="

@@ -112,8 +112,9 @@ function take(header, lines) {
   );
 }
 
-// What the vectors of raylib lack.
+// What the vectors of raylib and of Chipmunk lack.
 export const RAYLIB_OPERATOR = 'inline Vector3 operator*(float s, Vector3 v) { return v * s; }';
+export const CHIPMUNK_OPERATOR = 'inline cpVect operator*(cpFloat s, cpVect v) { return v * s; }';
 const VECTORS =
   ' A <code>Vec</code> is whatever has <code>Vec + Vec</code> and <code>h * Vec</code>: a number, <code>glm::vec3</code>, an Eigen vector, a struct of yours.';
 const RAYLIB = ` raylib lacks one operator, which is <code>${RAYLIB_OPERATOR}</code>`;

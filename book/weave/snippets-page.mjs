@@ -1,7 +1,7 @@
 // The index of the snippets: every method with what its card says, side by side, and the file to take.
 import { stepping, steps, value } from './cards.mjs';
 import { aboutTimes, isTime, recordedHtml } from './measured-times.mjs';
-import { RAYLIB_OPERATOR, headerList } from './header-pages.mjs';
+import { CHIPMUNK_OPERATOR, RAYLIB_OPERATOR, headerList } from './header-pages.mjs';
 import { onShelf } from './namespaces.mjs';
 import { brief } from './reference-entries.mjs';
 import { escapeHtml, slug } from './text.mjs';
@@ -32,13 +32,15 @@ const HEAD = `<thead>
 
 const LEAD = `<p class="lead">Code to copy: things that a game needs, and every method of the book, one header each. The name leads to its page, with all its lines, an example and
 all that was measured of it.</p>
-<p>Each header stands alone, is MIT-0, and works with the vectors that you have. GCC 12 and 14 and Clang 14 and 19 compile it, as C++17, 20 and 23; MSVC was not tried.</p>`;
+<p>Each header stands alone, is MIT-0, and works with the vectors that you have. GCC 12 and 14 and Clang 14 and 19 compile it, as C++17, 20 and 23, and MinGW’s GCC for Windows; MSVC was not tried.</p>`;
 
 const EXCEPTIONS = `<details class="more"><summary>Your vectors, floats, and what needs a word</summary><div>
-<p>Tried were raylib, glm, Eigen, Unreal’s <code>FVector</code>, Godot’s <code>Vector3</code>, a register of four floats as DirectXMath has them, <code>std::valarray</code>,
+<p>Tried were raylib, glm, Eigen, Unreal’s <code>FVector</code>, Godot’s <code>Vector3</code>, Chipmunk’s <code>cpVect</code>, ODE’s <code>dVector3</code>, a register of four floats as DirectXMath has them, <code>std::valarray</code>,
 <code>std::experimental::simd</code>, and plain structs; those of engines by stubs that have their operators. A few need a word:</p>
 <ul>
-<li>raylib lacks one operator: <code>${RAYLIB_OPERATOR}</code> Put it where <code>Vector3</code> is, in no namespace of your own, or the headers don’t find it.</li>
+<li>raylib lacks one operator: <code>${RAYLIB_OPERATOR}</code> Put it where <code>Vector3</code> is, in no namespace of your own, or the headers don’t find it. Chipmunk lacks the same: <code>${CHIPMUNK_OPERATOR}</code></li>
+<li>ODE’s <code>dVector3</code> is an array, and no function returns an array. Keep a struct of three <code>dReal</code> with the two operators: fill it from the numbers that
+<code>dBodyGetPosition</code> and <code>dBodyGetLinearVel</code> point to, take the step, and give them back by <code>dBodySetPosition</code> and <code>dBodySetLinearVel</code>.</li>
 <li>All numbers of a call are of one type, but for the time. With vectors of floats write <code>1 / 60.0f</code>, and <code>float(clock.h)</code> in the steps of a <code>shelf::FixedStep&lt;&gt;</code>: a clock stays in double, or
 its times are uneven after an hour (<code>fixed_step.h</code>).</li>
 <li>A thing that flies, and that nothing but gravity moves, takes <code>constant_acceleration.h</code>, which is exact there. What pulls it
@@ -47,6 +49,7 @@ back to a place takes <code>velocity_verlet.h</code> or <code>symplectic_euler.h
 <li>Columns of an Eigen matrix, and <code>Map</code>s, are copied out, moved and copied back: <code>Vector3f x = X.col(i), v = V.col(i);</code>, then the step, then
 <code>X.col(i) = x; V.col(i) = v;</code></li>
 <li>The headers are standard C++ but for one attribute, which only clang is shown.</li>
+<li>Where two machines have to agree to the last bit, let MinGW optimise: without <code>-O</code> it calls a square root of its own, whose last bit is now and then another.</li>
 <li>What comes to rest under drag passes through numbers so small that some processors take many times as long for each step. Put to sleep what rests, or take such
 numbers for zero, once in each thread: <code>_MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON)</code> and <code>_MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON)</code>, from
 <code>xmmintrin.h</code> and <code>pmmintrin.h</code>.</li>

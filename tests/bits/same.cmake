@@ -8,6 +8,7 @@ if(COMPILER)
     COMMAND_ERROR_IS_FATAL ANY)
 endif()
 execute_process(COMMAND ${EMULATOR} ${PROGRAM} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+string(REPLACE "\r" "" printed "${printed}")  # Windows ends lines with it
 file(READ ${EXPECTED} expected)
 if(printed STREQUAL expected)
   return()

@@ -25,14 +25,18 @@ constexpr PlainVector operator*(double s, PlainVector p) {
   return {s * p.x, s * p.y, s * p.z};
 }
 
-struct Doubles {
+// With two coordinates, z is always zero.
+template <int coordinates>
+struct DoublesOf {
   using Vec = PlainVector;
   using Real = double;
-  static constexpr int size = 3;
+  static constexpr int size = coordinates;
   static constexpr const char* name = "a plain struct of doubles";
-  static Vec make(const Real* from) { return {from[0], from[1], from[2]}; }
+  static Vec make(const Real* from) { return {from[0], from[1], size > 2 ? from[2] : 0}; }
   static Real read(const Vec& x, int i) { return i == 0 ? x.x : i == 1 ? x.y : x.z; }
 };
+
+using Doubles = DoublesOf<3>;
 
 // Of any kind, by its numbers.
 template <class Kind>
@@ -61,7 +65,7 @@ void add_all(Numbers& found, const typename Kind::Vec& x) {
 template <class Kind, class Call>
 int differences(const char* header, Call call) {
   Numbers wanted, found;
-  call(Doubles(), wanted);
+  call(DoublesOf<Kind::size>(), wanted);
   call(Kind(), found);
   const double rounding = 256 * double(std::numeric_limits<typename Kind::Real>::epsilon());
   int wrong = wanted.all.empty() || wanted.all.size() != found.all.size();

@@ -20,8 +20,9 @@ function(read_after_macros headers)
   set(includes "${needed}\n#include \"${MACROS}\"\n${includes}${undone}\n" PARENT_SCOPE)
 endfunction()
 
-# Compiles the program, with FLAGS and those given, and runs it; it fails if not all `things` are the
-# same. Without EIGEN, Eigen is not to be found.
+# Compiles the program, with FLAGS and those given, and runs it, by EMULATOR if there is to be one, and not at
+# all if that was not found; it fails if not all `things` are the same. Without EIGEN, Eigen is not to
+# be found. Windows runs only what is called .exe.
 function(compile_and_run things)
   set(eigen)
   if(EIGEN)
@@ -30,12 +31,15 @@ function(compile_and_run things)
   execute_process(
     COMMAND ${COMPILER} -std=c++${STANDARD} -I${CMAKE_CURRENT_FUNCTION_LIST_DIR} ${eigen} -Wall
             -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Wsign-conversion -Werror
-            -fno-exceptions -fno-rtti ${ARGN} ${FLAGS} program.cpp -o program
+            -fno-exceptions -fno-rtti ${ARGN} ${FLAGS} program.cpp -o program.exe
     WORKING_DIRECTORY ${SCRATCH} RESULT_VARIABLE result ERROR_VARIABLE errors)
   if(result)
     message(FATAL_ERROR "${SCRATCH}/program.cpp does not compile:\n${errors}")
   endif()
-  execute_process(COMMAND ${SCRATCH}/program RESULT_VARIABLE result OUTPUT_VARIABLE output)
+  if(DEFINED EMULATOR AND NOT EMULATOR)
+    return()
+  endif()
+  execute_process(COMMAND ${EMULATOR} ${SCRATCH}/program.exe RESULT_VARIABLE result OUTPUT_VARIABLE output)
   if(result)
     message(FATAL_ERROR "${SCRATCH}/program.cpp: not the same ${things} (${result})\n${output}")
   endif()

@@ -1,5 +1,6 @@
 // Cards: the one of a method on its page, in a chapter and in the list of all methods; and headers that explain themselves.
 import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { CARDS, CHAPTER, METHODS, refuses, sampleBook, weaves } from './weaver.mjs';
 
@@ -139,4 +140,19 @@ test('an example of one function is one of another that takes the same', () => {
   const [name, text] = heun('heun', 'Vec& x, Vec& v', '/// @code\n/// heun(heun_start())\n/// @endcode\n');
   const book = sampleBook([name, text.replace('/// One step.', `${twin}/// One step.`)], ...withCard('heun'));
   assert.equal(book.weave().stderr, '');
+});
+
+// The kinds of vectors of tests/snippets, as one text on one line.
+const kindsOfVectors = () => {
+  const folder = new URL('../snippets/kinds/', import.meta.url);
+  const texts = readdirSync(folder).map(name => readFileSync(new URL(name, folder), 'utf8'));
+  return texts.join('').replace(/\s+/g, ' ');
+};
+
+test('what the list of methods tells a reader to add to a library is what the tests add to it', () => {
+  const page = weaves()('snippets.html');
+  const added = [...page.matchAll(/<code>(inline .*?)<\/code>/g)].map(([, code]) => code);
+  assert.equal(added.length, 2);
+  const kinds = kindsOfVectors();
+  for (const code of added) assert.ok(kinds.includes(code), code);
 });

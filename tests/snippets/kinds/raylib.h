@@ -21,8 +21,8 @@ inline Vector3 operator*(const Vector3& p, const Vector3& q) {
   return {p.x * q.x, p.y * q.y, p.z * q.z};
 }
 // The one that is missing, as the pages of the headers print it.
-inline Vector3 operator*(float s, Vector3 p) {
-  return p * s;
+inline Vector3 operator*(float s, Vector3 v) {
+  return v * s;
 }
 
 struct raylib {
