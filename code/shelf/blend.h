@@ -16,7 +16,7 @@
 /// const auto dot = [](Flat p, Flat q) { return p.real() * q.real() + p.imag() * q.imag(); };
 /// const Flat nose = shelf::blend_turned(v_before / 3.0, v_now / 3.0, share, dot);
 /// // Now std::abs(straight) is 0.99719.
-/// // Now std::abs(curved) is 1.00000.
+/// // Now std::abs(curved) is 0.999999.
 /// // Now std::abs(nose) is 1.00000.
 /// @endcode
 ///
