@@ -174,7 +174,7 @@ double move_in_frames(Vec& x, Vec& v, double tick, int steps, const Lengths& len
   };
   for (const double length : lengths) clock.frame(length, step);
   // [frames]
-  return double(clock.steps) * clock.h;
+  return clock.time();
 }
 
 /// What is watched closely.

@@ -107,14 +107,13 @@ TEST_CASE("The lines of the page move float vectors as well") {
     CHECK(is_back(0.01f));
   }
   SECTION("frames of any length") {
-    shelf::FixedStep<> clock{double(tick) / 4};
+    shelf::FixedStep<float> clock{tick / 4};
     Vec a = integrate::velocity_verlet_start(x, v, 0.0, forces);
     for (int n = 0; n < 60; ++n) {
-      clock.frame(n % 2 ? 0.025 : 1.0 / 120, [&](double now) {
-        integrate::velocity_verlet(x, v, a, now, float(clock.h), forces);
-      });
+      clock.frame(n % 2 ? 0.025 : 1.0 / 120,
+                  [&](double now) { integrate::velocity_verlet(x, v, a, now, clock.h, forces); });
     }
-    const float turned = omega * float(double(clock.steps) * clock.h);
+    const float turned = omega * float(clock.time());
     CHECK(length(x - Vec{std::cos(turned), 0, 0}) < 0.01f);
     CHECK(length(v + omega * Vec{std::sin(turned), 0, 0}) < 0.01f * omega);
   }

@@ -298,7 +298,7 @@ constexpr Dopri5Error<Vec> dopri5(Dopri5Path<Vec, Time, Real>& path, Real h,
 template <class Vec, class Time, class Real, class Acceleration, class Norm>
 [[nodiscard]] bool dopri5_adaptive(Vec& x, Vec& v, Time t, Real duration, Real& h,
                                    Acceleration&& acceleration, Norm&& norm, Real tolerance,
-                                   long most = 1'000'000) {
+                                   long long most = 1'000'000) {
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
   if constexpr (dopri5_accepts<Vec, Time, Real, Acceleration>() && measures) {
@@ -343,7 +343,7 @@ template <class Vec, class Time, class Real, class Acceleration, class Norm>
 template <class Vec, class Time, class Real, class Acceleration, class Norm>
 [[nodiscard]] bool dopri5_adaptive(Dopri5Path<Vec, Time, Real>& path, Time t,
                                    Acceleration&& acceleration, Norm&& norm, Real tolerance,
-                                   long most = 1'000'000) {
+                                   long long most = 1'000'000) {
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
   static_assert(measures, "norm must be callable as Real(Vec)");
   if constexpr (dopri5_accepts<Vec, Time, Real, Acceleration>() && measures) {

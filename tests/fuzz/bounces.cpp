@@ -98,16 +98,19 @@ Cases bounces() {
   add_moving(cases);
   add_numbers(cases, "fixed_step", "frames of any length", []<class Real>(Source& source) {
     shelf::FixedStep<Real> clock{Real(0.001 + source.share())};
-    clock.longest_frame = Real(source.share());
+    clock.longest_frame = source.share();
     for (int n = 0; n < 8; ++n) {
       const long long before = clock.steps;
-      const Real frame = source.number<Real>();
-      clock.frame(frame, [](Real t) { require(t >= Real(0), "the time at the start of a step"); });
-      require(clock.saved >= Real(0) && clock.saved < clock.h,
-              "time not yet spent, always under one step");
+      const double time = clock.time(), frame = source.number<double>();
+      const Real sizes[] = {Real(0.001 + source.share()), Real(-source.share()), Real(NAN)};
+      clock.change_step(sizes[n % 3]);
+      require(std::abs(clock.time() - time) <= 1e-12 * time, "no time is lost");
+      clock.frame(frame, [](double t) { require(t > -1e-9, "the time at the start of a step"); });
+      require(clock.saved >= 0 && (!(frame > 0) || clock.saved < double(clock.h)),
+              "time not yet spent, under one step until h changes");
       require(clock.blend() >= Real(0) && clock.blend() <= Real(1),
               "0 at the older one, 1 at the newer");
-      if (!(frame > Real(0)))
+      if (!(frame > 0))
         require(clock.steps == before, "a frame that is negative or not a number takes no step");
     }
   });
