@@ -194,10 +194,8 @@ void use(const AlternativeUnits& alternative, const CLI::App& app, const Choice&
   }
 }
 
-/// The question about a scene of the reader's own.
-Question question(const CLI::App& app, const std::string& scene, const Bounds& bounds,
-                  const AlternativeUnits& alternative, const std::string& format,
-                  const std::string& chart) {
+/// Refuses what means nothing for a scene of the reader's own.
+void require_fits_own(const CLI::App& app, const Bounds& bounds) {
   for (const char* option : {"--omega", "--zeta", "--eccentricity", "--angle", "--drag", "--k",
                              "--m", "--energy", "--reach"}) {
     if (app.count(option) > 0)
@@ -205,15 +203,6 @@ Question question(const CLI::App& app, const std::string& scene, const Bounds& b
   }
   refuse_both(app, "--error-metres", "--error");
   require_frames(bounds);
-  format_of(format);
-  const auto number = [](double value) { return format_number(value, 17); };
-  return {scene,
-          number(bounds.hz),
-          number(bounds.seconds),
-          number(bounds.error),
-          number(app.count("--error-metres") > 0 ? alternative.error_metres : 0),
-          format,
-          chart};
 }
 
 int choose(int argc, char** argv) {
@@ -258,12 +247,14 @@ int choose(int argc, char** argv) {
     if (app.count(number.option) > 0) require_in_range(number);
   }
   if (!chart.empty()) require_folder(chart);
-  if (scene.ends_with(".h"))
-    return choose_for_own(question(app, scene, bounds, alternative, format, chart));
+  const Format written = format_of(format);
+  if (scene.ends_with(".h")) {
+    require_fits_own(app, bounds);
+    return choose_for_own(scene, bounds, alternative.error_metres, written, chart);
+  }
   const Choice& chosen = choice_of(scene);
   use(alternative, app, chosen, parameters, bounds);
   require_fits(app, chosen, parameters, bounds);
-  const Format written = format_of(format);
   tell_if_long(bounds);
   const Contest found = chosen.run(parameters, bounds);
   if (!chart.empty()) draw_chart(found, bounds, scene, chart);

@@ -275,10 +275,15 @@ inline constexpr measure::Method adaptive{
     "Dormand-Prince, adaptive", "dopri5_adaptive", "dopri5.h", {}, {}, {}};
 
 /// The tolerances that it is tried with, as shares of how far the motion gets.
-inline std::vector<double> tolerances() {
+template <class Scene>
+std::vector<double> tolerances(const Scene& scene) {
+  double finest = 0;
+  if constexpr (requires { scene.finest_tolerance(); }) finest = scene.finest_tolerance();
   std::vector<double> all;
-  for (int half_decade = 2; half_decade <= 28; ++half_decade)
-    all.push_back(std::pow(10, -half_decade / 2.0));
+  for (int half_decade = 2; half_decade <= 28; ++half_decade) {
+    const double tolerance = std::pow(10, -half_decade / 2.0);
+    if (tolerance >= finest) all.push_back(tolerance);
+  }
   return all;
 }
 
@@ -316,7 +321,7 @@ template <class Scene, class Vec>
 Entry enter_adaptive(const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth,
                      const Truth<Vec>& uneven) {
   Entry entry{.name = std::string(adaptive.name), .method = &adaptive};
-  for (const double tolerance : tolerances()) {
+  for (const double tolerance : tolerances(scene)) {
     const AdaptiveRun run = adaptive_run(scene, bounds, truth, tolerance);
     const bool good = run.worst.good(bounds), first = entry.evaluations == 0;
     const bool better = good != entry.good ? good

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT-0
 /// @file
-/// Compiles the contest for a scene of the reader's own, and runs it.
+/// Compiles a scene of the reader's own, and runs the contest on it.
 #pragma once
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cctype>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -17,17 +20,12 @@
 #include <system_error>
 #include <vector>
 
+#include "choose/answer.h"
+#include "choose/chart.h"
 #include "choose/cost.h"
+#include "choose/own_contest.h"
 
 extern char** environ;
-
-/// The question about a scene of one's own.
-struct Question {
-  std::string scene;          ///< the header
-  std::string hz, seconds;    ///< as numbers
-  std::string error, metres;  ///< the error as a share, or in metres; the other is 0
-  std::string format, chart;  ///< as in `choose`
-};
 
 /// A folder that lasts as long as this.
 class OwnFolder {
@@ -48,6 +46,14 @@ class OwnFolder {
   std::filesystem::path path;
 };
 
+/// Waits for the end of a child.
+/// @returns  its exit code, or -1 if there is none
+inline int exit_code_of(pid_t child) {
+  int status = 0;
+  if (waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
+  return WEXITSTATUS(status);
+}
+
 /// Runs a program and waits for its end.
 /// @param command  the program and its arguments
 /// @param errors  file for what it writes on stderr; empty: it goes where ours goes
@@ -66,46 +72,78 @@ inline int run(const std::vector<std::string>& command, const std::string& error
   const int failed =
       posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  int status = 0;
-  if (failed || waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
-  return WEXITSTATUS(status);
+  return failed ? -1 : exit_code_of(child);
 }
 
-/// The first line of a compiler's messages that says what is wrong.
-inline std::string first_error(const std::string& file) {
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    if (line.find("error:") != line.npos) return line;
+/// Does some work where a crash of it does no harm.
+/// @param work  returns an exit code, and may throw what ends in one line on stderr
+/// @returns  that exit code, 2 after such a line, or -1 after a crash
+template <class Work>
+int in_a_child(const Work& work) {
+  std::fflush(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    int code = 2;
+    try {
+      code = work();
+    } catch (const std::exception& problem) {
+      std::fprintf(stderr, "choose: %s\n", problem.what());
+    }
+    std::fflush(nullptr);
+    _exit(code);
   }
-  return "the compiler does not say why";
+  return exit_code_of(child);
 }
 
-/// Compiles a program of this folder for a scene.
-/// @param program  its source
+/// What a compiler's messages say is wrong with a scene, in one line.
+/// @param messages  the file that they are in
+/// @param scene  as the reader called it
+inline std::string first_error(const std::string& messages, const std::string& scene) {
+  std::ifstream in(messages);
+  for (std::string line; std::getline(in, line);) {
+    const auto error = line.find("error: ");
+    if (error == line.npos) continue;
+    if (line.find("static assertion failed") != line.npos)
+      return scene + " is no scene: " + line.substr(line.rfind(": ") + 2);
+    if (line.starts_with("./") && !scene.starts_with("./")) line = line.substr(2);
+    const bool in_ours = line.starts_with(OWN_SOURCES);
+    return scene +
+           " doesn't compile as a scene; it has to define Vec, acceleration(x, v, t), start_x and "
+           "start_v: " +
+           (in_ours ? line.substr(error) : line);
+  }
+  return scene + " doesn't compile, and the compiler " OWN_COMPILER " does not say why";
+}
+
+/// Compiles a source of this folder behind a scene.
+/// @param source  its name
 /// @param scene  the reader's header
 /// @param folder  for the compiler's messages
 /// @param more  flags besides those that all are compiled with
 /// @param out  the file that it becomes
 /// @throws std::invalid_argument  the scene doesn't compile; one line that says why
-inline void compile(const std::string& program, const std::string& scene, const OwnFolder& folder,
+inline void compile(const std::string& source, const std::string& scene, const OwnFolder& folder,
                     const std::vector<std::string>& more, const std::string& out) {
   std::vector<std::string> command{OWN_COMPILER};
   std::istringstream flags(OWN_FLAGS);
   for (std::string flag; std::getline(flags, flag, '|');) {
     if (!flag.empty()) command.push_back(flag);
   }
-  command.push_back("-DSCENE=\"" + std::filesystem::absolute(scene).string() + "\"");
+  // What is precompiled has to come first. No more than the first error is told.
+  command.insert(command.end(), {"-include", OWN_PRECOMPILED, "-include", scene, "-Wfatal-errors",
+                                 OWN_SOURCES "/" + source});
   command.insert(command.end(), more.begin(), more.end());
-  // No more than the first error is told.
-  command.insert(command.end(),
-                 {"-Wfatal-errors", OWN_SOURCES "/" + program, OWN_LIBRARY, "-o", out});
-  const std::string errors = folder.path / "errors";
-  if (run(command, errors) != 0) {
-    throw std::invalid_argument(scene +
-                                " doesn't compile as a scene; it has to define Vec, "
-                                "acceleration(x, v, t), start_x and start_v: " +
-                                first_error(errors));
-  }
+  command.insert(command.end(), {"-o", out});
+  const std::string messages = folder.path / "messages";
+  if (run(command, messages) != 0) throw std::invalid_argument(first_error(messages, scene));
+}
+
+/// The reader's scene, from what was compiled of it. It stays loaded.
+/// @throws std::runtime_error  it can't be loaded
+inline OwnForce load(const std::string& library) {
+  void* const loaded = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!loaded) throw std::runtime_error(dlerror());
+  return reinterpret_cast<OwnForce (*)()>(dlsym(loaded, "own_force"))();
 }
 
 /// The type of a method in code/measure/methods, by its function: `velocity_verlet` is
@@ -120,27 +158,45 @@ inline std::string type_of(const std::string& function) {
   return type;
 }
 
-/// Compiles the contest for a scene, runs it, and takes the time of the method that it chose.
-/// @returns  the exit code of `choose`
-/// @throws std::invalid_argument  one line that says what is wrong with the scene
-inline int choose_for_own(const Question& asked) {
-  if (!std::filesystem::exists(asked.scene))
-    throw std::invalid_argument("there is no file " + asked.scene);
-  const OwnFolder folder;
-  const std::string contest = folder.path / "contest", winner = folder.path / "winner";
-  compile("own_contest.cpp", asked.scene, folder, {"-O1"}, contest);
-  const int code = run({contest, asked.hz, asked.seconds, asked.error, asked.metres, asked.format,
-                        asked.chart, winner});
-  if (code < 0) throw std::runtime_error("the acceleration of " + asked.scene + " crashed");
-  std::string function;
-  std::ifstream(winner) >> function;
-  if (asked.format != "text" || function.empty()) return code;
+/// Compiles the method that was chosen for the scene alone, takes the time of a step, and prints
+/// it.
+inline void print_time(const std::string& scene, const std::string& function,
+                       const OwnFolder& folder) {
   const std::string time = folder.path / "time";
-  compile("own_time.cpp", asked.scene, folder, {"-O2", "-DONLY=" + type_of(function)}, time);
+  compile("own_time.cpp", scene, folder, {"-DMETHOD=" + type_of(function), OWN_LIBRARY}, time);
   std::printf(
       "\nCompiled for this scene alone, a step of %s takes here, of one of %zu bodies [ns]: ",
       function.c_str(), in_a_loop);
   std::fflush(stdout);
   run({time});
+}
+
+/// Compiles a scene, runs the contest, prints the answer, and takes the time of the method that it
+/// chose.
+/// @param scene  the reader's header
+/// @param bounds  what is asked for
+/// @param metres  the largest error in metres; 0 if a share is asked for
+/// @param format  of the answer
+/// @param chart  the file for the chart; empty if there shall be none
+/// @returns  the exit code of `choose`
+/// @throws std::invalid_argument  one line that says what is wrong with the scene
+inline int choose_for_own(const std::string& scene, Bounds bounds, double metres, Format format,
+                          const std::string& chart) {
+  if (!std::filesystem::exists(scene)) throw std::invalid_argument("there is no file " + scene);
+  setenv("LC_ALL", "C", 1);  // the compiler's messages are searched for a word
+  const OwnFolder folder;
+  const std::string library = folder.path / "scene.so";
+  compile("own_shared.cpp", scene, folder, {"-shared"}, library);
+  const int code = in_a_child([&] {
+    const Contest found = own_contest(load(library), bounds, metres);
+    const std::string name = std::filesystem::path(scene).filename().string();
+    if (!chart.empty()) draw_chart(found, bounds, name, chart);
+    print(found, bounds, format);
+    std::fflush(stdout);
+    if (format == Format::text)
+      print_time(scene, std::string(found.methods.front().method->function), folder);
+    return is_met(found) ? 0 : 1;
+  });
+  if (code < 0) throw std::runtime_error("the acceleration of " + scene + " crashed");
   return code;
 }

@@ -1,41 +1,37 @@
 // SPDX-License-Identifier: MIT-0
-// What `choose --scene my_scene.h` compiles, with -DSCENE: the contest on that scene.
-//   own_contest HZ SECONDS ERROR METRES FORMAT CHART WINNER
-// METRES is not zero where the error is one in metres; CHART is empty if there shall be none; the
-// name of the chosen function goes into the file WINNER. Prints the answer. Exit code 0 or 1 as
-// choose, 2 after one line on stderr.
-#include SCENE
+#include "choose/own_contest.h"
+
+#include <stdexcept>
 
 #include "choose/own_scene.h"
-// The scene comes first, since these know it.
-#include <cstdio>
-#include <exception>
-#include <filesystem>
-#include <fstream>
-#include <string>
 
-#include "choose/answer.h"
-#include "choose/chart.h"
+namespace {
 
-int main(int argc, char** argv) {
-  if (argc != 8) return 2;
-  try {
-    const OwnScene scene;
-    Bounds bounds{
-        .hz = std::stod(argv[1]), .seconds = std::stod(argv[2]), .error = std::stod(argv[3])};
-    if (std::stod(argv[4]) != 0) {
-      bounds.reach = size_of(scene, bounds);
-      bounds.error = std::stod(argv[4]) / bounds.reach;
-    }
-    const Contest found = full_contest(scene, bounds);
-    const std::string name = std::filesystem::path(SCENE).filename().string();
-    if (*argv[6]) draw_chart(found, bounds, name, argv[6]);
-    print(found, bounds, format_of(argv[5]));
-    std::fflush(stdout);
-    std::ofstream(argv[7]) << found.methods.front().method->function;
-    return is_met(found) ? 0 : 1;
-  } catch (const std::exception& problem) {
-    std::fprintf(stderr, "choose: %s\n", problem.what());
-    return 2;
+/// The least error that can be asked for where numbers are floats, as a share.
+constexpr double least_in_float = 1e-6;
+
+template <class Moved>
+Contest contest_of(const OwnForce& force, Bounds& bounds, double metres) {
+  const OwnScene<Moved> scene(force);
+  if (metres > 0) {
+    bounds.reach = size_of(scene, bounds);
+    bounds.error = metres / bounds.reach;
   }
+  if (force.in_float && bounds.error < least_in_float) {
+    throw std::invalid_argument("the scene is in float, which keeps no error below " +
+                                format_number(least_in_float) +
+                                " of the motion; ask for a larger one, or write it in double");
+  }
+  Contest found = full_contest(scene, bounds);
+  if (force.in_float)
+    found.remark = "The acceleration is in float, as in the scene; the steps here are in double.";
+  return found;
+}
+
+}  // namespace
+
+Contest own_contest(const OwnForce& force, Bounds& bounds, double metres) {
+  if (force.numbers == 1) return contest_of<double>(force, bounds, metres);
+  if (force.numbers == 2) return contest_of<Eigen::Vector2d>(force, bounds, metres);
+  return contest_of<Eigen::VectorXd>(force, bounds, metres);
 }
