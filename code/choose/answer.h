@@ -8,6 +8,7 @@
 #include <string>
 
 #include "choose/contest.h"
+#include "choose/reasons.h"
 
 /// The forms of an answer.
 enum class Format { text, json };
