@@ -2,6 +2,7 @@
 /// @file
 /// Adaptive steps in a contest: they do not end with the frames.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -56,14 +57,28 @@ AdaptiveRun adaptive_run(const Scene& scene, const Bounds& bounds, const Truth<V
   return run;
 }
 
+/// The worst of the runs from all phases, in even frames or in uneven ones, and the dearest.
+template <class Scene, class Frames>
+AdaptiveRun adaptive_run(const Question<Scene>& question, Frames frames, double tolerance) {
+  if (question.tell) question.tell("adaptive steps to " + format_number(tolerance));
+  AdaptiveRun worst{.worst = {.tolerance = tolerance}};
+  for (const auto& phase : question.phases) {
+    const AdaptiveRun run = adaptive_run(phase.scene, question.bounds, phase.*frames, tolerance);
+    if (!(run.worst.error <= worst.worst.error)) worst.worst.error = run.worst.error;
+    if (!(run.worst.energy <= worst.worst.energy)) worst.worst.energy = run.worst.energy;
+    worst.evaluations = std::max(worst.evaluations, run.evaluations);
+  }
+  return worst;
+}
+
 /// Tries every tolerance and keeps the cheapest that is good enough; if none is, the
 /// nearest miss.
-template <class Scene, class Vec>
-Entry enter_adaptive(const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth,
-                     const Truth<Vec>& uneven) {
+template <class Scene>
+Entry enter_adaptive(const Question<Scene>& question) {
+  const Bounds& bounds = question.bounds;
   Entry entry{.name = std::string(adaptive.name), .method = &adaptive};
-  for (const double tolerance : tolerances(scene)) {
-    const AdaptiveRun run = adaptive_run(scene, bounds, truth, tolerance);
+  for (const double tolerance : tolerances(question.scene())) {
+    const AdaptiveRun run = adaptive_run(question, &Phase<Scene>::truth, tolerance);
     const bool good = run.worst.good(bounds), first = entry.evaluations == 0;
     const bool better = good != entry.good ? good
                         : good             ? run.evaluations < entry.evaluations
@@ -73,8 +88,8 @@ Entry enter_adaptive(const Scene& scene, const Bounds& bounds, const Truth<Vec>&
     entry.good = good;
     entry.evaluations = run.evaluations;
   }
-  entry.uneven = adaptive_run(scene, bounds, uneven, entry.last.tolerance).worst.error;
-  if (const char* thing = timed_as(scene))
+  entry.uneven = adaptive_run(question, &Phase<Scene>::uneven, entry.last.tolerance).worst.error;
+  if (const char* thing = timed_as(question.scene()))
     entry.microseconds =
         entry.evaluations / 6 / bounds.hz * step_time(thing, in_a_loop, method::dopri5);
   return entry;

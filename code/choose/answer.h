@@ -20,11 +20,6 @@ inline Format format_of(const std::string& name) {
   throw std::invalid_argument("there is no format '" + name + "'; there are text, json");
 }
 
-/// "1 step", "2 steps".
-inline std::string steps(long count) {
-  return std::to_string(count) + (count == 1 ? " step" : " steps");
-}
-
 /// The steps of an entry: "4 steps a frame", or "a tolerance of 0.001".
 inline std::string steps_per_frame_text(const Entry& entry) {
   const Attempt& last = entry.last;

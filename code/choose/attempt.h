@@ -6,11 +6,15 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "choose/bounds.h"
 #include "choose/entrants.h"
+#include "choose/progress.h"
+#include "choose/words.h"
 #include "measure/error.h"
 
 /// The result of one run.
@@ -57,6 +61,25 @@ double size_of(const Scene& scene, const Bounds& bounds) {
   return truth_of(scene, even_frames(bounds)).size;
 }
 
+/// A scene whose run begins somewhere within a frame, and what is true of it then.
+template <class Scene>
+struct Phase {
+  using Vec = std::decay_t<decltype(std::declval<const Scene&>().start().x)>;
+  Scene scene;
+  Truth<Vec> truth;     ///< at the ends of even frames
+  Truth<Vec> uneven{};  ///< at the ends of uneven ones
+};
+
+/// What is asked of all methods alike.
+template <class Scene>
+struct Question {
+  Bounds bounds;
+  std::vector<Phase<Scene>> phases;  ///< at least one; the worst counts
+  Tell tell{};                       ///< how far the search has got
+
+  const Scene& scene() const { return phases.front().scene; }
+};
+
 /// The error or the change of the energy over its bound, the larger of the two: one or less is
 /// good.
 inline double miss(const Attempt& attempt, const Bounds& bounds) {
@@ -85,11 +108,12 @@ void update_worst(Attempt& worst, const Scene& scene, const scenes::State<Vec>& 
   }
 }
 
-/// Runs the scene and compares it with the truth in every frame, which is when a player sees it.
-/// Gives up as soon as it misses the bounds by more than `patience`.
-template <class Scene, class Vec>
-Attempt attempt(const measure::Method& method, const Scene& scene, const Bounds& bounds,
-                const Truth<Vec>& truth, long substeps, double patience) {
+/// Runs the scene from one phase, and compares it with the truth in every frame, which is when a
+/// player sees it. Gives up as soon as it misses the bounds by more than `patience`.
+template <class Scene>
+Attempt attempt(const measure::Method& method, const Phase<Scene>& phase, const Bounds& bounds,
+                long substeps, double patience) {
+  const auto& [scene, truth, uneven] = phase;
   Attempt worst{.substeps = substeps};
   const double h = 1 / (bounds.hz * double(substeps));
   auto memory = measure::start(method, scene.start(), h, scene);
@@ -109,11 +133,27 @@ Attempt attempt(const measure::Method& method, const Scene& scene, const Bounds&
   return worst;
 }
 
+/// The worst of the runs from all phases.
+template <class Scene>
+Attempt attempt(const measure::Method& method, const Question<Scene>& question, long substeps,
+                double patience) {
+  if (question.tell)
+    question.tell(std::string(method.function) + " in " + steps(substeps) + " a frame");
+  Attempt worst{.substeps = substeps};
+  for (const auto& phase : question.phases) {
+    const Attempt now = attempt(method, phase, question.bounds, substeps, patience);
+    if (!(now.error <= worst.error)) worst.error = now.error;
+    if (!(now.energy <= worst.energy)) worst.energy = now.energy;
+    if (miss(worst, question.bounds) > patience) break;
+  }
+  return worst;
+}
+
 /// The largest error in uneven frames, each cut into as many equal steps. What is folded takes the
 /// step that it was folded for, that of the mean frame.
-template <class Scene, class Vec>
-double uneven_error(const measure::Method& method, const Scene& scene, const Truth<Vec>& uneven,
-                    long substeps) {
+template <class Scene>
+double uneven_error(const measure::Method& method, const Phase<Scene>& phase, long substeps) {
+  const auto& [scene, truth, uneven] = phase;
   Attempt worst;
   const double mean = uneven.ends.back() / double((uneven.ends.size() - 1) * std::size_t(substeps));
   auto memory = measure::start(method, scene.start(), uneven.ends[1] / double(substeps), scene);

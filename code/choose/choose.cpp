@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT-0
 // Prints the cheapest method and step for a scene, from measurement.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
@@ -27,12 +25,12 @@ constexpr const char* about =
 constexpr const char* scenes_about =
     "Scenes: spring (--omega, --zeta), orbit (--omega, --eccentricity), pendulum (--omega, "
     "--angle),\n  drag (--drag), ball (a constant force). Or your own: a header, named with its "
-    ".h, "
-    "that defines Vec\n  (double or an Eigen vector), Vec acceleration(const Vec& x, const Vec& v, "
-    "double t), start_x and start_v.\n  It is compiled and run, so it must be one that you trust. "
-    "If its force switches, as at a kerb, the\n  answer hangs on where in a step that is: move the "
-    "switch by "
-    "parts of a frame, and take the worst answer.\n"
+    ".h, that defines Vec\n  (double, float, an Eigen vector, or one of yours with + and * by a "
+    "number), Vec acceleration(const Vec& x,\n  const Vec& v, double t), start_x and start_v. It "
+    "is "
+    "compiled and run, so it must be one that you trust.\n  If its force switches, as at a kerb, "
+    "the answer hangs on where in a step that is: ask with --phase,\n  which lets the frames begin "
+    "at several moments, and you get the worst answer.\n"
     "Prices: evaluations of the acceleration in a second of play. The derivatives that an implicit "
     "method\n  asks for cost as much again; solving its equations is not counted. And time, as it "
     "was recorded,\n  solver and all: microseconds in a frame for a thousand bodies in a loop.\n"
@@ -69,13 +67,15 @@ struct Choice {
   const char* name;
   std::array<const char*, 2> takes;
   bool (*keeps)(const Parameters&);
-  Contest (*run)(const Parameters&, const Bounds&);
+  Contest (*run)(const Parameters&, const Bounds&, const Tell&);
 };
 
 template <auto Make>
 constexpr Choice choice(const char* name, std::array<const char*, 2> takes) {
   return {name, takes, [](const Parameters& p) { return keeps_energy(Make(p)); },
-          [](const Parameters& p, const Bounds& bounds) { return full_contest(Make(p), bounds); }};
+          [](const Parameters& p, const Bounds& bounds, const Tell& tell) {
+            return full_contest(Make(p), bounds, tell);
+          }};
 }
 
 // [scenes]
@@ -133,14 +133,6 @@ void require_frames(const Bounds& bounds) {
                                 std::to_string(most_steps / 8) + ": at these --hz, --seconds " +
                                 format_number(std::floor(double(most_steps) / 8 / bounds.hz), 6));
   }
-}
-
-/// Tells whoever waits that it takes a while.
-void tell_if_long(const Bounds& bounds) {
-  constexpr long many = 20'000;
-  if (bounds.frames() < many || !isatty(STDERR_FILENO)) return;
-  std::fprintf(stderr, "choose: %ld frames for every method; this takes a minute or more\n",
-               bounds.frames());
 }
 
 void require_fits(const CLI::App& app, const Choice& choice, const Parameters& parameters,
@@ -213,6 +205,8 @@ int choose(int argc, char** argv) {
   Bounds bounds;
   AlternativeUnits alternative;
   std::string format = "text", chart;
+  OwnAsked asked;
+  bool quiet = false;
   app.allow_extras();  // so that what is wrong is told before what is missing
   app.add_option("--scene", scene, "What moves; required");
   const std::array numbers{
@@ -234,6 +228,11 @@ int choose(int argc, char** argv) {
   for (const Number& number : numbers) {
     app.add_option(number.option, *number.value, meaning_and_default(number));
   }
+  app.add_flag(
+      "--phase", asked.phases,
+      "Lets the frames begin at sixteen moments, of which the worst counts: for forces that "
+      "switch");
+  app.add_flag("--quiet", quiet, "Says nothing of how far it has got");
   app.add_option("--format", format, "text or json (default text)");
   app.add_option("--chart", chart, "Draws error against both prices into this file, as SVG");
   try {
@@ -250,13 +249,17 @@ int choose(int argc, char** argv) {
   const Format written = format_of(format);
   if (scene.ends_with(".h")) {
     require_fits_own(app, bounds);
-    return choose_for_own(scene, bounds, alternative.error_metres, written, chart);
+    asked.metres = alternative.error_metres;
+    return choose_for_own(scene, bounds, asked, written, chart, quiet);
   }
+  if (asked.phases)
+    throw std::invalid_argument("--phase is for scenes of your own; no force of " + scene +
+                                " switches");
   const Choice& chosen = choice_of(scene);
   use(alternative, app, chosen, parameters, bounds);
   require_fits(app, chosen, parameters, bounds);
-  tell_if_long(bounds);
-  const Contest found = chosen.run(parameters, bounds);
+  const Contest found =
+      with_progress(quiet, [&](const Tell& tell) { return chosen.run(parameters, bounds, tell); });
   if (!chart.empty()) draw_chart(found, bounds, scene, chart);
   print(found, bounds, written);
   return is_met(found) ? 0 : 1;

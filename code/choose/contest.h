@@ -18,21 +18,20 @@
 
 /// Evaluations a second with so many steps in a frame.
 template <class Scene>
-double cost_of(const measure::Method& method, const Scene& scene, const Bounds& bounds,
-               long substeps) {
-  const double steps = bounds.hz * double(substeps);
-  return steps * double(price(method, scene, 1 / steps));
+double cost_of(const measure::Method& method, const Question<Scene>& question, long substeps) {
+  const double steps = question.bounds.hz * double(substeps);
+  return steps * double(price(method, question.scene(), 1 / steps));
 }
 
 // [enter]
 /// Doubles the steps until the bounds are met, or there would be too many.
-template <class Scene, class Vec>
-Entry enter(const measure::Method& method, const Scene& scene, const Bounds& bounds,
-            const Truth<Vec>& truth) {
+template <class Scene>
+Entry enter(const measure::Method& method, const Question<Scene>& question) {
+  const Bounds& bounds = question.bounds;
   Entry entry{.name = std::string(method.name), .method = &method};
   const long most = std::clamp(most_steps / bounds.frames(), 1L, most_substeps);
   for (long substeps = 1; !entry.good; substeps = std::min(2 * substeps, most)) {
-    const Attempt now = attempt(method, scene, bounds, truth, substeps, INFINITY);
+    const Attempt now = attempt(method, question, substeps, INFINITY);
     entry.on_the_way.push_back(now);
     entry.good = now.good(bounds);
     if (substeps == 1 || entry.good || nearer(now, entry.last, bounds)) entry.last = now;
@@ -44,61 +43,63 @@ Entry enter(const measure::Method& method, const Scene& scene, const Bounds& bou
 
 /// Tries every smaller number of steps that costs less than `cheapest`, and ends with the first
 /// that is good enough.
-template <class Scene, class Vec>
-void fill_in(Entry& entry, const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth,
-             double cheapest) {
+template <class Scene>
+void fill_in(Entry& entry, const Question<Scene>& question, double cheapest) {
   const measure::Method& method = *entry.method;
-  const auto cost = [&](long substeps) { return cost_of(method, scene, bounds, substeps); };
+  const auto cost = [&](long substeps) { return cost_of(method, question, substeps); };
   for (long substeps = 1; substeps < entry.tried && cost(substeps) < cheapest; ++substeps) {
-    const Attempt now = attempt(method, scene, bounds, truth, substeps, 1);
-    if (!now.good(bounds)) continue;
+    const Attempt now = attempt(method, question, substeps, 1);
+    if (!now.good(question.bounds)) continue;
     entry.last = now;
     entry.good = true;
     break;
   }
   const long before = entry.last.substeps - 1;
-  if (entry.good && before > 0) {
-    entry.before = attempt(method, scene, bounds, truth, before, INFINITY);
-  }
+  if (entry.good && before > 0) entry.before = attempt(method, question, before, INFINITY);
   entry.evaluations = cost(entry.last.substeps);
 }
 // [enter]
 
 /// Adds what is not searched for: the price in time, and the error in uneven frames.
-template <class Scene, class Vec>
-void complete(Entry& entry, const Scene& scene, const Truth<Vec>& uneven) {
+template <class Scene>
+void complete(Entry& entry, const Question<Scene>& question) {
   const long substeps = entry.last.substeps;
-  if (const char* thing = timed_as(scene))
+  if (const char* thing = timed_as(question.scene()))
     entry.microseconds = double(substeps) * step_time(thing, in_a_loop, *entry.method);
-  entry.uneven = uneven_error(*entry.method, scene, uneven, substeps);
+  for (const auto& phase : question.phases) {
+    const double error = uneven_error(*entry.method, phase, substeps);
+    if (!(error <= entry.uneven)) entry.uneven = error;
+  }
 }
 
-template <class Scene, class Vec>
-Contest contest(const Scene& scene, const Bounds& bounds, const Truth<Vec>& truth) {
+/// The contest of all methods for an answer to one question.
+template <class Scene>
+Contest contest_for(const Question<Scene>& question) {
+  const Scene& scene = question.scene();
   Contest found;
   found.keeps_energy = keeps_energy(scene);
   for (const measure::Method* exact : exact_steps_of(scene)) {
-    found.exact.push_back(enter(*exact, scene, bounds, truth));
+    found.exact.push_back(enter(*exact, question));
     found.exact.back().name = "exact step";
-    fill_in(found.exact.back(), scene, bounds, truth, INFINITY);
+    fill_in(found.exact.back(), question, INFINITY);
   }
   for (const measure::Method* method : entrants_on(scene)) {
-    found.methods.push_back(enter(*method, scene, bounds, truth));
+    found.methods.push_back(enter(*method, question));
     Entry& entry = found.methods.back();
-    if (entry.good) fill_in(entry, scene, bounds, truth, INFINITY);
+    if (entry.good) fill_in(entry, question, INFINITY);
   }
   const double cheapest = cheapest_of(found.methods);
   for (Entry& entry : found.methods) {
-    if (!entry.good) fill_in(entry, scene, bounds, truth, cheapest);
+    if (!entry.good) fill_in(entry, question, cheapest);
   }
-  found.sort(bounds);
+  found.sort(question.bounds);
   return found;
 }
 
 /// The contest against a truth that is worked out for it.
 template <class Scene>
 Contest contest(const Scene& scene, const Bounds& bounds) {
-  return contest(scene, bounds, truth_of(scene, even_frames(bounds)));
+  return contest_for(Question<Scene>{bounds, {{scene, truth_of(scene, even_frames(bounds))}}});
 }
 
 /// The remark of `choose` on a scene whose exact step is in no header.
@@ -111,18 +112,40 @@ const char* remark_on(const Scene&) {
          "exact in the velocity alone.";
 }
 
+/// The question about a scene whose runs begin at several phases, with what is true of each.
+/// @param scenes  the same scene, from each phase
+/// @param bounds  what is asked for
+/// @param tell  how far it has got
+template <class Scene>
+Question<Scene> question_of(const std::vector<Scene>& scenes, const Bounds& bounds,
+                            const Tell& tell) {
+  Question<Scene> question{bounds, {}, tell};
+  for (const Scene& scene : scenes) {
+    if (tell) tell("the truth to compare with");
+    Phase<Scene> phase{scene, truth_of(scene, even_frames(bounds)),
+                       truth_of(scene, uneven_frames(bounds))};
+    question.phases.push_back(phase);
+  }
+  for (auto& phase : question.phases)  // errors are shares of one size
+    phase.truth.size = phase.uneven.size = question.phases.front().truth.size;
+  return question;
+}
+
 /// The contest with all that `choose` tells besides: prices in time, errors in uneven frames, and
 /// adaptive steps.
 template <class Scene>
-Contest full_contest(const Scene& scene, const Bounds& bounds) {
-  const auto truth = truth_of(scene, even_frames(bounds));
-  auto uneven = truth_of(scene, uneven_frames(bounds));
-  uneven.size = truth.size;  // errors are shares of one size
-  Contest found = contest(scene, bounds, truth);
-  for (Entry& entry : found.exact) complete(entry, scene, uneven);
-  for (Entry& entry : found.methods) complete(entry, scene, uneven);
-  found.sort(bounds);
-  found.remark = remark_on(scene);
-  found.undisturbed.push_back(enter_adaptive(scene, bounds, truth, uneven));
+Contest full_contest_for(const Question<Scene>& question) {
+  Contest found = contest_for(question);
+  for (Entry& entry : found.exact) complete(entry, question);
+  for (Entry& entry : found.methods) complete(entry, question);
+  found.sort(question.bounds);
+  found.remark = remark_on(question.scene());
+  found.undisturbed.push_back(enter_adaptive(question));
   return found;
+}
+
+/// The same, for a scene from its start.
+template <class Scene>
+Contest full_contest(const Scene& scene, const Bounds& bounds, const Tell& tell = {}) {
+  return full_contest_for(question_of(std::vector{scene}, bounds, tell));
 }

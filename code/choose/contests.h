@@ -18,8 +18,8 @@ extern template Contest contest(const scenes::Pendulum<>&, const Bounds&);
 extern template Contest contest(const scenes::LinearDrag<>&, const Bounds&);
 extern template Contest contest(const scenes::Toss&, const Bounds&);
 
-extern template Contest full_contest(const scenes::Spring<>&, const Bounds&);
-extern template Contest full_contest(const scenes::Orbit<>&, const Bounds&);
-extern template Contest full_contest(const scenes::Pendulum<>&, const Bounds&);
-extern template Contest full_contest(const scenes::LinearDrag<>&, const Bounds&);
-extern template Contest full_contest(const scenes::Toss&, const Bounds&);
+extern template Contest full_contest(const scenes::Spring<>&, const Bounds&, const Tell&);
+extern template Contest full_contest(const scenes::Orbit<>&, const Bounds&, const Tell&);
+extern template Contest full_contest(const scenes::Pendulum<>&, const Bounds&, const Tell&);
+extern template Contest full_contest(const scenes::LinearDrag<>&, const Bounds&, const Tell&);
+extern template Contest full_contest(const scenes::Toss&, const Bounds&, const Tell&);

@@ -35,8 +35,9 @@ inline bool is_for_even_frames(const Entry& entry, const Bounds& bounds) {
 }
 
 /// Good before not good, then cheap before dear, then what is right in uneven frames as well, then
-/// right before nearly right; the nearest miss first among those that are not good. Of equals
-/// velocity Verlet, which has place and velocity at the same time, and else by the alphabet.
+/// right before nearly right, also in uneven frames; the nearest miss first among those that are
+/// not good. Of equals velocity Verlet, which has place and velocity at the same time, and else by
+/// the alphabet.
 inline bool better(const Entry& a, const Entry& b, const Bounds& bounds) {
   if (a.good != b.good) return a.good;
   const double missed = miss(a.last, bounds), other_missed = miss(b.last, bounds);
@@ -46,6 +47,8 @@ inline bool better(const Entry& a, const Entry& b, const Bounds& bounds) {
   if (shaky != other_shaky) return other_shaky;
   const double one = without_rounding(a.last.error), other = without_rounding(b.last.error);
   if (one != other) return one < other;
+  const double uneven = without_rounding(a.uneven), other_uneven = without_rounding(b.uneven);
+  if (uneven != other_uneven) return uneven < other_uneven;
   const bool verlet = a.method == &method::velocity_verlet,
              other_verlet = b.method == &method::velocity_verlet;
   return verlet != other_verlet ? verlet : a.method->function < b.method->function;
@@ -58,6 +61,7 @@ struct Contest {
   std::vector<Entry> undisturbed;  ///< adaptive steps, for what moves with nobody interfering
   bool keeps_energy = false;       ///< whether the scene's energy ought to stay what it is
   std::string remark{};            ///< what else is to be said of the scene; empty if nothing is
+  std::string warning{};  ///< why not to trust the answer; empty if nothing speaks against it
 
   void sort(const Bounds& bounds) {
     std::sort(methods.begin(), methods.end(),

@@ -175,24 +175,27 @@ inline void print_time(const std::string& scene, const std::string& function,
 /// chose.
 /// @param scene  the reader's header
 /// @param bounds  what is asked for
-/// @param metres  the largest error in metres; 0 if a share is asked for
+/// @param asked  what can be asked of such a scene alone
 /// @param format  of the answer
 /// @param chart  the file for the chart; empty if there shall be none
+/// @param quiet  whether nobody is told how far it has got
 /// @returns  the exit code of `choose`
 /// @throws std::invalid_argument  one line that says what is wrong with the scene
-inline int choose_for_own(const std::string& scene, Bounds bounds, double metres, Format format,
-                          const std::string& chart) {
+inline int choose_for_own(const std::string& scene, Bounds bounds, const OwnAsked& asked,
+                          Format format, const std::string& chart, bool quiet) {
   if (!std::filesystem::exists(scene)) throw std::invalid_argument("there is no file " + scene);
   setenv("LC_ALL", "C", 1);  // the compiler's messages are searched for a word
   const OwnFolder folder;
   const std::string library = folder.path / "scene.so";
   compile("own_shared.cpp", scene, folder, {"-shared"}, library);
   const int code = in_a_child([&] {
-    const Contest found = own_contest(load(library), bounds, metres);
+    const Contest found = with_progress(
+        quiet, [&](const Tell& tell) { return own_contest(load(library), bounds, asked, tell); });
     const std::string name = std::filesystem::path(scene).filename().string();
     if (!chart.empty()) draw_chart(found, bounds, name, chart);
     print(found, bounds, format);
     std::fflush(stdout);
+    if (!found.warning.empty()) std::fprintf(stderr, "choose: %s\n", found.warning.c_str());
     if (format == Format::text)
       print_time(scene, std::string(found.methods.front().method->function), folder);
     return is_met(found) ? 0 : 1;

@@ -22,14 +22,17 @@ template <class Moved>
 class OwnScene {
  public:
   /// @param force  the reader's
-  explicit OwnScene(const OwnForce& force) : force_(force), start_{zero(), zero()} {
+  /// @param begin  when what is asked of this begins, in the reader's time [s]
+  explicit OwnScene(const OwnForce& force, double begin = 0)
+      : force_(force), begin_(begin), start_{zero(), zero()} {
     force_.start(numbers_of(start_.x), numbers_of(start_.v));
+    if (begin > 0) start_ = OwnScene(force).exact(begin);
   }
 
   /// The acceleration.
   Moved operator()(const Moved& x, const Moved& v, double t) const {
     Moved a = zero();
-    force_.acceleration(numbers_of(x), numbers_of(v), t, numbers_of(a));
+    force_.acceleration(numbers_of(x), numbers_of(v), begin_ + t, numbers_of(a));
     return a;
   }
 
@@ -46,7 +49,7 @@ class OwnScene {
     const double size = 1 + measure::length(start_.x) + measure::length(start_.v);
     if (!integrate::dopri5_adaptive(*path_, t, *this, norm, tolerance() * size)) {
       throw std::runtime_error("the acceleration is not finite, or changes too suddenly, after " +
-                               std::to_string(path_->t) + " seconds");
+                               std::to_string(begin_ + path_->t) + " seconds");
     }
     return {path_->position(t), path_->velocity(t)};
   }
@@ -100,6 +103,7 @@ class OwnScene {
   }
 
   OwnForce force_;
+  double begin_;
   scenes::State<Moved> start_;
   mutable std::optional<integrate::Dopri5Path<Moved, double, double>> path_;
 };

@@ -19,7 +19,5 @@ inline std::string shortcoming(const Attempt& attempt, const Bounds& bounds) {
 inline std::string reason(const Entry& entry, const Bounds& bounds) {
   const Attempt& fails = entry.good ? entry.before : entry.last;
   if (fails.substeps == 0) return "one step is enough";
-  const std::string many =
-      std::to_string(fails.substeps) + (fails.substeps > 1 ? " steps" : " step");
-  return shortcoming(fails, bounds) + (entry.good ? " in " : " even in ") + many;
+  return shortcoming(fails, bounds) + (entry.good ? " in " : " even in ") + steps(fails.substeps);
 }

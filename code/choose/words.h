@@ -12,6 +12,11 @@ inline std::string format_number(double value, int digits = 2) {
   return text;
 }
 
+/// "1 step", "2 steps".
+inline std::string steps(long count) {
+  return std::to_string(count) + (count == 1 ? " step" : " steps");
+}
+
 /// A number above a bound, in as many digits as show that it is above, three at least.
 inline std::string format_above(double value, double bound) {
   int digits = 3;

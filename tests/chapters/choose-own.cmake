@@ -12,7 +12,7 @@ endfunction()
 
 # answers(pattern arguments...): PROGRAM must find an answer like the pattern, from within the folder of the scenes.
 function(answers pattern)
-  execute_process(COMMAND ${PROGRAM} ${ARGN} WORKING_DIRECTORY ${SCRATCH} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  execute_process(COMMAND ${PROGRAM} --quiet ${ARGN} WORKING_DIRECTORY ${SCRATCH} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
   if(NOT code EQUAL 0 OR NOT out MATCHES "${pattern}" OR err)
     message(SEND_ERROR "${ARGN}: expected '${pattern}', got ${code}: ${out}${err}")
   endif()
