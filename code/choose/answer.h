@@ -2,10 +2,13 @@
 /// @file
 /// The answer of `choose`, as text and as JSON.
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "choose/contest.h"
 #include "choose/reasons.h"
@@ -34,12 +37,17 @@ inline std::string microseconds(double value) {
   return text;
 }
 
+/// Evaluations a second: whole ones, unless there are so few as of planets.
+inline std::string evaluations_text(const Entry& entry) {
+  char text[32];
+  std::snprintf(text, sizeof text, entry.evaluations < 10 ? "%.3g" : "%.0f", entry.evaluations);
+  return text;
+}
+
 /// Both prices of an entry.
 inline std::string prices(const Entry& entry) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%.0f evaluations a second", entry.evaluations);
   const bool timed = !std::isnan(entry.microseconds);
-  return text +
+  return evaluations_text(entry) + " evaluations a second" +
          (timed ? ", " + microseconds(entry.microseconds) + " us a frame for 1000" : std::string());
 }
 
@@ -69,8 +77,8 @@ inline void print_row(const Entry& entry, const Bounds& bounds, bool keeps_energ
   const bool timed = !std::isnan(entry.microseconds);
   const std::string mark = is_for_even_frames(entry, bounds) ? "!" : "";
   std::printf(
-      "%-30s %11s %9.0f %9s  %-9s %-10s %-8s %s\n", function.c_str(), substeps.c_str(),
-      entry.evaluations, timed ? microseconds(entry.microseconds).c_str() : "-",
+      "%-30s %11s %9s %9s  %-9s %-10s %-8s %s\n", function.c_str(), substeps.c_str(),
+      evaluations_text(entry).c_str(), timed ? microseconds(entry.microseconds).c_str() : "-",
       format_number(in_reported_units(entry.last.error, bounds)).c_str(),
       (format_number(in_reported_units(entry.uneven, bounds)) + mark).c_str(),
       keeps_energy ? format_number(entry.last.energy).c_str() : "-",
@@ -91,6 +99,28 @@ inline void print_by_time(const Entry& best, const std::vector<Entry>& entries,
       error_of(*quickest, bounds).c_str());
 }
 
+/// What the column of uneven frames is.
+inline void print_uneven(const Bounds& bounds) {
+  const std::vector<double>& log = bounds.log.lengths;
+  if (log.empty()) {
+    std::printf(
+        "\nuneven: the error in frames as uneven as 600 that a browser took on one busy machine, "
+        "one "
+        "in 50 of\n"
+        "them late, with the same mean; with a ! where it is more than was asked for. Yours may be "
+        "others.\n");
+    return;
+  }
+  const auto [shortest, longest] = std::minmax_element(log.begin(), log.end());
+  const bool all = std::size_t(bounds.frames()) >= log.size();
+  const std::string stretch = all ? "" : ", the roughest " + std::to_string(bounds.frames());
+  std::printf(
+      "\nuneven: the error in frames as uneven as the %zu of %s%s, which take %s to %s ms,\n"
+      "with the same mean; with a ! where it is more than was asked for.\n",
+      log.size(), bounds.log.name.c_str(), stretch.c_str(),
+      format_number(1e3 * *shortest, 3).c_str(), format_number(1e3 * *longest, 3).c_str());
+}
+
 /// The answer for a person.
 inline void print_text(const Contest& found, const Bounds& bounds) {
   const bool exact = !found.exact.empty() && found.exact[0].good;
@@ -99,7 +129,9 @@ inline void print_text(const Contest& found, const Bounds& bounds) {
     std::printf("This scene has an exact step. Take it:\n");
     for (const Entry& entry : found.exact) print_choice(entry, bounds);
   }
-  if (!found.remark.empty()) std::printf("%s\n\n", found.remark.c_str());
+  for (const std::string& remark : found.remarks) {
+    if (!remark.empty()) std::printf("%s\n\n", remark.c_str());
+  }
   const char* said = best.good ? exact ? "If other forces act as well, the cheapest within the "
                                          "bounds is"
                                        : "The cheapest within the bounds:"
@@ -126,11 +158,7 @@ inline void print_text(const Contest& found, const Bounds& bounds) {
     std::printf("\nus/frame: a thousand such bodies in a loop on %s, %s, %s.",
                 times.processor.c_str(), times.compiler.c_str(), times.date.c_str());
   }
-  std::printf(
-      "\nuneven: the error in frames as uneven as 600 that a browser took on one busy machine, one "
-      "in 50 of\n"
-      "them late, with the same mean; with a ! where it is more than was asked for. Yours may be "
-      "others.\n");
+  print_uneven(bounds);
 }
 
 /// All entries: the exact step, the methods, the best first, and adaptive steps.

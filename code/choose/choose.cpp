@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -11,6 +13,7 @@
 #include "choose/chart.h"
 #include "choose/contests.h"
 #include "choose/own.h"
+#include "frames/log.h"
 
 namespace {
 
@@ -103,7 +106,13 @@ struct Number {
   double* value;
   double least, most;
   const char* meaning;
+  bool is_time = false;  ///< may have a unit
 };
+
+/// What may stand behind a time [s].
+const std::map<std::string, double> units_of_time{
+    {"ms", 1e-3}, {"s", 1},        {"min", 60},      {"h", 3600},
+    {"d", 86400}, {"days", 86400}, {"y", 3.15576e7}, {"years", 3.15576e7}};
 
 std::string meaning_and_default(const Number& number) {
   const bool any = std::isinf(*number.value);
@@ -159,8 +168,20 @@ void refuse_both(const CLI::App& app, const char* one, const char* other) {
 /// Numbers that can be given in place of others: a stiffness and a mass for a frequency, metres for
 /// a share.
 struct AlternativeUnits {
-  double k = 0, m = 1, error_metres = 0, reach = 1;
+  double k = 0, m = 1, error_metres = 0, reach = 1, frame = 1 / 60.0;
 };
+
+/// Takes the length of a frame from where it is given, if it is.
+/// @param log  the file of a log of frames; empty if there is none
+void set_frames(const CLI::App& app, const AlternativeUnits& alternative, const std::string& log,
+                Bounds& bounds) {
+  refuse_both(app, "--frame", "--hz");
+  if (app.count("--frame") > 0) bounds.hz = 1 / alternative.frame;
+  if (log.empty()) return;
+  bounds.log = {std::filesystem::path(log).filename().string(), frames::read_log(log)};
+  if (app.count("--frame") == 0 && app.count("--hz") == 0)
+    bounds.hz = double(bounds.log.lengths.size()) / sum_of(bounds.log.lengths);
+}
 
 /// Puts them in.
 void use(const AlternativeUnits& alternative, const CLI::App& app, const Choice& choice,
@@ -204,7 +225,7 @@ int choose(int argc, char** argv) {
   Parameters parameters;
   Bounds bounds;
   AlternativeUnits alternative;
-  std::string format = "text", chart;
+  std::string format = "text", chart, log;
   OwnAsked asked;
   bool quiet = false;
   app.allow_extras();  // so that what is wrong is told before what is missing
@@ -215,8 +236,11 @@ int choose(int argc, char** argv) {
       Number{"--eccentricity", &parameters.eccentricity, 0, 0.99, "Of the orbit"},
       Number{"--angle", &parameters.angle, 1e-3, 3.1, "At which the pendulum starts [rad]"},
       Number{"--drag", &parameters.drag, 1e-3, 1e3, "Drag per mass [1/s]"},
-      Number{"--hz", &bounds.hz, 1, 1e4, "Frames a second"},
-      Number{"--seconds", &bounds.seconds, 1e-3, 1e4, "How long it is watched [s]"},
+      Number{"--hz", &bounds.hz, 1e-9, 1e5, "Frames a second"},
+      Number{"--frame", &alternative.frame, 1e-5, 1e9,
+             "How long a frame is, for --hz [s, or 1min, 1h, 1d]", true},
+      Number{"--seconds", &bounds.seconds, 1e-3, 1e12,
+             "How long it is watched [s, or 5min, 2h, 3d, 1y]", true},
       Number{"--error", &bounds.error, 1e-15, 1, "Largest error, as a share of the motion"},
       Number{"--energy", &bounds.energy, 1e-15, 1, "Largest relative change of the energy"},
       Number{"--k", &alternative.k, 1e-9, 1e12, "Stiffness of the spring, for --omega [N/m]"},
@@ -226,8 +250,14 @@ int choose(int argc, char** argv) {
       Number{"--reach", &alternative.reach, 1e-9, 1e12,
              "How far the motion gets from its middle [m]"}};
   for (const Number& number : numbers) {
-    app.add_option(number.option, *number.value, meaning_and_default(number));
+    CLI::Option* const option =
+        app.add_option(number.option, *number.value, meaning_and_default(number));
+    if (number.is_time) option->transform(CLI::AsNumberWithUnit(units_of_time));
   }
+  app.add_option(
+      "--frames", log,
+      "A log of frames, by PresentMon, CapFrameX or MangoHud, or a column of seconds: the "
+      "uneven ones, and without --hz their mean");
   app.add_flag(
       "--phase", asked.phases,
       "Lets the frames begin at sixteen moments, of which the worst counts: for forces that "
@@ -246,6 +276,7 @@ int choose(int argc, char** argv) {
     if (app.count(number.option) > 0) require_in_range(number);
   }
   if (!chart.empty()) require_folder(chart);
+  set_frames(app, alternative, log, bounds);
   const Format written = format_of(format);
   if (scene.ends_with(".h")) {
     require_fits_own(app, bounds);

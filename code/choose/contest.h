@@ -5,6 +5,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -104,12 +105,27 @@ Contest contest(const Scene& scene, const Bounds& bounds) {
 
 /// The remark of `choose` on a scene whose exact step is in no header.
 template <class Scene>
-const char* remark_on(const Scene&) {
+std::string exact_elsewhere(const Scene&) {
   if constexpr (!std::is_same_v<Scene, scenes::LinearDrag<>>) return "";
   return "Where gravity and this drag are all that acts, there is an exact step: its lines are on "
          "the page\n"
          "Pick a method (pick-a-method.html), under the air. linear_damping_exact is another, "
-         "exact in the velocity alone.";
+         "exact in the velocity alone.\n"
+         "For drag that grows with the square of the speed take shelf/quadratic_drag.h.";
+}
+
+/// The remark on a scene in which whoever does nothing is within the bounds.
+template <class Scene>
+std::string hardly_moves(const Question<Scene>& question) {
+  const auto& truth = question.phases.front().truth;
+  double farthest = 0;
+  for (const auto& x : truth.x)
+    farthest = std::max(farthest, measure::length(x - truth.x.front()) / truth.size);
+  if (farthest > question.bounds.error) return "";
+  return "In this time nothing moves farther than " + format_number(farthest) +
+         " of its distance from the origin. That is less than the error\n"
+         "that is asked for: standing still is good enough. Ask for more --seconds, or a smaller "
+         "--error.";
 }
 
 /// The question about a scene whose runs begin at several phases, with what is true of each.
@@ -126,6 +142,8 @@ Question<Scene> question_of(const std::vector<Scene>& scenes, const Bounds& boun
                        truth_of(scene, uneven_frames(bounds))};
     question.phases.push_back(phase);
   }
+  if (question.phases.front().truth.size == 0)
+    throw std::invalid_argument("nothing leaves the origin, so no error is a share of the motion");
   for (auto& phase : question.phases)  // errors are shares of one size
     phase.truth.size = phase.uneven.size = question.phases.front().truth.size;
   return question;
@@ -139,7 +157,7 @@ Contest full_contest_for(const Question<Scene>& question) {
   for (Entry& entry : found.exact) complete(entry, question);
   for (Entry& entry : found.methods) complete(entry, question);
   found.sort(question.bounds);
-  found.remark = remark_on(question.scene());
+  found.remarks = {exact_elsewhere(question.scene()), hardly_moves(question)};
   found.undisturbed.push_back(enter_adaptive(question));
   return found;
 }

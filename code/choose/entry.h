@@ -56,11 +56,11 @@ inline bool better(const Entry& a, const Entry& b, const Bounds& bounds) {
 
 /// All entries for a scene, the best first.
 struct Contest {
-  std::vector<Entry> exact;        ///< the exact steps, as exact_steps_of() has them
-  std::vector<Entry> methods;      ///< what works with other forces added, too
-  std::vector<Entry> undisturbed;  ///< adaptive steps, for what moves with nobody interfering
-  bool keeps_energy = false;       ///< whether the scene's energy ought to stay what it is
-  std::string remark{};            ///< what else is to be said of the scene; empty if nothing is
+  std::vector<Entry> exact;            ///< the exact steps, as exact_steps_of() has them
+  std::vector<Entry> methods;          ///< what works with other forces added, too
+  std::vector<Entry> undisturbed;      ///< adaptive steps, for what moves with nobody interfering
+  bool keeps_energy = false;           ///< whether the scene's energy ought to stay what it is
+  std::vector<std::string> remarks{};  ///< what else is to be said of the scene; some may be empty
   std::string warning{};  ///< why not to trust the answer; empty if nothing speaks against it
 
   void sort(const Bounds& bounds) {

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <cctype>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -47,10 +48,12 @@ class OwnFolder {
 };
 
 /// Waits for the end of a child.
-/// @returns  its exit code, or -1 if there is none
+/// @returns  its exit code, that of a shell if nobody reads what it writes, or -1 if it crashed
 inline int exit_code_of(pid_t child) {
   int status = 0;
-  if (waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
+  if (waitpid(child, &status, 0) != child) return -1;
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPIPE) return 128 + SIGPIPE;
+  if (!WIFEXITED(status)) return -1;
   return WEXITSTATUS(status);
 }
 

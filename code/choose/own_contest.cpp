@@ -72,7 +72,8 @@ Contest contest_of(const OwnForce& force, Bounds& bounds, const OwnAsked& asked,
                                      : Scenes{OwnScene<Moved>(force)};
   Contest found = full_contest_for(question_of(scenes, bounds, tell));
   if (force.in_float)
-    found.remark = "The acceleration is in float, as in the scene; the steps here are in double.";
+    found.remarks.push_back(
+        "The acceleration is in float, as in the scene; the steps here are in double.");
   if (!asked.phases) found.warning = luck_of<Moved>(found.methods.front(), force, bounds, tell);
   return found;
 }

@@ -96,6 +96,10 @@ using Vec = double;
 inline Vec acceleration(const Vec& x, const Vec&, double) { return -std::sqrt(x); }
 inline const Vec start_x = 1, start_v = -1;\n")
 refuses("the acceleration is not finite, or changes too suddenly, after 0.[0-9]+ seconds" --scene ${own})
+own_scene("using Vec = double;
+inline Vec acceleration(const Vec& x, const Vec&, double) { return -x; }
+inline const Vec start_x = 0, start_v = 0;\n")
+refuses("nothing leaves the origin" --scene ${own})
 refuses("there is no file ${SCRATCH}/nothing.h" --scene ${SCRATCH}/nothing.h)
 refuses("a scene of your own takes no --omega" --scene ${own} --omega 3)
 
@@ -104,6 +108,29 @@ answers(0 "^\\[\n  {\n    \"function\": \"spring_folded\",\n    \"header\": \"sp
   --scene spring --seconds 1 --format json)
 answers(0 "^\\[\n  {\n    \"function\": \"constant_acceleration\",.*\"steps_per_frame\": null,\n    \"tolerance\": [0-9.e-]+,"
   --scene ball --format json)
+
+# A log of frames gives the uneven ones, and their mean as the rate.
+set(log ${SCRATCH}/game.csv)
+file(WRITE ${log} "Application,MsBetweenPresents\n")
+foreach(n RANGE 1 40)
+  file(APPEND ${log} "game.exe,20\ngame.exe,10\ngame.exe,10\n")
+endforeach()
+answers(0 "\nuneven: the error in frames as uneven as the 120 of game.csv, the roughest 75, which take 10 to 20 ms,\n"
+  --scene spring --omega 40 --seconds 1 --frames ${log})
+answers(0 "\nvelocity_verlet +1 +75 [^\n]*.*\nrk4 +1 +300 .*the 120 of game.csv, which take 10 to 20 ms," --scene pendulum --omega 1 --seconds 3 --frames ${log})
+answers(0 "\nvelocity_verlet +1 +60 [^\n]*.*game.csv, the roughest 60," --scene pendulum --omega 1 --seconds 1 --hz 60 --frames ${log})
+file(APPEND ${log} "game.exe,slow\n")
+refuses("${log}, row 122: 'slow' is no number" --scene ball --frames ${log})
+refuses("nothing.csv: there is no such file" --scene ball --frames nothing.csv)
+
+# Times have units, and what hardly moves says so.
+answers(0 "spring_exact, 1 step a frame: 100 evaluations" --scene spring --frame 10ms --seconds 0.05min)
+answers(0 "\nvelocity_verlet +1 +0.0167 " --scene pendulum --omega 0.001 --seconds 5h --frame 1min)
+answers(0 "In this time nothing moves farther than 5e-07 of [^\n]*\n[^\n]* standing still is good enough" --scene spring --omega 0.001 --seconds 1)
+answers(0 "^Where gravity and this drag.*shelf/quadratic_drag.h.\n\nThe cheapest within the bounds:\n" --scene drag)
+refuses("lightyears unit not recognized" --scene ball --seconds 3lightyears)
+refuses("--frame and --hz say the same" --scene ball --frame 10ms --hz 100)
+refuses("--hz must lie between 1e-09 and 100000" --scene ball --hz 0)
 
 # The chart is there and whole, or there is none.
 set(chart ${SCRATCH}/chart.svg)
