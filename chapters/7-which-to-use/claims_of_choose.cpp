@@ -11,6 +11,7 @@
 
 #include "choose/contests.h"
 #include "choose/entrants.h"
+#include "choose/own_contest.h"
 #include "level.h"
 
 using Catch::Matchers::WithinRel;
@@ -166,6 +167,50 @@ TEST_CASE(
     }
     CAPTURE(method->name, least, most);
     CHECK(most > 10 * least);
+  }
+}
+
+namespace {
+
+/// A wheel on a spring that meets a kerb so many quarters of a frame after a second, at 60 Hz, as a
+/// scene of one's own.
+template <int quarters>
+OwnForce kerb_after() {
+  return {1, false,
+          [](double* x, double* v) {
+            *x = 0.1;
+            *v = 0;
+          },
+          [](const double* x, const double* v, double t, double* a) {
+            const double road = t > 1 + quarters / 240.0 ? 1 : 0;
+            *a = -400 * (*x - road) - 4 * *v;
+          }};
+}
+
+/// The best of such a contest, and whether a warning goes with it.
+struct Told {
+  long steps;
+  bool warned;
+};
+
+Told told(const OwnForce& force, bool phases) {
+  Bounds bounds{.seconds = 2};
+  const Contest found = own_contest(force, bounds, {.phases = phases}, {});
+  return {found.methods.front().last.substeps, !found.warning.empty()};
+}
+
+}  // namespace
+
+TEST_CASE(
+    "At a kerb two or three steps a frame seem enough, with a warning, and with phases eight or "
+    "nine are needed wherever it lies") {
+  for (const OwnForce& force :
+       {kerb_after<0>(), kerb_after<1>(), kerb_after<2>(), kerb_after<3>()}) {
+    const Told at_once = told(force, false), sure = told(force, true);
+    CHECK((at_once.steps == 2 || at_once.steps == 3));
+    CHECK(at_once.warned);
+    CHECK((sure.steps == 8 || sure.steps == 9));
+    CHECK_FALSE(sure.warned);
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "choose/contests.h"
 #include "choose/entrants.h"
+#include "choose/reasons.h"
 #include "level.h"
 #include "measure/record.h"
 #include "position_error.h"

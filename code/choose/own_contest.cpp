@@ -24,7 +24,7 @@ constexpr std::array primes{2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 
 constexpr int few_phases = 5;
 
 /// By this factor the error may exceed its bound in another phase before that is called luck.
-constexpr double luck_factor = 2;
+constexpr double luck_factor = 1.5;
 
 /// The scene from so many phases of a frame.
 template <class Moved>
