@@ -51,8 +51,13 @@ template <class Moved>
 std::string luck_of(const Entry& best, const OwnForce& force, const Bounds& bounds,
                     const Tell& tell) {
   if (!best.good) return "";
-  const auto question = question_of(in_phases<Moved>(force, bounds, few_phases), bounds, tell);
-  const Attempt worst = attempt(*best.method, question, best.last.substeps, INFINITY);
+  Attempt worst;
+  try {
+    const auto question = question_of(in_phases<Moved>(force, bounds, few_phases), bounds, tell);
+    worst = attempt(*best.method, question, best.last.substeps, INFINITY);
+  } catch (const std::runtime_error&) {
+    return "";  // the motion goes no farther than was asked
+  }
   if (worst.error <= luck_factor * bounds.error) return "";
   return "where frames begin at another moment, the error of " +
          std::string(best.method->function) + " in " + steps(best.last.substeps) + " a frame is " +

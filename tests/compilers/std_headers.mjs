@@ -12,10 +12,10 @@ chrono: chrono chrono_literals
 cmath: abs acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf exp exp2 expm1 fabs floor fma fmod fpclassify frexp hypot ilogb isfinite isinf isnan ldexp lerp llround log log10 log1p log2 lround modf nan nextafter pow remainder round signbit sin sinh sqrt tan tanh trunc
 compare: strong_ordering
 complex: complex abs arg polar conj norm real imag exp sqrt
-concepts: same_as floating_point
+concepts: constructible_from convertible_to floating_point same_as
 cstddef: byte nullptr_t ptrdiff_t size_t to_integer
 cstdint: int32_t int64_t uint8_t uint16_t uint32_t uint64_t uintmax_t uintptr_t
-cstdio: FILE fclose ferror fflush fopen fprintf fputs fread fwrite perror printf putchar puts remove rewind setvbuf snprintf sscanf tmpfile size_t
+cstdio: FILE fclose ferror fflush fgetc fopen fprintf fputs fread fwrite perror printf putchar puts remove rewind setvbuf snprintf sscanf tmpfile size_t
 cstdlib: abort abs atoi exit free getenv malloc strtod strtol strtoul system size_t
 cstring: memcmp memcpy memset strcmp strerror strlen size_t
 ctime: gmtime tm size_t strftime time time_t
@@ -53,7 +53,7 @@ string_view: string_view string_view_literals size begin end hash
 system_error: exception errc error_code generic_category system_category system_error
 thread: jthread this_thread thread
 tuple: apply get ignore make_tuple tie tuple tuple_cat tuple_element_t tuple_size tuple_size_v
-type_traits: common_type_t conditional_t decay_t enable_if_t false_type integral_constant invoke_result_t is_arithmetic_v is_base_of_v is_constant_evaluated is_const_v is_convertible_v is_default_constructible_v is_floating_point_v is_empty_v is_integral_v is_invocable is_invocable_r_v is_invocable_v is_same_v is_trivially_copyable_v is_void_v remove_const_t remove_cv_t remove_cvref_t remove_reference_t true_type type_identity_t void_t
+type_traits: common_type_t conditional_t decay_t enable_if_t false_type integral_constant invoke_result_t is_arithmetic_v is_base_of_v is_constant_evaluated is_const_v is_convertible_v is_default_constructible_v is_floating_point_v is_empty_v is_integral_v is_invocable is_invocable_r_v is_invocable_v is_same_v is_standard_layout_v is_trivially_copyable_v is_void_v remove_const_t remove_cv_t remove_cvref_t remove_reference_t true_type type_identity_t void_t
 typeinfo: type_info
 unordered_map: unordered_map
 utility: declval exchange forward get index_sequence index_sequence_for integer_sequence make_index_sequence make_pair move pair swap as_const tuple_size tuple_size_v tuple_element_t
