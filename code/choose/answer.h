@@ -191,7 +191,9 @@ inline void print_json(const Contest& found) {
 }
 
 /// Writes the answer to the standard output.
+/// @throws std::runtime_error  that can't be written to
 inline void print(const Contest& found, const Bounds& bounds, Format format) {
   if (format == Format::text) print_text(found, bounds);
   if (format == Format::json) print_json(found);
+  if (std::fflush(stdout) != 0) throw std::runtime_error("can't write the answer");
 }

@@ -197,7 +197,6 @@ inline int choose_for_own(const std::string& scene, Bounds bounds, const OwnAske
     const std::string name = std::filesystem::path(scene).filename().string();
     if (!chart.empty()) draw_chart(found, bounds, name, chart);
     print(found, bounds, format);
-    std::fflush(stdout);
     if (!found.warning.empty()) std::fprintf(stderr, "choose: %s\n", found.warning.c_str());
     if (format == Format::text)
       print_time(scene, std::string(found.methods.front().method->function), folder);

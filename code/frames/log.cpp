@@ -50,14 +50,14 @@ std::string trimmed(std::string_view cell) {
   return std::string(cell.substr(first, cell.find_last_not_of(around) - first + 1));
 }
 
-/// The rows that hold something and are no comment.
+/// The rows that hold something.
 std::vector<Row> rows_of(const std::string& text) {
   std::vector<Row> rows;
   std::istringstream lines(text);
   std::size_t number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    if (trimmed(line).empty() || line.starts_with("//")) continue;
+    if (trimmed(line).empty()) continue;
     Row row{number, {}};
     std::istringstream cells(line);
     for (std::string cell; std::getline(cells, cell, ',');) row.cells.push_back(trimmed(cell));

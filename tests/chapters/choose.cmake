@@ -132,6 +132,12 @@ refuses("lightyears unit not recognized" --scene ball --seconds 3lightyears)
 refuses("--frame and --hz say the same" --scene ball --frame 10ms --hz 100)
 refuses("--hz must lie between 1e-09 and 100000" --scene ball --hz 0)
 
+# An answer that nobody can read is none.
+execute_process(COMMAND ${PROGRAM} --scene ball OUTPUT_FILE /dev/full RESULT_VARIABLE code ERROR_VARIABLE err)
+if(NOT code EQUAL 2 OR NOT err STREQUAL "choose: can't write the answer\n")
+  message(SEND_ERROR "on a full disk: ${code}: ${err}")
+endif()
+
 # The chart is there and whole, or there is none.
 set(chart ${SCRATCH}/chart.svg)
 answers(0 "\nThe cheapest" --scene drag --chart ${chart})

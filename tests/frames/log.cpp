@@ -67,6 +67,12 @@ TEST_CASE("A log of CapFrameX as CSV has comments above the names of its columns
              Approx(three));
 }
 
+TEST_CASE("A byte order mark is no part of the first name, and names may stand in quotes") {
+  CHECK_THAT(read("\xEF\xBB\xBF\"MsBetweenPresents\", \"Application\"\n\"16\",game.exe\n"
+                  "17,game.exe\n34,game.exe\n"),
+             Approx(three));
+}
+
 TEST_CASE("A log of CapFrameX as JSON has frames in each of its runs") {
   CHECK_THAT(read(R"({"Info": {"GameName": "game"}, "Runs": [
                       {"CaptureData": {"MsBetweenPresents": [0, 16, 17]}},
