@@ -31,7 +31,7 @@ double median_time(const Scene& scene, const State& start, Real h) {
 }  // namespace
 
 int main() {
-  if constexpr (list::is_in<measure::METHOD>(list::EveryImplicit())) {
+  if constexpr (::list::is_in<measure::METHOD>(::list::EveryImplicit())) {
     // These ask for derivatives, and solve for vectors of Eigen's.
     constexpr bool on_a_line = std::is_arithmetic_v<Vec>;
     using Moved = std::conditional_t<
