@@ -59,8 +59,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "On a platform that swings by 2 m at 2 rad/s a player falls up to 75 cm behind, and in the "
-    "platform's frame he stands") {
+    "On a platform that swings by 2 m at 2 rad/s a player falls up to 75 cm behind, and on a "
+    "MovingPlane he stands") {
   const Sketch s = sketch("leaves-the-platform");
   rounds(s.ill().most(), 0.75, 0.01);
   CHECK(s.mended().most() == 0);
@@ -73,6 +73,15 @@ TEST_CASE(
   rounds(s.ill().most(), 4.6, 0.1);
   CHECK(s.mended().most() <= 0.1);
   CHECK(s.mended().sway(20) < 0.01);
+}
+
+TEST_CASE(
+    "With each corner for itself a crate still rocks after three seconds, and by contact_step it "
+    "lies still") {
+  const Sketch s = sketch("never-settles");
+  CHECK(s.ill().sway(30) > 0.01);
+  CHECK(std::abs(s.mended().last()) < 1e-12);
+  CHECK(s.mended().sway(30) < 1e-12);
 }
 
 TEST_CASE(

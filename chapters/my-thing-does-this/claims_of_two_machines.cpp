@@ -107,7 +107,8 @@ TEST_CASE("Seven headers call a function of the C library whose last bit is not 
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       std::stringstream text;
       text << std::ifstream(entry.path()).rdbuf();
-      if (std::regex_search(text.str(), call)) found.insert(entry.path().filename().string());
+      const std::string code = std::regex_replace(text.str(), std::regex("//[^\n]*"), "");
+      if (std::regex_search(code, call)) found.insert(entry.path().filename().string());
     }
   }
   CHECK(found == std::set<std::string>{"dopri5.h", "linear_damping.h", "orientation.h",

@@ -4,6 +4,7 @@
 #include <complex>
 
 #include "shelf/bounce.h"
+#include "shelf/contact.h"
 #include "shelf/orientation.h"
 #include "shelf/wheel.h"
 #include "sketch.h"
@@ -142,23 +143,26 @@ Sketch creeps() {
 }
 
 // A platform that goes up and down by 2 m at 2 rad/s, and the gap under what stands on it.
-Line on_a_platform(const char* label, bool moves_along) {
-  double x = 0, v = 0, t = 0;
+struct Platform {
+  double height(double t) const { return 2 * std::sin(2 * t); }
+  shelf::MovingPlane<double, double> at(double t) const {
+    return {{1, 0, 0, 0, 0.5}, height(t), 4 * std::cos(2 * t)};
+  }
+};
+
+Line on_a_platform(const char* label, bool moves) {
+  const Platform platform;
+  double x = 0, v = 4, t = 0;
   return run(label, 6, 60, 0, [=](double h) mutable {
-    const double before = 2 * std::sin(2 * t), speed = 4 * std::cos(2 * t);
+    const double before = t;
     t += h;
-    const double now = 2 * std::sin(2 * t);
-    if (!moves_along) {
-      const shelf::Plane<double, double> floor{1, now, 0, 0, 0.5};
+    if (moves) {
+      shelf::bounce_step(x, v, -g, h, platform.at(before), platform.at(t), product);
+    } else {
+      const shelf::Plane<double, double> floor{1, platform.height(t), 0, 0, 0.5};
       shelf::bounce_step(x, v, -g, h, floor, product);
-      return x - now;
     }
-    const shelf::Plane<double, double> floor{1, 0, 0, 0, 0.5};
-    const double a = (4 * std::cos(2 * t) - speed) / h;
-    double place = x - before, along = v - speed;
-    shelf::bounce_step(place, along, -g - a, h, floor, product);
-    x = now + place, v = 4 * std::cos(2 * t) + along;
-    return place;
+    return x - platform.height(t);
   });
 }
 
@@ -167,8 +171,7 @@ Sketch leaves_the_platform() {
           6,
           "t [s]",
           "m of a gap",
-          {on_a_platform("the floor put elsewhere", false),
-           on_a_platform("as the platform sees it", true)}};
+          {on_a_platform("the floor put elsewhere", false), on_a_platform("MovingPlane", true)}};
 }
 
 // A corner of a car: 240 kg on 30 kN/m and a damper of 30 kN s/m, at 15 Hz.
@@ -191,9 +194,71 @@ Sketch car_shakes() {
            })}};
 }
 
+// A crate of 80 by 60 cm and 20 kg, let fall aslant, in the plane: the speed of its middle.
+struct Crate {
+  Flat x{0, 0.7}, v = 0;
+  double angle = 0.3, L = 0;
+  static constexpr double moment = 20 * (0.8 * 0.8 + 0.6 * 0.6) / 12;
+
+  Flat corner(int i) const {
+    return std::polar(1.0, angle) * Flat(i % 2 == 0 ? 0.4 : -0.4, i < 2 ? 0.3 : -0.3);
+  }
+  static double spin(double L) { return L / moment; }
+
+  // Each corner that is below the floor is stopped, one after the other.
+  void stop_corners(double h) {
+    v += h * Flat(0, -g);
+    for (int i = 0; i < 4; ++i) {
+      const Flat r = corner(i);
+      const double height = (x + r).imag(), rises = v.imag() + spin(L) * r.real();
+      if (height > 0 || rises > 0) continue;
+      const double push = -1.3 * rises / (1 / 20.0 + r.real() * r.real() / moment);
+      v += Flat(0, push / 20);
+      L += r.real() * push;
+    }
+    x += h * v;
+    angle += h * spin(L);
+  }
+
+  void by_contacts(shelf::Contact<Flat, double> (&contacts)[4], double h) {
+    struct {
+      double operator()(Flat r, Flat push) const { return (std::conj(r) * push).imag(); }
+      Flat operator()(double w, Flat r) const { return Flat(0, w) * r; }
+    } const cross;
+    for (int i = 0; i < 4; ++i) {
+      contacts[i].r = corner(i);
+      contacts[i].normal = Flat(0, 1);
+      contacts[i].gap = (x + contacts[i].r).imag();
+    }
+    const auto way = shelf::contact_step(
+        v, L, Flat(0, -g), h, contacts, 4, shelf::Surface<double>{0.5, 0.3, 0.5}, 1 / 20.0,
+        [](double momentum) { return spin(momentum); }, dot, cross);
+    x += h * way.v;
+    angle += h * spin(way.L);
+  }
+};
+
+Sketch never_settles() {
+  Crate one, other;
+  shelf::Contact<Flat, double> contacts[4];
+  return {"never-settles",
+          3,
+          "t [s]",
+          "rad aslant",
+          {run("each corner for itself", 3, 60, 0.3,
+               [&](double h) {
+                 one.stop_corners(h);
+                 return one.angle;
+               }),
+           run("contact_step", 3, 60, 0.3, [&](double h) {
+             other.by_contacts(contacts, h);
+             return other.angle;
+           })}};
+}
+
 }  // namespace
 
 std::vector<Sketch> sketches_of_contacts() {
-  return {trembles(),     never_rests(), bounces_higher(),      sinks(),
-          goes_through(), creeps(),      leaves_the_platform(), car_shakes()};
+  return {trembles(), never_rests(),         bounces_higher(), sinks(),        goes_through(),
+          creeps(),   leaves_the_platform(), car_shakes(),     never_settles()};
 }

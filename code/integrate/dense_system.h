@@ -20,7 +20,7 @@
 /// const bool solved = integrate::backward_euler(x, v, 0.0, 1 / 60.0, pull, system);
 /// @endcode
 #pragma once
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
