@@ -41,6 +41,7 @@ const EXCEPTIONS = `<details class="more"><summary>Your vectors, floats, and wha
 <li>raylib lacks one operator: <code>${RAYLIB_OPERATOR}</code> Put it where <code>Vector3</code> is, in no namespace of your own, or the headers don’t find it. Chipmunk lacks the same: <code>${CHIPMUNK_OPERATOR}</code></li>
 <li>ODE’s <code>dVector3</code> is an array, and no function returns an array. Keep a struct of three <code>dReal</code> with the two operators: fill it from the numbers that
 <code>dBodyGetPosition</code> and <code>dBodyGetLinearVel</code> point to, take the step, and give them back by <code>dBodySetPosition</code> and <code>dBodySetLinearVel</code>.</li>
+<li>A function with overloads, like glm’s <code>dot</code>, is handed over in a lambda: <code>[](auto a, auto b) { return glm::dot(a, b); }</code></li>
 <li>All numbers of a call are of one type, but for the time. With vectors of floats write <code>1 / 60.0f</code>, and take the steps of a <code>shelf::FixedStep&lt;float&gt;</code>: its <code>h</code> is a float and its time stays in double, or
 the steps would be uneven after an hour (<code>fixed_step.h</code>).</li>
 <li>A thing that flies, and that nothing but gravity moves, takes <code>constant_acceleration.h</code>, which is exact there. What pulls it

@@ -11,6 +11,7 @@
 
 namespace own {
 
+/// Vectors for which the reader has written an acceleration.
 template <class T>
 concept IsAccelerated = requires(const T& x) {
   { acceleration(x, x, 0.0) } -> std::convertible_to<T>;

@@ -67,8 +67,9 @@
 /// A contact is a corner and what it may meet, and it keeps how hard it was pushed: the next step
 /// begins with that, and so a thing at rest doesn't tremble. In a step each corner that touches is
 /// pushed 16 times for the way and 16 times for the velocity at its end. Hand over the corners near
-/// a floor, or all of them. On a floor that moves, hand over `v` seen from it, and `a` less the
-/// floor's.
+/// a floor, or all of them. On a floor that goes from p0 to p1 and from a velocity of u0 to
+/// u1, hand over `v - u0`, `a - (u1 - u0) / h` and the gaps at the start. Then the place is
+/// `x + (p1 - p0) + h * way.v`, and the velocity `v + u1`.
 ///
 /// It ends at one body on what doesn't give way. For stacks, joints, many bodies and what finds
 /// their contacts take an engine: Box2D, Jolt, Rapier. A bounce begins at the end of the step in

@@ -35,6 +35,10 @@
 /// has a kerb: let the state have the time in it. It costs one step more in each, and some fifteen
 /// in the one in which it happens.
 ///
+/// Afterwards the number is zero or hardly below, where no second event is found: a ball that
+/// bounces has to be put onto the ground, or hardly above it, before the next call. What is there
+/// only for a short time, like a thin wall, is seen if `parts` are so many that none is longer.
+///
 /// Promises:
 /// - a ball that falls meets the ground when impact_plane says so, to 1e-13 of the step
 /// - for that it asks for no more than 18 steps

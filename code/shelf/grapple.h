@@ -25,10 +25,14 @@
 ///
 /// A rope of links, which has places alone, takes a player over by `before = x + (-h) * v` and
 /// gives him back by `v = (x - before) / h`; see link.h. Here he keeps his place and velocity, and
-/// there is nothing to hand over. What link.h loses of a swing, 19 % in ten seconds, it loses by
-/// pulling along the rope as it lies at the end of the step. Here the pull is along the rope as it
-/// lay at the start: that keeps the energy. A rope that comes taut with a jerk still takes the
-/// speed along it, as ropes do.
+/// there is nothing to hand over. What link.h loses of a swing, it loses by pulling along the rope
+/// as it lies at the end of the step. Here the pull is along the rope as it lay at the start: that
+/// keeps the energy.
+///
+/// A rope that comes taut with a jerk still takes the speed along it, as ropes do. To let a player
+/// keep it, turn his velocity into the circle when the hook catches: take away its part along the
+/// rope, and make the rest as long as the whole was. When the reel stops, he drifts on towards the
+/// hook, and the rope is slack until he comes back.
 ///
 /// Walls come after the step, as for any player. A hook that is stuck in a platform has the
 /// platform's velocity.

@@ -25,7 +25,8 @@
 /// is that of the way down. In which part of a frame the top lies makes no difference, since there
 /// the step is taken in two. Steps that change the velocity first lose height, and more of it where
 /// frames are longer. That a player may jump a little after he left the edge is a timer of your
-/// own.
+/// own. Jumps are as alike as your buttons: seen once a frame, they are late by up to a frame.
+/// Stamp them with their time, and end a step there.
 ///
 /// When the ground is reached, `impact_plane` of bounce.h says, for a step under one pull. In most
 /// games it is enough to put the player onto the ground where a step ended below it.

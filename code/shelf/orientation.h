@@ -4,7 +4,8 @@
 ///
 /// A book of a kilogram, thrown about its middle axis: after a second it spins on, upside down. The
 /// orientation `q` and the angular momentum `L` are all that it has to remember. `L` is in the
-/// world's axes and stays what it is until something pushes: `L = L + h * torque`.
+/// world's axes and stays what it is until something pushes: `L = L + h * torque`. A torque that
+/// brakes is no such push, since a long step would turn the spin round: see spin_damped.
 /// @code
 /// const shelf::Vec3<double> inertia = shelf::inertia_of_box(1.0, {0.2, 0.14, 0.03});
 /// shelf::Quaternion<double> q;

@@ -36,8 +36,8 @@
 /// rate. Unity's formula is that of Game Programming Gems 4.
 ///
 /// A follower that may go no faster, as with Unity's maxSpeed, or may not be pushed harder:
-/// smooth_damp_limited. To stop in time it needs an acceleration of omega times its top speed over
-/// e: with less of it, it passes its target.
+/// smooth_damp_limited. To stop in time at a target at rest it needs an acceleration of omega times
+/// its top speed over e: with less of it, it passes its target.
 ///
 /// Promises:
 /// - smooth_damp from rest is the exact answer to 1e-14 of the way, for omega from 1 to 30 at 15,

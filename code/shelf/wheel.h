@@ -26,7 +26,8 @@
 ///     push(r[i], h * force[i]);  // what it carried in the last step
 ///   }
 ///   for (int i = 0; i < 4; ++i) {
-///     const double ray = (x + r[i]).y / shelf::rotate(q, up).y;  // your ray cast, along the strut
+///     const double upright = shelf::rotate(q, up).y;  // on its roof its rays meet nothing
+///     const double ray = upright > 0 ? (x + r[i]).y / upright : 1;  // your ray cast
 ///     const double rises = dot(v + cross(shelf::angular_velocity(q, L, inertia), r[i]), up);
 ///     const double w = shelf::inverse_mass_at(q, inertia, 1 / mass, r[i], up);
 ///     push(r[i], shelf::wheel_push(force[i], 0.7 - ray, rises, w, suspension, h));
@@ -42,13 +43,33 @@
 /// as much as the ground cuts off it, the spring is compressed. The push is along the ground's
 /// normal: `up` here, and the speed of the mount is that along it, less the ground's if the ground
 /// moves. The mass that a wheel feels is that of `inverse_mass_at`: of a car less than a quarter.
-/// Hand over that of the whole car, and it shakes or sinks.
+/// Hand over that of the whole car, and strong dampers throw it.
 ///
 /// Write the force into your car: it is what the tyre's grip is a share of, and the step after
-/// begins with it. So one pass over the wheels is enough; without, the first wheel carries more
-/// than the last, and the car stands aslant. A damper that is stronger where it pulls than where it
-/// is pressed is a Suspension for each, chosen by the sign of the speed. The wheel has no mass, and
-/// so none of its hopping.
+/// begins with it. So one pass over the wheels is enough; without, the car stands aslant. A damper
+/// that is stronger where it pulls than where it is pressed is a Suspension for each, chosen by the
+/// sign of the speed. Strong dampers take their time, as in a car: with d on a spring of k, d/k
+/// seconds until a third of the way is left. The wheel has no mass, and so none of its hopping.
+///
+/// The tyres' grip, a push against the slip of each foot, of up to a share of that force, along the
+/// car where it brakes and across it always. Here a car of two wheels, parked on a slope:
+/// @code
+/// const double h = 1 / 60.0, down = 9.81 * 0.2, most = 0.8 * 1200 * 9.6 / 2;
+/// double v = 0, grip[] = {0, 0};
+/// for (int n = 0; n < 600; ++n) {
+///   v = v + h * down;
+///   for (int i = 0; i < 2; ++i) v = v + h * grip[i] / 1200;  // what it held in the last step
+///   for (int pass = 0; pass < 8; ++pass) {
+///     for (int i = 0; i < 2; ++i) v = v + shelf::wheel_grip(grip[i], v, 1 / 1200.0, most, h) /
+///     1200;
+///   }
+/// }
+/// // Now v is 0.
+/// // Now grip[0] + grip[1] is -2354.4.
+/// @endcode
+/// Grips help each other, and so they take some passes, eight in most cars, each with the slip that
+/// the pushes so far have left. A wheel that cancels the whole slip by itself, once, and forgets
+/// it, is what makes a parked car shake.
 ///
 /// Promises:
 /// - a wheel alone under a mass makes the step of backward Euler, to 8 roundings, for h omega from
@@ -60,6 +81,9 @@
 /// - with dampers of 300 kN s/m it is never more than 8 cm off, at any of these rates; with forces
 ///   of the start of the step it is thrown further than a kilometre from 15 to 240 Hz
 /// - no wheel pulls at the ground
+/// - parked on a slope of 0.3 rad with a grip of 0.8 of the force and eight passes, it creeps by
+///   less than 1e-9 m in a minute, at 15 to 240 Hz
+/// - on a slope of 0.9 rad it slides with g (sin - 0.8 cos), to 1e-3 of it
 #pragma once
 #include <type_traits>
 
@@ -100,6 +124,30 @@ constexpr Real wheel_push(Real& force, Real compression, Real speed, Real invers
   force = compression > Real(0) && next > Real(0) ? next : Real(0);
   return h * (force - before);
   // [wheel]
+}
+
+/// The grip of one tyre in one direction along the ground, after what was handed on.
+///
+/// Takes the slip away, as far as the grip so far, this pass's with it, stays within its bound.
+///
+/// @param force  with which the tyre holds: handed on from the last step, and given to the car as a
+/// push of h times it before the first pass; changed in place, 0 for a wheel in the air [N]
+/// @param slip  speed of the foot over the ground in that direction, with all pushes so far [m/s]
+/// @param inverse_mass  that is felt at the foot in that direction [1/kg]; not negative
+/// @param most  the most that it can hold with: a share of the force of wheel_push [N]
+/// @param h  step size [s]; above 0
+/// @returns  by how much the push along the direction changes, for you to give to the car at once,
+/// at the foot [N s]
+template <class Real>
+constexpr Real wheel_grip(Real& force, Real slip, Real inverse_mass, Real most, Real h) {
+  static_assert(!std::is_integral_v<Real>, "force and h must be no integers");
+  // [grip]
+  const Real before = force;
+  if (inverse_mass > Real(0)) force = force - slip / (h * inverse_mass);
+  if (!(force < most)) force = most;
+  if (!(force > -most)) force = -most;
+  return h * (force - before);
+  // [grip]
 }
 
 }  // namespace shelf

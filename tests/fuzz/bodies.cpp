@@ -83,6 +83,10 @@ Cases bodies() {
       require(finite(force) && finite(push), "both stay numbers");
       require(force >= Real(0), "no wheel pulls");
     }
+    Real grip = source.number<Real>();
+    const Real most = source.size<Real>();
+    shelf::wheel_grip(grip, source.number<Real>(), source.size<Real>(), most, source.above<Real>());
+    if (source.tame()) require(std::abs(grip) <= most, "a grip stays within its bound");
   });
   add_numbers(cases, "orientation", "turns", []<class Real>(Source& source) {
     auto q = orientation<Real>(source);

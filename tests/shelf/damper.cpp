@@ -57,6 +57,19 @@ Bodies<Real> damped_along(Bodies<Real> b, const Three<Real>& along) {
   return b;
 }
 
+// Ten kilograms in a row, which hang from the first damper: how fast the last one sinks.
+double sinks(double c, int substeps) {
+  double v[11] = {0};
+  const double h = 1 / 60.0 / substeps;
+  for (int n = 0; n < 20 * 60 * substeps; ++n) {
+    for (int i = 1; i <= 10; ++i) v[i] -= h * 9.81;
+    for (int i = 1; i <= 10; ++i) {
+      shelf::damper(v[i - 1], v[i], h, c, i == 1 ? 0.0 : 1.0, 1.0);
+    }
+  }
+  return -v[10];
+}
+
 }  // namespace
 
 TEMPLATE_TEST_CASE("The speed of parting is divided as a step of backward Euler asks", "", float,
@@ -155,4 +168,11 @@ TEST_CASE("A damper is worked out by the compiler") {
     return v2;
   }();
   CHECK(trailer == 1);
+}
+
+TEST_CASE("A row that carries a load gives way, however strong its dampers") {
+  for (const double c : {1e4, 1e6}) {
+    CHECK_THAT(sinks(c, 1), WithinRel(7.4, 0.01));
+    CHECK_THAT(sinks(c, 8), WithinRel(0.95, 0.04));
+  }
 }

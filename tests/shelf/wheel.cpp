@@ -130,3 +130,42 @@ TEST_CASE(
   shelf::wheel_push(force, nan, -3.0, 0.01, {1e4, 1e3}, 0.02);
   CHECK(force == 0);
 }
+
+TEST_CASE("A tyre holds what it can, and slides with what is left") {
+  double force = 0, v = 2;
+  v += shelf::wheel_grip(force, v, 0.01, 300.0, 0.1) / 100;
+  CHECK_THAT(v, WithinAbs(2 - 300 * 0.1 / 100, 1e-12));
+  CHECK(force == -300);
+  force = 0, v = 0.1;
+  v += shelf::wheel_grip(force, v, 0.01, 300.0, 0.1) / 100;
+  CHECK_THAT(v, WithinAbs(0, 1e-15));
+  CHECK_THAT(force, WithinRel(-100.0, 1e-12));
+  // In the air it holds nothing, and gives back what was handed on.
+  CHECK_THAT(shelf::wheel_grip(force, 0.0, 0.01, 0.0, 0.1), WithinRel(10.0, 1e-12));
+  CHECK(force == 0);
+}
+
+TEST_CASE("Eight passes over four tyres hold what each alone would hold too hard") {
+  double v = 0, grip[4] = {0, 0, 0, 0};
+  for (int n = 0; n < 600; ++n) {
+    v += 1.0 / 60;
+    for (const double held : grip) v += held / 60 / 1200;
+    for (int pass = 0; pass < 8; ++pass) {
+      for (double& held : grip)
+        v += shelf::wheel_grip(held, v, 4 / 1200.0, 2000.0, 1 / 60.0) / 1200;
+    }
+    if (n > 60) REQUIRE(std::abs(v) < 1e-6);
+  }
+  double sum = 0;
+  for (const double held : grip) sum += held;
+  CHECK_THAT(sum, WithinRel(-1200.0, 1e-6));
+}
+
+TEST_CASE("Where no mass is felt a tyre only keeps its bound, and no number holds nothing back") {
+  double force = 500;
+  CHECK(shelf::wheel_grip(force, 3.0, 0.0, 300.0, 0.1) == 0.1 * -200);
+  CHECK(force == 300);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  shelf::wheel_grip(force, nan, 0.01, 300.0, 0.1);
+  CHECK(std::abs(force) == 300);
+}
