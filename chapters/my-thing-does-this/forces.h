@@ -55,7 +55,7 @@ inline Vec homing(const Vec& way, const Vec& v, const Vec& v_target, double spee
   const double time = way.norm() / speed;  // until it is there, more or less
   const Vec ahead = way + time * v_target;
   const Vec wanted = speed / std::max(ahead.norm(), 1e-9) * ahead;
-  const Vec a = 4 * (wanted - v);  // there in a quarter of a second, if the engine can
+  const Vec a = 4 * (wanted - v);  // with 37 % left of it in a quarter of a second
   return std::min(1.0, most / std::max(a.norm(), 1e-9)) * a;
 }
 // [homing]

@@ -29,7 +29,8 @@ template <class Vec, class Real>
 constexpr void backward_euler_spring(Vec& x, Vec& v, Real h, Real omega, Real zeta) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h, omega and zeta must be no integers");
   if constexpr (scales) {
     // [move]

@@ -47,7 +47,7 @@ constexpr bool bdf2_accepts() {
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   static_assert(!calls || scales,
-                "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   return calls && scales;
 }

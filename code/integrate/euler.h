@@ -35,7 +35,8 @@ constexpr void euler(Position& x, Vec& v, Time t, Real h, Acceleration&& acceler
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool moves = std::is_invocable_r_v<Position, decltype(add), Position, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * v must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(moves, "x + h * v must be a Position, which is the type of x");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales && moves) {

@@ -58,7 +58,7 @@ constexpr bool stormer_verlet_accepts() {
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
   static_assert(!calls || scales,
-                "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   return calls && scales;
 }
@@ -74,7 +74,8 @@ template <class Vec, class Real>
 constexpr Vec stormer_verlet_velocity(const Vec& x, const Vec& x_previous, Real h) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales) {
     // [velocity-move]
@@ -96,7 +97,8 @@ constexpr Vec stormer_verlet_carried_velocity(const Vec& x, const Vec& x_previou
                                               Real h) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales) return (Real(1) / h) * (x + Real(-1) * x_previous) + (h / Real(2)) * a;
 }

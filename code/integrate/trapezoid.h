@@ -56,7 +56,8 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve>
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   constexpr bool solves =
       std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;
@@ -101,7 +102,8 @@ template <class Vec, class Time, class Real, class Acceleration, class Solve, cl
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "acceleration must be callable as Vec(x, v, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   constexpr bool solves =
       std::is_invocable_r_v<bool, Solve&, const Vec&, const Vec&, Time, Real, Real, Vec&>;

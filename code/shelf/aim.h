@@ -37,8 +37,8 @@
 /// one; asked again with a time after that one, the high one.
 ///
 /// With constant velocities and without drag there is a formula, a quadratic for the time. Here
-/// whatever the step has counts: drag, wind, a homing target's own path. A flat shot costs some
-/// thousand steps, a lob ten times as many: aim once, not in each frame.
+/// whatever the step has counts: drag, wind, a homing target's own path. A shot costs some thousand
+/// steps, and a lob with drag some ten thousand: aim once, not in each frame.
 ///
 /// Promises:
 /// - without drag the throw and its time are those of the formula, to 1e-3 of the speed, for the
@@ -47,8 +47,8 @@
 ///   as was asked for, a millimetre, and leave with the speed to 1e-14 of it
 /// - of 90 places it finds a throw for each that a search through two thousand directions comes
 ///   within 10 cm of, and for none that it stays a metre away from
-/// - for the flat shot it asks for no more than 10000 steps, for the high one for 60000, and for
-///   none for 210000
+/// - for these flat shots it asks for no more than 10000 steps, for the high ones for 60000, and
+///   where there was none for 210000
 /// - a landing is on the line between two ticks of the same flight, to the bit
 #pragma once
 #include <cmath>
@@ -208,7 +208,8 @@ Landing<Vec, Real> landing(Vec x, Vec v, Real h, Real longest, Step&& step, Heig
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool steps = std::is_invocable_v<Step&, Vec&, Vec&>;
   constexpr bool measures = std::is_invocable_r_v<Real, Height&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(steps, "step must be callable as step(x, v)");
   static_assert(measures, "height must be callable as Real(Vec)");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
@@ -255,7 +256,8 @@ Aim<Vec, Real> aim(const Vec& from, Target&& target, Step&& step, Dot&& dot, con
   constexpr bool aims = std::is_invocable_r_v<Vec, Target&, Real>;
   constexpr bool steps = std::is_invocable_v<Step&, Vec&, Vec&>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(aims, "target must be callable as Vec(time)");
   static_assert(steps, "step must be callable as step(x, v)");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");

@@ -22,8 +22,9 @@
 ///
 /// `share` is how far the screen is between the two, `blend()` of fixed_step.h. Keep a copy of what
 /// was before the last step; and where something is put elsewhere, copy what is now over it, too,
-/// so that it is not seen on its way. A curve knows nothing of a bounce: where the speed has
-/// jumped, blend straight.
+/// so that it is not seen on its way. A direction may turn by less than a quarter of a turn between
+/// the two, a quaternion's by less than a half. A curve knows nothing of a bounce: where the speed
+/// has jumped, blend straight.
 ///
 /// A quaternion of yours that has `+` and `*` is turned as it is, by its own dot product; of others
 /// hand over the four numbers in a vector.
@@ -89,7 +90,8 @@ constexpr Vec blend_curved(const Vec& before, const std::decay_t<Vec>& v_before,
                            Real share) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * v must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h and share must be no integers");
   if constexpr (scales) {
     // [curved]

@@ -144,7 +144,8 @@ Impact<Real> impact_sphere(const Vec& x, const Vec& v, Real radius, Real h, Dot&
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales && dots) {
@@ -181,7 +182,8 @@ Impact<Real> impact_sphere(const Vec& x, const Vec& v, const Vec& a, Real radius
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales && dots) {
@@ -245,7 +247,8 @@ constexpr Real bounce(Vec& v, const Vec& normal, Real restitution, Real threshol
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
   static_assert(
-      scales, "restitution * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+      scales,
+      "restitution * v must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   static_assert(!std::is_integral_v<Real>, "restitution must be no integer");
   if constexpr (scales && dots) {
@@ -271,8 +274,9 @@ void friction(Vec& v, const Vec& normal, Real most, Dot&& dot) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales,
-                "most * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(
+      scales,
+      "most * v must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   static_assert(!std::is_integral_v<Real>, "most must be no integer");
   if constexpr (scales && dots) {
@@ -312,7 +316,8 @@ int bounce_step(Vec& x, Vec& v, const Vec& a, Real h, const Plane<Vec, Real>& pl
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales && dots) {
@@ -379,7 +384,8 @@ int bounce_step(Vec& x, Vec& v, const Vec& a, Real h, const MovingPlane<Vec, Rea
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales && dots) {
@@ -388,9 +394,13 @@ int bounce_step(Vec& x, Vec& v, const Vec& a, Real h, const MovingPlane<Vec, Rea
     const Vec& normal = before.plane.normal;
     Vec place = x + Real(-1) * before.x, speed = v + Real(-1) * before.v;
     const Vec drawn = a + (Real(-1) / h) * Vec(now.v + Real(-1) * before.v);
-    const Real height = Real(dot(place, normal)) - before.plane.level, pull = dot(drawn, normal);
-    if (!(height < Real(0)) && !impact_plane(height, Real(dot(speed, normal)), pull, h).hit) {
-      x = x + (h * v + (h * h / Real(2)) * a);
+    const Real pull = dot(drawn, normal);
+    Real height = Real(dot(place, normal)) - before.plane.level;
+    // What stands on it may be a rounding below, and jumps from there as well.
+    const Real sunk = height < Real(0) ? -height : Real(0);
+    height = height + sunk;
+    if (!impact_plane(height, Real(dot(speed, normal)), pull, h).hit) {
+      x = x + sunk * normal + (h * v + (h * h / Real(2)) * a);
       v = v + h * a;
       return 0;
     }

@@ -60,7 +60,8 @@ template <class Vec, class Real>
 constexpr void damper(Vec& v1, Vec& v2, Real h, Real c, Real w1, Real w2) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * v must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales) {
     const Vec parting = v2 + Real(-1) * v1;
@@ -87,7 +88,8 @@ constexpr void damper_along(Vec& v1, Vec& v2, Real h, Real c, Real w1, Real w2, 
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "h * v must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * v must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales && dots) {

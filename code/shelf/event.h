@@ -32,8 +32,8 @@
 ///
 /// A step across a place where a force switches loses its order: RK4 is of order 1 there, like
 /// Euler's method. Go to that place, switch, and go on. A time is an event as well, as where a road
-/// has a kerb: let the state have the time in it. It costs one step more in each, and some fifteen
-/// in the one in which it happens.
+/// has a kerb: let the state have the time in it. It costs one step more in each, and in the
+/// one in which it happens some ten, or a hundred where the number jumps.
 ///
 /// Afterwards the number is zero or hardly below, where no second event is found: a ball that
 /// bounces has to be put onto the ground, or hardly above it, before the next call. What is there

@@ -57,7 +57,8 @@ constexpr void first_order_euler(Vec& x, Time t, Real h, Velocity&& u) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "u must be callable as Vec(x, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales) {
     // [euler]
@@ -84,7 +85,8 @@ constexpr void first_order_midpoint(Vec& x, Time t, Real h, Velocity&& u) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "u must be callable as Vec(x, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales) {
     using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion
@@ -113,7 +115,8 @@ constexpr void first_order_rk4(Vec& x, Time t, Real h, Velocity&& u) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(calls, "u must be callable as Vec(x, t)");
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (calls && scales) {
     using Clock = std::common_type_t<Time, Real>;  // for -Wdouble-promotion

@@ -70,8 +70,8 @@ namespace shelf {
 /// @param h  step size; above zero [s]
 /// @param dot  callable `(Vec, Vec) -> Real`, the dot product
 /// @returns  the pull of the rope, per kilogram of the player, 0 while it is slack [m/s^2]: for a
-/// sound, or for a rope that breaks. In the step in which it comes taut, that of the jerk, which is
-/// the harder the shorter the step is
+/// sound. In the step in which it comes taut it depends on where in the step that is, and says
+/// little
 /// @see H. C. Andersen, RATTLE: a velocity version of the SHAKE algorithm, Journal of Computational
 /// Physics 52 (1983)
 template <class Vec, class Real, class Dot>
@@ -81,7 +81,8 @@ Real grapple_step(Vec& x, Vec& v, Real& length, const std::decay_t<Vec>& hook,
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   static_assert(!std::is_integral_v<Real>, "length must be no integer");
   if constexpr (scales && dots) {

@@ -100,7 +100,8 @@ constexpr void pull(Vec& x1, Vec& x2, Real w1, Real w2, Real length, Norm&& norm
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
-  static_assert(scales, "w1 * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(
+      scales, "w1 * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(measures, "norm must be callable as Real(Vec)");
   static_assert(!std::is_integral_v<Real>, "length must be no integer");
   if constexpr (scales && measures) {
@@ -133,7 +134,8 @@ constexpr void link_warm_start(Vec& x1, Vec& x2, Real tension, Real w1, Real w2,
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(measures, "norm must be callable as Real(Vec)");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales && measures) {
@@ -170,7 +172,8 @@ constexpr void link(Vec& x1, Vec& x2, Real& tension, Real w1, Real w2, Real leng
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(measures, "norm must be callable as Real(Vec)");
   static_assert(!std::is_integral_v<Real>, "h must be no integer");
   if constexpr (scales && measures) {
@@ -232,7 +235,8 @@ constexpr void rope_step(Places& x, Places& before, Tensions& tension, const Mas
   constexpr bool places = std::is_same_v<std::decay_t<decltype(x[0])>, Vec>;
   constexpr bool reals = std::is_same_v<std::decay_t<decltype(w[0])>, Real> &&
                          std::is_same_v<std::decay_t<decltype(tension[0])>, Real>;
-  static_assert(scales, "h * a must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * a must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(measures, "norm must be callable as Real(Vec)");
   static_assert(floors, "floor must be callable as Vec(Vec)");
   static_assert(places, "a must be a Vec as the places are");

@@ -252,9 +252,9 @@ Vec3<Real> turn_between(const Quaternion<Real>& q, const Quaternion<Real>& from)
 /// heads, cameras, and what others call a PD controller.
 ///
 /// Exact for any h where it all turns about one axis, as from rest it does; and towards what rests
-/// it is the same at any frame rate. About several axes at once `w` is how fast the way that is
-/// left changes, which is the angular velocity once it has come near. Calls sines, an arc tangent,
-/// exponentials and square roots.
+/// it is the same at any frame rate, as long as it never gets half a turn away. About several axes
+/// at once `w` is how fast the way that is left changes, which is the angular velocity once it has
+/// come near. Calls sines, an arc tangent, exponentials and square roots.
 ///
 /// @param q  orientation of the follower, advanced in place
 /// @param w  its angular velocity in the world's axes, advanced in place [rad/s]

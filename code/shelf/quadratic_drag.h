@@ -30,7 +30,7 @@
 /// `quadratic_drag` takes what pushes besides the air, gravity and thrust, as it is at the start of
 /// the step. Where only the air brakes it is exact. What falls ends a little too fast, by a share
 /// of k |a| h^2 / 8: 1.3e-4 of a parachute's 5 m/s at 60 Hz, and 1 % where the last speed is 0.6
-/// m/s. A leaf falls more slowly; for it take linear_damping.h.
+/// m/s. Fluff falls more slowly; for it take linear_damping.h.
 ///
 /// Promises:
 /// - along a line it is where fine steps of RK4 take it, up and down, to 1e-12 of the way, for h k
@@ -119,7 +119,8 @@ void quadratic_drag(Vec& x, Vec& v, const std::decay_t<Vec>& a, const std::decay
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool measures = std::is_invocable_r_v<Real, Norm&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(measures, "norm must be callable as Real(Vec)");
   static_assert(!std::is_integral_v<Real>, "k and h must be no integers");
   if constexpr (scales && measures) {

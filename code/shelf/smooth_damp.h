@@ -36,8 +36,9 @@
 /// rate. Unity's formula is that of Game Programming Gems 4.
 ///
 /// A follower that may go no faster, as with Unity's maxSpeed, or may not be pushed harder:
-/// smooth_damp_limited. To stop in time at a target at rest it needs an acceleration of omega times
-/// its top speed over e: with less of it, it passes its target.
+/// smooth_damp_limited. To stop in time at a target at rest an acceleration of omega times its top
+/// speed over e is enough; with much less, it passes its target. Behind what moves, steps with an
+/// omega h above 1 may end faster than the top speed.
 ///
 /// Promises:
 /// - smooth_damp from rest is the exact answer to 1e-14 of the way, for omega from 1 to 30 at 15,
@@ -56,9 +57,9 @@
 /// - with omega = 4 and a top speed of 5 m/s, smooth_damp_limited is never more than 2.6e-4 m off
 ///   on its 10 m at 60 Hz; Unity's formula with its maxSpeed is up to 0.13 m off
 /// - with a top acceleration of 20 m/s^2 as well, it is never more than 9.7e-4 m off there
-/// - its speed and its acceleration stay within their limits from rest on, to 1e-13 of them, in
-///   frames of any length, and a top acceleration of omega times the top speed over e lets it pass
-///   no target while omega h is 0.5 at most
+/// - towards what rests its speed and its acceleration stay within their limits from rest on, to
+///   1e-13 of them, in frames of any length, and a top acceleration of omega times the top speed
+///   over e lets it pass no target by 1e-5 of the way while omega h is 0.5 at most
 #pragma once
 #include <cmath>
 #include <type_traits>
@@ -98,7 +99,8 @@ void smooth(Vec& x, const std::decay_t<Vec>& target, const std::decay_t<Vec>& ta
             Real rate, Real h) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "rate and h must be no integers");
   if constexpr (scales) {
     // [smooth]
@@ -128,7 +130,8 @@ void smooth_damp(Vec& x, Vec& v, const std::decay_t<Vec>& target,
                  const std::decay_t<Vec>& target_velocity, Real omega, Real h) {
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "omega and h must be no integers");
   if constexpr (scales) {
     // [smooth-damp]
@@ -165,7 +168,8 @@ void smooth_damp_no_overshoot(Vec& x, Vec& v, const std::decay_t<Vec>& target,
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(x, y)");
   static_assert(!std::is_integral_v<Real>, "omega and h must be no integers");
   if constexpr (scales && dots) {
@@ -205,7 +209,8 @@ void smooth_damp_limited(Vec& x, Vec& v, const std::decay_t<Vec>& target,
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
-  static_assert(scales, "h * x must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+  static_assert(scales,
+                "h * x must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(x, y)");
   static_assert(!std::is_integral_v<Real>, "omega and h must be no integers");
   if constexpr (scales && dots) {

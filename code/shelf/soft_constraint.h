@@ -83,7 +83,8 @@ constexpr void soft_warm_start(Vec& v1, Vec& v2, Real impulse, const Vec& along,
   constexpr auto scale = [](auto s, const auto& y) -> decltype(s * y) { return s * y; };
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   static_assert(
-      scales, "impulse * along must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+      scales,
+      "impulse * along must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(!std::is_integral_v<Real>, "impulse must be no integer");
   if constexpr (scales) {
     v1 = v1 + (-w1 * impulse) * along;
@@ -113,7 +114,8 @@ constexpr void soft_constraint(Vec& v1, Vec& v2, Real& impulse, const Vec& along
   constexpr bool scales = std::is_invocable_r_v<Vec, decltype(scale), Real, Vec>;
   constexpr bool dots = std::is_invocable_r_v<Real, Dot&, const Vec&, const Vec&>;
   static_assert(
-      scales, "impulse * along must be a Vec: copy a column or Map; raylib lacks float * Vector3");
+      scales,
+      "impulse * along must be a Vec: 1/60.0f for floats; copy Maps; raylib lacks float * Vector3");
   static_assert(dots, "dot must be callable as Real(Vec, Vec)");
   if constexpr (scales && dots) {
     if (!(w1 + w2 > Real(0))) return;

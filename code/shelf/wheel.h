@@ -42,7 +42,7 @@
 /// The ray starts at the mount and is as long as the strut and the wheel together, 0.7 m here. By
 /// as much as the ground cuts off it, the spring is compressed. The push is along the ground's
 /// normal: `up` here, and the speed of the mount is that along it, less the ground's if the ground
-/// moves. The mass that a wheel feels is that of `inverse_mass_at`: of a car less than a quarter.
+/// moves. The mass that a wheel feels is that of `inverse_mass_at`: of a car about a quarter.
 /// Hand over that of the whole car, and strong dampers throw it.
 ///
 /// Write the force into your car: it is what the tyre's grip is a share of, and the step after
@@ -67,9 +67,10 @@
 /// // Now v is 0.
 /// // Now grip[0] + grip[1] is -2354.4.
 /// @endcode
-/// Grips help each other, and so they take some passes, eight in most cars, each with the slip that
-/// the pushes so far have left. A wheel that cancels the whole slip by itself, once, and forgets
-/// it, is what makes a parked car shake.
+/// Where a tyre holds both ways, the two share its bound: `most` for one, and the root of what is
+/// left of its square for the other. Grips help each other, and so they take some passes, eight in
+/// most cars, each with the slip that the pushes so far have left. A wheel that cancels the whole
+/// slip by itself, once, and forgets it, is what makes a parked car shake.
 ///
 /// Promises:
 /// - a wheel alone under a mass makes the step of backward Euler, to 8 roundings, for h omega from

@@ -134,3 +134,37 @@ TEST_CASE("In no time a moving plane does nothing") {
     CHECK(v == Vec{1, 2, -3});
   }
 }
+
+TEMPLATE_TEST_CASE("Who stands on a lift may jump from it at any moment", "", float, double) {
+  const auto product = [](TestType a, TestType b) { return a * b; };
+  const auto lift = [](double t) {
+    return shelf::MovingPlane<TestType, TestType>{
+        {1, TestType(0.9), 0, TestType(0.4), TestType(0.5)},
+        TestType(10 + 2 * std::sin(t)),
+        TestType(2 * std::cos(t))};
+  };
+  TestType x = lift(0).x + TestType(0.9), v = lift(0).v;
+  const TestType h = 1 / TestType(60), g = TestType(-9.81);
+  for (int n = 0; n < 600; ++n) {
+    const auto before = lift(n / 60.0), now = lift((n + 1) / 60.0);
+    TestType y = x, w = v + 5;
+    shelf::bounce_step(y, w, g, h, before, now, product);
+    CAPTURE(n);
+    REQUIRE(std::abs(w - (v + 5 + g * h)) < TestType(1e-4));
+    shelf::bounce_step(x, v, g, h, before, now, product);
+  }
+}
+
+TEST_CASE("A lift that stops at once throws up who stands on it") {
+  const auto product = [](double a, double b) { return a * b; };
+  double height = 0, x = 0, v = 3, most = 0;
+  for (int n = 0; n < 120; ++n) {
+    const double speed = n < 60 ? 3 : 0, before = height;
+    height += speed / 60;
+    shelf::bounce_step(
+        x, v, -9.81, 1 / 60.0, shelf::MovingPlane<double, double>{{1, 0, 0, 0, 0.5}, before, speed},
+        shelf::MovingPlane<double, double>{{1, 0, 0, 0, 0.5}, height, speed}, product);
+    most = std::max(most, x - height);
+  }
+  CHECK(std::abs(most - 3 * 3 / (2 * 9.81)) < 0.03);
+}

@@ -163,8 +163,8 @@ Promise finds_what_there_is(const Places& all) {
 
 Promise price(const Shots& all, const Places& none) {
   return {
-      "for the flat shot it asks for no more than 10000 steps, for the high one for 60000, and for "
-      "none for 210000",
+      "for these flat shots it asks for no more than 10000 steps, for the high ones for 60000, and "
+      "where there was none for 210000",
       all.flat <= 10000 && all.high <= 60000 && none.none <= 210000, double(all.flat), whole,
       "steps"};
 }

@@ -275,9 +275,9 @@ Promise within_limits() {
   }
   over = over - 1;
   return {
-      "its speed and its acceleration stay within their limits from rest on, to 1e-13 of them, in "
-      "frames of any length, and a top acceleration of omega times the top speed over e lets it "
-      "pass no target while omega h is 0.5 at most",
+      "towards what rests its speed and its acceleration stay within their limits from rest on, to "
+      "1e-13 of them, in frames of any length, and a top acceleration of omega times the top speed "
+      "over e lets it pass no target by 1e-5 of the way while omega h is 0.5 at most",
       over <= 1e-13 && beyond <= 0, std::max(over, 0.0)};
 }
 
