@@ -46,10 +46,14 @@
 /// Hand over that of the whole car, and strong dampers throw it.
 ///
 /// Write the force into your car: it is what the tyre's grip is a share of, and the step after
-/// begins with it. So one pass over the wheels is enough; without, the car stands aslant. A damper
-/// that is stronger where it pulls than where it is pressed is a Suspension for each, chosen by the
-/// sign of the speed. Strong dampers take their time, as in a car: with d on a spring of k, d/k
-/// seconds until a third of the way is left. The wheel has no mass, and so none of its hopping.
+/// begins with it. So one pass over the wheels is enough while h^2 k w is 2 at most, for springs of
+/// k and an inverse mass of w; stiffer ones rattle, and eight passes still them. Without the force
+/// of the last step the car stands aslant.
+///
+/// A damper that is stronger where it pulls than where it is pressed is a Suspension for each,
+/// chosen by the sign of the speed. Strong dampers take their time, as in a car: with d on a spring
+/// of k, d/k seconds until a third of the way is left. The wheel has no mass, and so none of its
+/// hopping.
 ///
 /// The tyres' grip, a push against the slip of each foot, of up to a share of that force, along the
 /// car where it brakes and across it always. Here a car of two wheels, parked on a slope:
