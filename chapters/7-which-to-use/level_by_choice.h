@@ -118,7 +118,7 @@ inline void level_again(measure::Record& record) {
 
 /// The question `choose --scene spring --omega 40 --zeta 0.1 --hz 60 --error 0.01`.
 inline constexpr scenes::Spring<> example{.omega = 40, .zeta = 0.1};
-inline constexpr Bounds example_bounds{.hz = 60, .error = 0.01};
+inline const Bounds example_bounds{.hz = 60, .error = 0.01};
 
 /// The swing of the exercise, twice a second.
 inline constexpr scenes::Spring<> twice_a_second = swinging(2);
