@@ -1,6 +1,6 @@
 // A small picture of a table: its first column lies across, each other column is a line, and the last of them is as it should be.
-import { readCsv } from './csv.mjs';
 import { withoutUnseen } from './svg-path.mjs';
+import { tableColumns } from './tables.mjs';
 import { escapeHtml, smarten } from './text.mjs';
 
 const WIDTH = 340;
@@ -16,7 +16,9 @@ const FINE = 0.06; // how far a point may lie beside the line that leaves it out
 
 export function sketchHtml(_context, piece) {
   const [, caption] = piece.args;
-  const { names, across, lines } = readLines(piece.table);
+  const columns = tableColumns(piece.table);
+  const names = Object.keys(columns);
+  const [across, ...lines] = Object.values(columns);
   const { low, high } = range(lines);
   const x = value => LEFT + ((WIDTH - LEFT - RIGHT) * (value - across[0])) / (across.at(-1) - across[0]);
   const y = value => HEIGHT - BOTTOM - ((HEIGHT - BOTTOM - TOP) * (value - low)) / (high - low);
@@ -41,12 +43,6 @@ export function sketchHtml(_context, piece) {
 }
 
 const kind = (i, lines) => (i === lines.length - 1 ? 'mended' : i === 0 ? 'ill' : 'ill second');
-
-function readLines(table) {
-  const [names, ...rows] = readCsv(table.path);
-  const columns = names.map((_, i) => rows.map(row => Number(row[i])));
-  return { names, across: columns[0], lines: columns.slice(1) };
-}
 
 // From the least to the most of all lines; of one that explodes, what is near the mended one.
 function range(lines) {

@@ -14,7 +14,8 @@ std::vector<Sketch> every_sketch() {
 }
 
 Sketch sketch(const std::string& name) {
-  for (const Sketch& one : every_sketch()) {
+  static const std::vector<Sketch> all = every_sketch();  // each is run once
+  for (const Sketch& one : all) {
     if (one.name == name) return one;
   }
   throw std::logic_error("there is no sketch " + name);

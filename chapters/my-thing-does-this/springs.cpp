@@ -15,8 +15,10 @@ namespace {
 
 constexpr double frame = 1 / 60.0;
 
+// A spring of 6 rad/s without a damper.
+constexpr auto pull = [](double x, double, double) { return -36 * x; };
+
 Sketch swings_higher() {
-  const auto pull = [](double x, double, double) { return -36 * x; };
   double x = 1, v = 0, y = 1, w = 0;
   return {"swings-higher",
           4,
@@ -45,8 +47,7 @@ Sketch swing_dies() {
                  return x += h * v;
                }),
            run("symplectic_euler", 6, 60, 1, [&](double h) {
-             integrate::symplectic_euler(y, w, 0.0, h,
-                                         [](double z, double, double) { return -36 * z; });
+             integrate::symplectic_euler(y, w, 0.0, h, pull);
              return y;
            })}};
 }

@@ -228,14 +228,17 @@ std::vector<double> read_log(const std::filesystem::path& file) {
   if (number_in(rows.front().cells.front())) return read_seconds(name, rows);
   for (std::size_t n = 0; n < std::min(rows.size(), longest_preamble); ++n) {
     const Row names = rows[n];
-    const std::vector<Row> after(rows.begin() + std::ptrdiff_t(n) + 1, rows.end());
+    const auto after = [&] {
+      return std::vector<Row>(rows.begin() + std::ptrdiff_t(n) + 1, rows.end());
+    };
     const auto fps = column(names, "fps"), frametime = column(names, "frametime");
-    if (fps && frametime) return read_mangohud(name, names, after, *fps, *frametime);
+    if (fps && frametime) return read_mangohud(name, names, after(), *fps, *frametime);
     for (const char* const known : {"MsBetweenPresents", "FrameTime", "MsBetweenAppStart"}) {
       const auto at = column(names, known);
       if (!at) continue;
-      require_one_program(name, names, after);
-      return lengths(name, after, *at, 1e-3);
+      const std::vector<Row> logged = after();
+      require_one_program(name, names, logged);
+      return lengths(name, logged, *at, 1e-3);
     }
   }
   refuse(name,

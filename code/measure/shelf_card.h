@@ -2,6 +2,7 @@
 /// @file
 /// The promises of a header of the shelf, and what was measured of each.
 #pragma once
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,11 @@ struct ShelfCard {
   std::string header;  ///< its name without the ending
   std::vector<Promise> promises;
 };
+
+/// Whether a number is what the words say, within half a unit of their last digit.
+inline bool rounds_to(double found, double said, double unit) {
+  return std::abs(found - said) <= unit / 2;
+}
 
 /// The cards of all headers of the shelf. Each is measured by `shelf_cards::NAME()`, which stands
 /// in code/measure/shelf/NAME.cpp.

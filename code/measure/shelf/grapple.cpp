@@ -85,10 +85,6 @@ double worst_of_a_link(int rate, double duration) {
   return most;
 }
 
-bool rounds_to(double found, double said, double unit) {
-  return std::abs(found - said) <= unit / 2;
-}
-
 Promise exact_swing() {
   const Swing swing;
   const double often = swing.worst(60, 10), seldom = swing.worst(15, 10);

@@ -87,10 +87,6 @@ double second(Step step, int rate) {
   return f.x;
 }
 
-bool rounds_to(double found, double said, double unit) {
-  return std::abs(found - said) <= unit / 2;
-}
-
 Promise closed_form() {
   const double ours = worst(exact), unitys = worst(unity);
   return {

@@ -126,10 +126,6 @@ Promise stands() {
       most < 1e-12, most, 2, "m"};
 }
 
-bool rounds_to(double found, double said, double unit) {
-  return std::abs(found - said) <= unit / 2;
-}
-
 Promise near_the_truth() {
   const auto heights = truth(3e3);
   const double often = worst(heights, 3e3, 60), seldom = worst(heights, 3e3, 15);
