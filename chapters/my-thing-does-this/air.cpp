@@ -14,7 +14,6 @@ namespace {
 using Flat = std::complex<double>;
 
 const auto dot = [](const Flat& a, const Flat& b) { return std::real(a * std::conj(b)); };
-const auto length = [](const Flat& a) { return std::abs(a); };
 
 Sketch too_low() {
   const auto jump = shelf::jump_to(4.0, 0.44);

@@ -31,8 +31,10 @@ test('the theme button turns the page dark, figures too, and the next page remem
   const dark = await paper(tab);
   assert.notEqual(dark, light);
   assert.notEqual(await line(), lightLine);
-  await tab.waitForTimeout(500); // what a page stores reaches the browser's next process a little later
-  await tab.reload();
+  // What a page stores reaches the browser's next process a little later, on a busy machine a little later still.
+  let patience = 20;
+  do await tab.reload();
+  while ((await paper(tab)) !== dark && --patience);
   assert.equal(await paper(tab), dark);
   await visit(tab, 'index.html');
   assert.equal(await paper(tab), dark);

@@ -144,14 +144,14 @@ TEMPLATE_TEST_CASE("Who stands on a lift may jump from it at any moment", "", fl
         TestType(2 * std::cos(t))};
   };
   TestType x = lift(0).x + TestType(0.9), v = lift(0).v;
-  const TestType h = 1 / TestType(60), g = TestType(-9.81);
+  const TestType h = 1 / TestType(60), down = TestType(-9.81);
   for (int n = 0; n < 600; ++n) {
     const auto before = lift(n / 60.0), now = lift((n + 1) / 60.0);
     TestType y = x, w = v + 5;
-    shelf::bounce_step(y, w, g, h, before, now, product);
+    shelf::bounce_step(y, w, down, h, before, now, product);
     CAPTURE(n);
-    REQUIRE(std::abs(w - (v + 5 + g * h)) < TestType(1e-4));
-    shelf::bounce_step(x, v, g, h, before, now, product);
+    REQUIRE(std::abs(w - (v + 5 + down * h)) < TestType(1e-4));
+    shelf::bounce_step(x, v, down, h, before, now, product);
   }
 }
 
