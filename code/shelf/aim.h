@@ -36,6 +36,25 @@
 /// joins them, as it is for a ray cast from one to the next. Of two throws, `aim` finds the flat
 /// one; asked again with a time after that one, the high one.
 ///
+/// A throw that takes a given time, where drag goes with the speed itself: the place after so many
+/// ticks is then linear in the velocity at the start, and two flights tell all.
+/// @code
+/// #include <complex>
+/// using Vec = std::complex<double>;
+/// const auto flight = [](Vec v) {  // where it is after 90 ticks of 1/60 s
+///   Vec x(0, 2);
+///   for (int n = 0; n < 90; ++n) {
+///     v = (v + 1 / 60.0 * Vec(0, -9.81)) / (1 + 0.3 / 60);
+///     x = x + 1 / 60.0 * v;
+///   }
+///   return x;
+/// };
+/// const Vec still = flight(0), reach = flight(1) - still, target(20, 1);
+/// const Vec hit = flight((target - still) / reach);
+/// // Now std::real(hit) is 20.
+/// // Now std::imag(hit) is 1.
+/// @endcode
+///
 /// With constant velocities and without drag there is a formula, a quadratic for the time. Here
 /// whatever the step has counts: drag, wind, a homing target's own path. A shot costs some thousand
 /// steps, and a lob with drag some ten thousand: aim once, not in each frame.

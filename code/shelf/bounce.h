@@ -61,6 +61,24 @@
 /// // Now above is 0.
 /// @endcode
 ///
+/// Two balls on a table, of 5.7 cm each. Seen from one of them, the other is a point, and the one
+/// has both radii:
+/// @code
+/// #include <complex>
+/// using Flat = std::complex<double>;
+/// const auto dot = [](Flat p, Flat q) { return p.real() * q.real() + p.imag() * q.imag(); };
+/// Flat x1(-0.06, 0.03), x2 = 0, v1 = 3, v2 = 0;
+/// const auto hit = shelf::impact_sphere(x1 - x2, v1 - v2, 0.057, 1 / 60.0, dot);
+/// const Flat line = (x1 + hit.time * v1 - (x2 + hit.time * v2)) / 0.057;
+/// Flat between = v1 - v2;
+/// const double push = shelf::bounce(between, line, 0.95, 0.0, dot);
+/// v1 = v1 + push / 2 * line;  // of other masses: m2 / (m1 + m2)
+/// v2 = v2 - push / 2 * line;  // and m1 / (m1 + m2)
+/// // Now hit.time is 0.003845.
+/// // Now std::abs(v1) is 1.5802.
+/// // Now std::abs(v2) is 2.4871.
+/// @endcode
+///
 /// The pushes here are speeds, those of a point. What a push at the corner of a body does, which
 /// turns it, see in orientation.h, and how it comes to rest on several corners in contact.h.
 ///

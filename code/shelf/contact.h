@@ -71,6 +71,10 @@
 /// u1, hand over `v - u0`, `a - (u1 - u0) / h` and the gaps at the start. Then the place is
 /// `x + (p1 - p0) + h * way.v`, and the velocity `v + u1`.
 ///
+/// A ball is one corner, by its radius below its centre, which doesn't turn with it. It slides
+/// until friction has made it roll, and then it rolls for ever: what brakes a rolling ball is drag
+/// of your own. When two balls meet, see bounce.h.
+///
 /// It ends at one body on what doesn't give way. For stacks, joints, many bodies and what finds
 /// their contacts take an engine: Box2D, Jolt, Rapier. A bounce begins at the end of the step in
 /// which a corner meets the floor, with a share of the speed from that step's start; bounce.h has a
@@ -97,6 +101,8 @@
 /// - a plate that slides and spins lies, at 60 Hz, within 2 cm of where steps of 1/20000 s over its
 ///   four corners take it, after up to 4.2 m
 /// - a crate that topples over an edge is, at 60 Hz, within 0.02 rad of a pendulum upside down
+/// - a ball that begins to slide rolls with 5/7 of its speed in the end, to 10^-12 of it, and comes
+///   to that within a step of when it is due
 #pragma once
 #include <cmath>
 #include <type_traits>

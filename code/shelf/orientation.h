@@ -256,6 +256,10 @@ Vec3<Real> turn_between(const Quaternion<Real>& q, const Quaternion<Real>& from)
 /// at once `w` is how fast the way that is left changes, which is the angular velocity once it has
 /// come near. Calls sines, an arc tangent, exponentials and square roots.
 ///
+/// It knows no top speed and no top torque: where it all turns about one axis, smooth_damp_limited
+/// does, for the angle. What should swing on, as a tail or an ear, is no turn_damp: take a point at
+/// its tip, move it by spring_exact to where it belongs, and turn the bone to look at it.
+///
 /// @param q  orientation of the follower, advanced in place
 /// @param w  its angular velocity in the world's axes, advanced in place [rad/s]
 /// @param target  how the target is turned at the end of the step

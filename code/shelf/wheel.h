@@ -50,6 +50,9 @@
 /// k and an inverse mass of w; stiffer ones rattle, and eight passes still them. Without the force
 /// of the last step the car stands aslant.
 ///
+/// The ray sees the road under the mount at the start of a step. A bump that is passed within a
+/// frame or two is felt in part or not at all: smooth the road that the rays see, or take substeps.
+///
 /// A damper that is stronger where it pulls than where it is pressed is a Suspension for each,
 /// chosen by the sign of the speed. Strong dampers take their time, as in a car: with d on a spring
 /// of k, d/k seconds until a third of the way is left. The wheel has no mass, and so none of its
