@@ -57,7 +57,8 @@
 ///
 /// With constant velocities and without drag there is a formula, a quadratic for the time. Here
 /// whatever the step has counts: drag, wind, a homing target's own path. A shot costs some thousand
-/// steps, and a lob with drag some ten thousand: aim once, not in each frame.
+/// steps, a lob with drag some ten thousand, and to find that there is none some hundred thousand:
+/// aim once, not in each frame.
 ///
 /// Promises:
 /// - without drag the throw and its time are those of the formula, to 1e-3 of the speed, for the
@@ -283,7 +284,11 @@ Aim<Vec, Real> aim(const Vec& from, Target&& target, Step&& step, Dot&& dot, con
   static_assert(!std::is_integral_v<Real>, "the numbers of a gun must be no integers");
   if constexpr (scales && aims && steps && dots) {
     // [aim]
-    const Real first = after > gun.h ? after : gun.h;
+    // A quarter of the time to where it is now: what is nearer than a tick's flight is hit, too.
+    const Vec way = target(Real(0)) + Real(-1) * from;
+    const Real soon = std::sqrt(dot(way, way)) / (Real(4) * gun.speed);
+    const Real least = soon > Real(0) && soon < gun.h ? soon : gun.h;
+    const Real first = !(after > Real(0)) ? least : after > gun.h ? after : gun.h;
     if (!(gun.speed > Real(0)) || !(gun.h > Real(0)) || !(first < gun.longest) ||
         !(gun.longest < Real(1e9) * gun.h))
       return {false, Real(0) * from, Real(0)};

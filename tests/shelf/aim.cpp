@@ -6,7 +6,9 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <utility>
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -72,6 +74,24 @@ TEST_CASE("The first throw is the flat one, the next the high one, and a third t
   CHECK(high.velocity.z() > high.velocity.x());
   CHECK(high.time > flat.time);
   CHECK_FALSE(shelf::aim(Vec(0, 0, 0), target, shell, dot, gun, high.time + gun.h).found);
+}
+
+TEMPLATE_TEST_CASE("What is nearer than a tick's flight is hit straight", "", float, double) {
+  using V = Vector<TestType>;
+  const V from(1, 2, 3);
+  for (const auto& [speed, distance] :
+       {std::pair{60, 0.5}, {60, 0.01}, {300, 4.9}, {900, 14.0}, {900, 0.2}}) {
+    for (const V& way : {V(1, 0, 0), V(0, -0.6f, 0.8f)}) {
+      CAPTURE(speed, distance, way);
+      const Shell<TestType> shell{0, 1 / TestType(60)};
+      const auto target = [&](TestType) -> V { return from + TestType(distance) * way; };
+      const shelf::Gun<TestType> gun{TestType(speed), shell.h, 20, TestType(0.005)};
+      const auto found = shelf::aim(from, target, shell, dot, gun);
+      REQUIRE(found.found);
+      CHECK((found.velocity - TestType(speed) * way).norm() < TestType(0.01 * speed + 0.5));
+      CHECK_THAT(double(found.time), WithinAbs(distance / speed, 0.01 / speed));
+    }
+  }
 }
 
 // In a vacuum 25 m/s carry a little further than 63.7 m.
