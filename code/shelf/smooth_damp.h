@@ -37,8 +37,7 @@
 ///
 /// A follower that may go no faster, as with Unity's maxSpeed, or may not be pushed harder:
 /// smooth_damp_limited. To stop in time at a target at rest an acceleration of omega times its top
-/// speed over e is enough; with much less, it passes its target. Behind what moves, steps with an
-/// omega h above 1 may end faster than the top speed.
+/// speed over e is enough while omega h is 0.5 at most; with much less, it passes its target.
 ///
 /// Promises:
 /// - smooth_damp from rest is the exact answer to 1e-14 of the way, for omega from 1 to 30 at 15,
@@ -57,6 +56,8 @@
 /// - with omega = 4 and a top speed of 5 m/s, smooth_damp_limited is never more than 2.6e-4 m off
 ///   on its 10 m at 60 Hz; Unity's formula with its maxSpeed is up to 0.13 m off
 /// - with a top acceleration of 20 m/s^2 as well, it is never more than 9.7e-4 m off there
+/// - behind what moves, up to ten times as fast, its speed stays within the top speed, to 1e-13 of
+///   it, for omega h up to 2
 /// - towards what rests its speed and its acceleration stay within their limits from rest on, to
 ///   1e-13 of them, in frames of any length, and a top acceleration of omega times the top speed
 ///   over e lets it pass no target by 1e-5 of the way while omega h is 0.5 at most
@@ -184,13 +185,14 @@ void smooth_damp_no_overshoot(Vec& x, Vec& v, const std::decay_t<Vec>& target,
   }
 }
 
-/// smooth_damp with a top speed and a top acceleration, either of which may be infinite.
+/// smooth_damp with a top speed and a top acceleration, either of which may be infinite, as
+/// `std::numeric_limits<double>::infinity()` is.
 ///
 /// The spring is one that asks for a velocity, target_velocity + (omega / 2) * way, and comes to it
 /// at the rate 2 omega: what it asks for is cut to the top speed, and how it comes there to the top
-/// acceleration. Exact while one limit holds or none does; in a step in which that changes it is
-/// off by something like h^3. A follower that is too fast already is braked. Calls exp and expm1 of
-/// the C library.
+/// acceleration. On a line it is exact while one limit holds or none does; in a plane, and in a
+/// step in which that changes, it is off by something like h^3. A follower that is too fast already
+/// is braked. Calls exp and expm1 of the C library.
 ///
 /// @param x  position of the follower, advanced in place
 /// @param v  its velocity, advanced in place
@@ -230,6 +232,17 @@ void smooth_damp_limited(Vec& x, Vec& v, const std::decay_t<Vec>& target,
       v = v + lost * excess;
     } else {
       smooth_damp(x, v, target, target_velocity, omega, h);
+      // What moves may ask for more before the step is over.
+      const auto no_longer = [&dot](const Vec& y, Real most) -> Vec {
+        const Real length = std::sqrt(dot(y, y));
+        if (!(length > most)) return y;
+        return (most / length) * y;
+      };
+      const Real before = std::sqrt(dot(velocity, velocity));
+      const Real fastest = before > top_speed ? before : top_speed;
+      const Vec moved = x + Real(-1) * place;
+      v = no_longer(v, fastest);
+      if (dot(moved, moved) > h * h * fastest * fastest) x = place + no_longer(moved, h * fastest);
     }
     const Vec change = v + Real(-1) * velocity;
     const Real size = std::sqrt(dot(change, change));

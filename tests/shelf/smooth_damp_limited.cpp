@@ -83,6 +83,24 @@ TEST_CASE("Each limit alone and both together hold in the plane, behind what mov
   }
 }
 
+TEST_CASE("However long the steps and whatever moves, it goes no faster than it may") {
+  for (const double h : {0.05, 0.125, 0.25, 0.5}) {
+    for (const double speed : {3.0, 10.0, 50.0}) {
+      for (int start = -60; start <= 20; ++start) {  // from behind it and past it
+        CAPTURE(h, speed, start);
+        Follower f;
+        for (int n = 1; n < 20; ++n) {
+          const Vector2d place = f.x, target(0.5 * start + speed * n * h, 0.3);
+          shelf::smooth_damp_limited(f.x, f.v, target, Vector2d(speed, 0), 4.0, 5.0, no_limit, h,
+                                     dot);
+          REQUIRE(f.v.norm() <= 5 * (1 + 1e-14));
+          REQUIRE((f.x - place).norm() <= 5 * h * (1 + 1e-12));
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("A target that is faster than the top speed gets away, and is chased at that speed") {
   Follower f;
   for (int n = 1; n <= 600; ++n) {

@@ -277,12 +277,40 @@ Promise within_limits() {
       over <= 1e-13 && beyond <= 0, std::max(over, 0.0)};
 }
 
+Promise behind_what_moves() {
+  constexpr double top = 5, omega = 4;
+  double over = 0;
+  for (const double moves : {0.3, 1.0, 2.0, 10.0}) {
+    for (const double angle : {0.02, 0.1, 0.3, 0.5, 0.8, 1.2, 2.0}) {
+      const double h = angle / omega;
+      for (const double start : {-10.0, -4.0, 0.0, 3.0, 10.0}) {
+        for (const double sway : {0.0, 3.0}) {
+          Follower f;
+          for (int n = 1; n <= 300; ++n) {
+            const double t = n * h, place = f.x;
+            const double target = start + moves * top * t + std::sin(sway * t);
+            shelf::smooth_damp_limited(f.x, f.v, target, moves * top + sway * std::cos(sway * t),
+                                       omega, top, no_limit, h, product);
+            over = std::max({over, std::abs(f.v), std::abs(f.x - place) / h});
+          }
+        }
+      }
+    }
+  }
+  over = over / top - 1;
+  return {
+      "behind what moves, up to ten times as fast, its speed stays within the top speed, to 1e-13 "
+      "of it, for omega h up to 2",
+      over <= 1e-13, std::max(over, 0.0)};
+}
+
 }  // namespace
 
 ShelfCard smooth_damp() {
   return {"smooth_damp",
           {closed_form(), same_place(), trails(), from_rest(), no_overshoot(), smooth_alike(),
-           in_float(), a_long_step(), top_speed(), top_acceleration(), within_limits()}};
+           in_float(), a_long_step(), top_speed(), top_acceleration(), behind_what_moves(),
+           within_limits()}};
 }
 
 }  // namespace measure::shelf_cards
