@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "held.h"
+#include "measure/sheet.h"
 #include "shelf/link.h"
 #include "shelf/smooth_damp.h"
 #include "sketch.h"
@@ -96,10 +97,13 @@ TEST_CASE(
   CHECK(s.mended().most() < 1.3e-3);
 }
 
-TEST_CASE("With one pass a frame two metres of rope are 23 cm too long and with eight substeps 2") {
+TEST_CASE(
+    "In its first two seconds a rope of two metres gets up to 3.9 m long with one pass a frame, "
+    "and "
+    "2.03 with eight substeps") {
   const Sketch s = sketch("sags");
-  rounds(s.ill().last() - 2, 0.23, 0.01);
-  rounds(s.mended().last() - 2, 0.02, 0.005);
+  rounds(s.ill().most(), 3.9, 0.1);
+  rounds(s.mended().most(), 2.03, 0.01);
 }
 
 namespace {
@@ -146,12 +150,12 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "With one pass a frame the rope is 9.5 m long at 30 fps and 2.13 at 120; in substeps of 1/480 "
-    "s it is 2.02 at 30 as well") {
+    "With one pass a frame the rope gets 9.6 m long at 30 fps in two seconds, and 2.5 at 120; in "
+    "substeps of 1/480 s it gets 2.03 at 30 as well") {
   const Sketch s = sketch("softer-by-frames");
-  rounds(s.ill().last(), 9.5, 0.1);
-  rounds(s.ill(1).last(), 2.13, 0.01);
-  rounds(s.mended().last(), 2.02, 0.01);
+  rounds(s.ill().most(), 9.6, 0.1);
+  rounds(s.ill(1).most(), 2.5, 0.1);
+  rounds(s.mended().most(), 2.03, 0.01);
 }
 
 TEST_CASE(
@@ -160,6 +164,30 @@ TEST_CASE(
   const Sketch s = sketch("stiff-explodes");
   wild(s.ill(), 1e6);
   CHECK(s.mended().sway(30) == 0);
+}
+
+TEST_CASE(
+    "A flat sheet of 64 by 32 cells in free fall has links of twice their length in its third "
+    "frame "
+    "if they are taken cell by cell, and shuffled none is off by two thousandths of a per cent") {
+  const Sketch s = sketch("cloth-bursts");
+  CHECK(s.ill().values[12] > 100);  // 3 of 30 frames
+  CHECK(s.mended().most() < 2e-3);
+}
+
+TEST_CASE(
+    "Gone through there and back in turn such a sheet bursts all the same, and twice in each "
+    "substep "
+    "it keeps its shape") {
+  measure::Sheet turned, twice;
+  double most = 0;
+  for (int n = 0; n < 30 * 16; ++n) {
+    turned.step(1 / 960.0f, 1e-5f, 1), turned.turn_round();
+    twice.step(1 / 960.0f, 1e-5f, 2);
+    most = std::max(most, twice.worst());
+  }
+  CHECK(turned.worst() > 1);
+  CHECK(most < 2e-5);
 }
 
 TEST_CASE(

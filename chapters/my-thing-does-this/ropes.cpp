@@ -5,6 +5,7 @@
 
 #include "frames/recorded.h"
 #include "integrate/stormer_verlet.h"
+#include "measure/sheet.h"
 #include "shelf/grapple.h"
 #include "shelf/link.h"
 #include "sketch.h"
@@ -75,6 +76,23 @@ Sketch stiff_explodes() {
            })}};
 }
 
+// By how much the worst link of a sheet in free fall is too long or too short, in 16 substeps.
+Sketch cloth_bursts() {
+  const auto sheet = [](const char* label, bool shuffled) {
+    measure::Sheet cloth;
+    if (shuffled) cloth.shuffle();
+    return run(label, 0.5, 60, 0, [=](double h) mutable {
+      for (int n = 0; n < 16; ++n) cloth.step(float(h / 16), 1e-5f, 1);
+      return 100 * cloth.worst();
+    });
+  };
+  return {"cloth-bursts",
+          0.5,
+          "t [s]",
+          "% off",
+          {sheet("links cell by cell", false), sheet("the same links, shuffled", true)}};
+}
+
 Sketch loses_its_swing() {
   const auto dot = [](const Flat& a, const Flat& b) { return std::real(a * std::conj(b)); };
   const Flat start = 6.0 * Flat(std::sin(1.0), -std::cos(1.0));
@@ -131,6 +149,6 @@ Sketch verlet_in_uneven_frames() {
 }  // namespace
 
 std::vector<Sketch> sketches_of_ropes() {
-  return {sags(), softer_by_frames(), stiff_explodes(), loses_its_swing(),
-          verlet_in_uneven_frames()};
+  return {sags(),         softer_by_frames(), stiff_explodes(),
+          cloth_bursts(), loses_its_swing(),  verlet_in_uneven_frames()};
 }
