@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 // What the page of two machines says.
+#include <algorithm>
 #include <bit>
 #include <catch2/catch_test_macros.hpp>
 #include <cstddef>
@@ -96,6 +97,28 @@ TEST_CASE(
     machine.hear(n - late, truth);
   }
   CHECK(wrong > 100);
+  CHECK(bits(machine.now) == bits(played(inputs)));
+}
+
+TEST_CASE("So does one that hears them up to eight steps ahead and twelve late, out of order") {
+  const std::vector<Input> inputs = pressed();
+  std::vector<std::vector<std::size_t>> heard(minute);  // of which steps it hears after each
+  unsigned dice = 7;
+  for (std::size_t n = 0; n < minute; ++n) {
+    dice = dice * 1664525u + 1013904223u;
+    const std::size_t when = n + dice % 21 > 8 ? n + dice % 21 - 8 : 0;
+    heard[std::min(when, minute - 1)].push_back(n);
+  }
+  Machine machine;
+  std::size_t ahead = 0;
+  for (std::size_t n = 0; n < minute; ++n) {
+    machine.tick();
+    for (const std::size_t step : heard[n]) {
+      ahead += step >= std::size_t(machine.now.step);
+      machine.hear(step, inputs[step]);
+    }
+  }
+  CHECK(ahead > 100);
   CHECK(bits(machine.now) == bits(played(inputs)));
 }
 

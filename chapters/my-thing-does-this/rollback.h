@@ -85,11 +85,16 @@ struct Machine {
   /// An input arrives. If its step is over, go back to before it, and step again.
   void hear(std::size_t step, const Input& input) {
     const std::size_t reached = std::size_t(now.step);
+    while (inputs.size() <= step) {  // the other machine may be ahead
+      inputs.push_back(inputs.empty() ? Input() : inputs.back());
+      is_heard.push_back(false);
+    }
     inputs[step] = input;
     is_heard[step] = true;
     for (std::size_t n = step + 1; n < inputs.size() && !is_heard[n]; ++n) {
       inputs[n] = input;
     }
+    if (step >= reached) return;
     now = saved[step];
     saved.resize(step);
     while (std::size_t(now.step) < reached) tick();
