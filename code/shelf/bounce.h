@@ -92,7 +92,7 @@
 ///   left, and as Jolt does, it is off by up to 2.6 %
 /// - each bounce comes when it is due, to 10^-12 m, whatever the step
 /// - slower than the threshold it comes to rest, and then neither place nor velocity changes by a
-///   bit
+///   bit on a level floor
 /// - a puck slides v^2 / (2 mu g) and stops, to mu g h^2 / 8
 /// - on a slope friction holds it as long as the tangent of the slope is below mu
 /// - a platform that swings by 2 m with 2 rad/s carries a ball, which is on it after each step to
@@ -386,7 +386,9 @@ struct MovingPlane {
 /// One step of a point or a ball above a plane that moves and tilts: a lift, a deck, a belt.
 ///
 /// Within the step the plane is taken to speed up evenly. What it carries is where it is at the
-/// end, and what it doesn't meet flies as without it. It calls square roots.
+/// end, and what it doesn't meet flies as without it. Where the velocity of the plane jumps between
+/// two steps, let `before` have the one with which it came: else what it carries may be within it
+/// by g h^2 / 2 after the next step. It calls square roots.
 ///
 /// @param x  place, advanced in place [m]
 /// @param v  velocity, advanced in place [m/s]

@@ -24,8 +24,9 @@
 /// @endcode
 ///
 /// In a row that carries a load, one pass hands the load on by one body: however strong its
-/// dampers, it gives way. Ten kilograms that hang in a row sink by 7.4 m/s in steps of 1/60 s, and
-/// by 0.9 to 1.0 with 8 substeps. Solve such a row at once, by band_system.h.
+/// dampers, it gives way. Ten kilograms that hang in a row, braked from the top down, sink by 7.4
+/// m/s in steps of 1/60 s, and by 0.9 to 1.0 with 8 substeps. Solve such a row at once, by
+/// band_system.h.
 ///
 /// Promises:
 /// - the speed of parting is divided by 1 + h c (1/m1 + 1/m2), to 4 roundings of the speeds, for

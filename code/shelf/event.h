@@ -31,13 +31,16 @@
 /// @endcode
 ///
 /// A step across a place where a force switches loses its order: RK4 is of order 1 there, like
-/// Euler's method. Go to that place, switch, and go on. A time is an event as well, as where a road
-/// has a kerb: let the state have the time in it. It costs one step more in each, and in the
-/// one in which it happens some ten, or a hundred where the number jumps.
+/// Euler's method, if the force jumps, and of order 2 if only its slope does. Go to that place,
+/// switch, and go on. A time is an event as well, as where a road has a kerb: let the state have
+/// the time in it. It costs one step more in each, and in the one in which it happens some ten,
+/// some tens where the number jumps, and in odd cases a hundred or two.
 ///
 /// Afterwards the number is zero or hardly below, where no second event is found: a ball that
-/// bounces has to be put onto the ground, or hardly above it, before the next call. What is there
-/// only for a short time, like a thin wall, is seen if `parts` are so many that none is longer.
+/// bounces has to be put hardly above the ground, by some roundings, before the next call. If each
+/// bounce takes some of its speed, no step is short enough for the last of them: take bounce.h.
+/// What is there only for a short time, like a thin wall, is seen if `parts` are so many that none
+/// is longer.
 ///
 /// Promises:
 /// - a ball that falls meets the ground when impact_plane says so, to 1e-13 of the step

@@ -45,7 +45,7 @@
 /// - steps and saved time add up to the time that the frames took, to 1e-12 of it
 /// - a frame longer than the longest takes as many steps as the longest
 /// - a frame whose length is negative or not a number takes no step and stops no clock
-/// - after a day two steps in a row begin h apart, to 1e-9 of it, where h is a float, too
+/// - after a day at 60 Hz two steps in a row begin h apart, to 1e-9 of it, where h is a float, too
 /// - where the time is a float, they begin 15.6 or 23.4 ms apart
 /// - frames a quarter as long, for slow motion, make the same steps, to the last bit
 /// - with another h once a second, steps and time still add up, to 1e-12 of the time

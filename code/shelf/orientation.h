@@ -5,7 +5,9 @@
 /// A book of a kilogram, thrown about its middle axis: after a second it spins on, upside down. The
 /// orientation `q` and the angular momentum `L` are all that it has to remember. `L` is in the
 /// world's axes and stays what it is until something pushes: `L = L + h * torque`. A torque that
-/// brakes is no such push, since a long step would turn the spin round: see spin_damped.
+/// brakes is no such push, since a long step would turn the spin round: see spin_damped, whose c is
+/// then `-dot(torque, L) / dot(L, L)`; for a torque of -k |w| L, which goes with the square of the
+/// spin, it is `std::log1p(h * k * |w|) / h`.
 /// @code
 /// const shelf::Vec3<double> inertia = shelf::inertia_of_box(1.0, {0.2, 0.14, 0.03});
 /// shelf::Quaternion<double> q;

@@ -8,7 +8,7 @@
 /// // A tennis ball, served at 50 m/s, against a wind of 5 m/s.
 /// const auto norm = [](const std::complex<double>& v) { return std::abs(v); };
 /// const std::complex<double> gravity(0, -9.81), wind(-5, 0);
-/// const double k = 0.0137, h = 1 / 60.0;
+/// const double k = 0.02, h = 1 / 60.0;
 /// std::complex<double> ball(0, 2.5), speed(50, 0);
 /// for (int n = 0; n < 30; ++n) {
 ///   shelf::quadratic_drag(ball, speed, gravity, wind, k, h, norm);
@@ -16,8 +16,8 @@
 /// // And straight down: ten seconds of a fall that ends at 55 m/s, in one step.
 /// double fallen = 0, falling = 0;
 /// shelf::quadratic_drag_fall(fallen, falling, 9.81, 9.81 / (55 * 55), 10.0);
-/// // Now ball.real() is 20.84.
-/// // Now ball.imag() is 1.39.
+/// // Now ball.real() is 19.41.
+/// // Now ball.imag() is 1.43.
 /// // Now fallen is 344.8.
 /// // Now falling is 52.0.
 /// @endcode

@@ -200,7 +200,7 @@ Promise rest() {
   }
   return {
       "slower than the threshold it comes to rest, and then neither place nor velocity changes by "
-      "a bit",
+      "a bit on a level floor",
       changed == 0 && std::abs(x.up - 0.25) < 1e-15, double(changed), whole, "steps of 600"};
 }
 

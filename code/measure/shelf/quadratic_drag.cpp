@@ -64,14 +64,14 @@ Vec served(int steps, const Step& step) {
 
 Vector2d by_shelf(int steps) {
   return served<Vector2d, double>(steps, [](Vector2d& x, Vector2d& v, double h) {
-    shelf::quadratic_drag(x, v, Vector2d(0, -9.81), Vector2d(-5, 0), 0.0137, h, norm);
+    shelf::quadratic_drag(x, v, Vector2d(0, -9.81), Vector2d(-5, 0), 0.02, h, norm);
   });
 }
 
 Vector2d truly_served() {
   const auto force = [](const Long2&, const Long2& v, long double) {
     const Long2 through = v - Long2(-5, 0);
-    return Long2(Long2(0, -9.81L) - (0.0137L * through.norm()) * through);
+    return Long2(Long2(0, -9.81L) - (0.02L * through.norm()) * through);
   };
   return served<Long2, long double>(
              2000, [&](Long2& x, Long2& v, long double h) { integrate::rk4(x, v, 0.0L, h, force); })
