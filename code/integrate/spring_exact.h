@@ -20,6 +20,9 @@
 /// camera = target + way;
 /// @endcode
 ///
+/// A tail or an ear that swings after its bone: let its tip go to its place in the pose, as the
+/// camera does, with a zeta below 1, and turn the bone to look at it.
+///
 /// Where all steps have one length, work its numbers out once. Then a step costs four
 /// multiplications, for as many springs as have these numbers in common:
 /// @code

@@ -57,8 +57,8 @@
 ///
 /// With constant velocities and without drag there is a formula, a quadratic for the time. Here
 /// whatever the step has counts: drag, wind, a homing target's own path. A shot costs some thousand
-/// steps, a lob with drag some ten thousand, and to find that there is none some hundred thousand:
-/// aim once, not in each frame.
+/// steps, a lob with drag some twenty thousand, and to find that there is none some hundred
+/// thousand: aim once, not in each frame.
 ///
 /// Promises:
 /// - without drag the throw and its time are those of the formula, to 1e-3 of the speed, for the
@@ -257,7 +257,8 @@ Landing<Vec, Real> landing(Vec x, Vec v, Real h, Real longest, Step&& step, Heig
 ///
 /// Takes the first time at which the speed of the gun is enough, or, if it is more than enough at
 /// `after`, the first at which it is no longer. Roots are sought in strides of a quarter of the
-/// time: of a target that zigzags faster than that, some meeting may be missed.
+/// time: of a target that zigzags faster than that, some meeting may be missed, as of one that
+/// comes in with more than three times the speed of the gun.
 ///
 /// @param from  where it begins
 /// @param target  callable `(Real) -> Vec`: where that is, so long after the throw

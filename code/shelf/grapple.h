@@ -46,7 +46,8 @@
 /// - its order is 2
 /// - on a hook that circles by 1 m at 1 rad/s it is never more than 0.9 mm off in five
 ///   seconds
-/// - hanging at rest on 6 m it keeps its place to the bit, and the pull is that of gravity to 1e-11
+/// - hanging at rest on 6 m, below a hook at the origin, it keeps its place to the bit, and the
+///   pull is that of gravity to 1e-11
 /// - begun no further from the hook than the rope is long, it is never further, to 4 roundings
 #pragma once
 #include <cmath>

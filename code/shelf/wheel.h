@@ -88,8 +88,7 @@
 /// - on the way there it is at 60 Hz never more than 1.3 cm from a run in steps of 1/60000 s, and
 ///   never more than 5.0 cm at 15 Hz
 /// - with dampers of 300 kN s/m it is never more than 8 cm off, at any of these rates; with forces
-///   of the start of the step it is thrown further than a kilometre within ten seconds, from 15 to
-///   240 Hz
+///   of the start of the step it is thrown more than 60 m up within ten seconds, from 15 to 240 Hz
 /// - no wheel pulls at the ground
 /// - parked on a slope of 0.3 rad with a grip of 0.8 of the force and eight passes, it creeps by
 ///   less than 1e-9 m in a minute, at 15 to 240 Hz

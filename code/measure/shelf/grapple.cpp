@@ -139,8 +139,8 @@ Promise at_rest() {
     most = std::max(most, std::abs(pull / g - 1));
   }
   return {
-      "hanging at rest on 6 m it keeps its place to the bit, and the pull is that of gravity to "
-      "1e-11",
+      "hanging at rest on 6 m, below a hook at the origin, it keeps its place to the bit, and the "
+      "pull is that of gravity to 1e-11",
       x == Vec(0, -rope) && most < 1e-11, most};
 }
 

@@ -28,7 +28,11 @@ struct Car {
   Car() { shelf::turn_exact(q, {0.1, 0, 0.15}, 1); }
 
   Vec mount(int i) const { return shelf::rotate(q, mounts[i]); }
-  double compression(const Vec& r) const { return reach - (x + r).y / shelf::rotate(q, up).y; }
+  // On its roof its rays meet nothing.
+  double compression(const Vec& r) const {
+    const double upright = shelf::rotate(q, up).y;
+    return upright > 0 ? reach - (x + r).y / upright : -1;
+  }
   double rises(const Vec& r) const {
     return dot(v + cross(shelf::angular_velocity(q, L, inertia), r), up);
   }
@@ -143,18 +147,18 @@ Promise strong_dampers() {
     most = std::max(most, worst(heights, 300e3, rate));
     double thrown = 0;
     Car car;
-    for (int n = 0; n < 10 * rate && thrown < 1e4; ++n) {
+    for (int n = 0; n < 10 * rate; ++n) {
       explicitly(car, 300e3, 1.0 / rate);
-      thrown = std::max(thrown, std::abs(car.x.y));
+      thrown = std::max(thrown, car.x.y);
     }
     least = std::min(least, thrown);
   }
   return {
       "with dampers of 300 kN s/m it is never more than 8 cm off, at any of these rates; with "
-      "forces "
-      "of the start of the step it is thrown further than a kilometre within ten seconds, from 15 "
-      "to 240 Hz",
-      most < 0.08 && least > 1000, most, 2, "m"};
+      "forces of the start of the step it is thrown more than 60 m up within ten seconds, from 15 "
+      "to "
+      "240 Hz",
+      most < 0.08 && least > 60, most, 2, "m"};
 }
 
 Promise no_pull() {
