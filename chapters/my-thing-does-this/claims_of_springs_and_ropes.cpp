@@ -167,7 +167,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "A flat sheet of 64 by 32 cells in free fall has links of twice their length in its third "
+    "A level sheet of 64 by 32 cells in free fall has links of twice their length in its third "
     "frame "
     "if they are taken cell by cell, and shuffled none is off by two thousandths of a per cent") {
   const Sketch s = sketch("cloth-bursts");
