@@ -72,7 +72,7 @@ class OwnScene {
   double finest_tolerance() const { return force_.in_float ? 1e-7 : 0; }
 
   /// Evaluations of the acceleration for its derivatives.
-  long evaluations_of_jacobian() const { return 4 * force_.numbers; }
+  long evaluations_of_jacobian() const { return 4L * force_.numbers; }
 
  private:
   // The truth of floats is no better than they are.

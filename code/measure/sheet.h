@@ -80,7 +80,7 @@ class Sheet {
     float length, tension = 0;
   };
 
-  static std::size_t at(int i, int j) { return std::size_t(j * (across + 1) + i); }
+  static std::size_t at(int i, int j) { return std::size_t(j) * (across + 1) + std::size_t(i); }
   static constexpr auto norm = [](const Vec& v) { return std::sqrt(dot(v, v)); };
 
   std::vector<Vec> x, before;
