@@ -176,9 +176,9 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "Gone through there and back in turn such a sheet bursts all the same, and twice in each "
-    "substep "
-    "it keeps its shape") {
+    "A sheet whose links are gone through there and back in turn bursts all the same, and one "
+    "whose "
+    "links are gone through twice in each substep keeps its shape") {
   measure::Sheet turned, twice;
   double most = 0;
   for (int n = 0; n < 30 * 16; ++n) {

@@ -100,7 +100,9 @@ TEST_CASE(
   CHECK(bits(machine.now) == bits(played(inputs)));
 }
 
-TEST_CASE("So does one that hears them up to eight steps ahead and twelve late, out of order") {
+TEST_CASE(
+    "A machine that hears inputs up to eight steps ahead and twelve late, out of order, ends with "
+    "the same game as one that hears all at once") {
   const std::vector<Input> inputs = pressed();
   std::vector<std::vector<std::size_t>> heard(minute);  // of which steps it hears after each
   unsigned dice = 7;
