@@ -1,5 +1,5 @@
 // A class of an exercise's own right and wrong answers, by the real grader in two parts, as two machines would:
-//   node real.test.mjs GRADE few|all ANSWERS...   each a folder of headers that answer 2-euler/orbit-drift; few is one in four
+//   node real.test.mjs GRADE ANSWERS...   each a folder of headers that answer 2-euler/orbit-drift
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import {
@@ -16,20 +16,18 @@ import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { after, test } from 'node:test';
 
-const [grade, which, ...answers] = process.argv.slice(2);
+const [grade, ...answers] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'class-'));
 after(() => rmSync(folder, { recursive: true, force: true }));
 const at = (...names) => join(folder, ...names);
 
 const hostile = "$(touch forged) 'n\newline";
 mkdirSync(at('submissions', hostile, '2-euler/orbit-drift.h'), { recursive: true });
-const students = answers
-  .flatMap(from =>
-    readdirSync(from)
-      .filter(name => name.endsWith('.h'))
-      .map(name => join(from, name)),
-  )
-  .filter((_, i) => which === 'all' || i % 4 === 0);
+const students = answers.flatMap(from =>
+  readdirSync(from)
+    .filter(name => name.endsWith('.h'))
+    .map(name => join(from, name)),
+);
 for (const file of students) {
   const student = at('submissions', basename(file, '.h'), '2-euler');
   mkdirSync(student, { recursive: true });
