@@ -132,9 +132,9 @@ struct Aiming {
     return dot(miss, miss) <= gun.within * gun.within;
   }
 
-  /// By how much the velocity that meets the target after a time is too fast; infinite if none is
-  /// found. Corrects it by what it misses by, as many times as needed: by the step lengths of
-  /// Barzilai and Borwein.
+  /// By how much the velocity that meets the target after a time is too fast; the largest number if
+  /// none is found. Corrects it by what it misses by, as many times as needed: by the step lengths
+  /// of Barzilai and Borwein.
   Real excess(Real after) {
     const Vec goal = target(after);
     Vec v = (time / after) * velocity, there = place(v, after);
@@ -153,7 +153,7 @@ struct Aiming {
       share = along > Real(0) && all > Real(0) ? along / all : share / Real(2);
       there = next;
     }
-    return std::numeric_limits<Real>::infinity();
+    return (std::numeric_limits<Real>::max)();
   }
 };
 
@@ -304,7 +304,7 @@ Aim<Vec, Real> aim(const Vec& from, Target&& target, Step&& step, Dot&& dot, con
       if (n % 3 == 2 || !(time > early && time < late)) time = early + (late - early) / Real(2);
       if (!(time > early && time < late)) break;
       const Real there = excess(time);
-      if (there < std::numeric_limits<Real>::infinity()) {
+      if (there < (std::numeric_limits<Real>::max)()) {
         const Vec v = (gun.speed / (gun.speed + there)) * aiming.velocity;
         if (aiming.meets(v, time)) return {true, v, time};
       }
