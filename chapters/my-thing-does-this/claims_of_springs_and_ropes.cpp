@@ -99,8 +99,7 @@ TEST_CASE(
 
 TEST_CASE(
     "In its first two seconds a rope of two metres gets up to 3.9 m long with one pass a frame, "
-    "and "
-    "2.03 with eight substeps") {
+    "and 2.03 with eight substeps") {
   const Sketch s = sketch("sags");
   rounds(s.ill().most(), 3.9, 0.1);
   rounds(s.mended().most(), 2.03, 0.01);
@@ -168,8 +167,8 @@ TEST_CASE(
 
 TEST_CASE(
     "A level sheet of 64 by 32 cells in free fall has links of twice their length in its third "
-    "frame "
-    "if they are taken cell by cell, and shuffled none is off by two thousandths of a per cent") {
+    "frame if they are taken cell by cell, and shuffled none is off by two thousandths of a per "
+    "cent") {
   const Sketch s = sketch("cloth-bursts");
   CHECK(s.ill().values[12] > 100);  // 3 of 30 frames
   CHECK(s.mended().most() < 2e-3);
@@ -177,8 +176,7 @@ TEST_CASE(
 
 TEST_CASE(
     "A sheet whose links are gone through there and back in turn bursts all the same, and one "
-    "whose "
-    "links are gone through twice in each substep keeps its shape") {
+    "whose links are gone through twice in each substep keeps its shape") {
   measure::Sheet turned, twice;
   double most = 0;
   for (int n = 0; n < 30 * 16; ++n) {

@@ -71,13 +71,18 @@ struct Machine {
   std::vector<Input> inputs;  // of each step, heard or guessed
   std::vector<bool> is_heard;
 
+  /// Up to a step: what isn't known is the last that is.
+  void guess(std::size_t step) {
+    while (inputs.size() <= step) {
+      inputs.push_back(inputs.empty() ? Input() : inputs.back());
+      is_heard.push_back(false);
+    }
+  }
+
   /// A step with what is known.
   void tick() {
     const std::size_t n = std::size_t(now.step);
-    if (inputs.size() == n) {
-      inputs.push_back(n > 0 ? inputs[n - 1] : Input());
-      is_heard.push_back(false);
-    }
+    guess(n);
     saved.push_back(now);
     advance(now, inputs[n]);
   }
@@ -85,10 +90,7 @@ struct Machine {
   /// An input arrives. If its step is over, go back to before it, and step again.
   void hear(std::size_t step, const Input& input) {
     const std::size_t reached = std::size_t(now.step);
-    while (inputs.size() <= step) {  // the other machine may be ahead
-      inputs.push_back(inputs.empty() ? Input() : inputs.back());
-      is_heard.push_back(false);
-    }
+    guess(step);  // the other machine may be ahead
     inputs[step] = input;
     is_heard[step] = true;
     for (std::size_t n = step + 1; n < inputs.size() && !is_heard[n]; ++n) {

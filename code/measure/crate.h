@@ -4,11 +4,23 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "shelf/contact.h"
 #include "shelf/orientation.h"
 
 namespace measure {
+
+/// The products of a plane whose vectors are complex numbers, right and up.
+struct FlatProducts {
+  using Flat = std::complex<double>;
+
+  static double dot(Flat p, Flat r) { return (std::conj(p) * r).real(); }
+
+  /// Across: the turn that a push at a corner makes, and how a turn moves it.
+  double operator()(Flat r, Flat push) const { return (std::conj(r) * push).imag(); }
+  Flat operator()(double w, Flat r) const { return Flat(0, w) * r; }
+};
 
 /// A box whose corners may touch one plane through the origin.
 template <class Real>

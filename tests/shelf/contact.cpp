@@ -39,19 +39,15 @@ struct FlatCrate {
   shelf::Contact<Flat, double> contacts[4];
 
   void step(double h, const shelf::Surface<double>& surface) {
-    const auto product = [](Flat p, Flat r) { return (std::conj(p) * r).real(); };
-    struct {
-      double operator()(Flat r, Flat push) const { return (std::conj(r) * push).imag(); }
-      Flat operator()(double w, Flat r) const { return Flat(0, w) * r; }
-    } const across;
     const auto spin = [](double now) { return now / (Crate<double>::mass / 12); };
     for (int i = 0; i < 4; ++i) {
       contacts[i].r = std::polar(1.0, angle) * Flat(i & 1 ? 0.4 : -0.4, i & 2 ? 0.3 : -0.3);
       contacts[i].normal = Flat(0, 1);
       contacts[i].gap = (x + contacts[i].r).imag();
     }
-    const auto way = shelf::contact_step(v, L, Flat(0, -g), h, contacts, 4, surface,
-                                         1 / Crate<double>::mass, spin, product, across);
+    const auto way =
+        shelf::contact_step(v, L, Flat(0, -g), h, contacts, 4, surface, 1 / Crate<double>::mass,
+                            spin, measure::FlatProducts::dot, measure::FlatProducts());
     x = x + h * way.v;
     angle = angle + h * spin(way.L);
   }

@@ -290,11 +290,6 @@ Promise topple() {
 // A ball of 5.7 cm on a table that begins to slide with 3 m/s, in a plane.
 struct Ball {
   using Flat = std::complex<double>;
-  struct Cross {
-    double operator()(Flat r, Flat push) const { return (std::conj(r) * push).imag(); }
-    Flat operator()(double w, Flat r) const { return Flat(0, w) * r; }
-  };
-
   static constexpr double mass = 0.17, radius = 0.0285, start = 3, friction = 0.2;
   Flat x{0, radius}, v{start};
   double L = 0;
@@ -304,11 +299,10 @@ struct Ball {
   double slip() const { return v.real() + radius * spin(L); }
 
   void step(double h) {
-    const auto product = [](Flat p, Flat r) { return (std::conj(p) * r).real(); };
     foot.r = Flat(0, -radius), foot.normal = Flat(0, 1), foot.gap = x.imag() - radius;
     const shelf::Surface<double> table{friction, 0.5, 0.5};
-    x += h * shelf::contact_step(v, L, Flat(0, -g), h, &foot, 1, table, 1 / mass, spin, product,
-                                 Cross{})
+    x += h * shelf::contact_step(v, L, Flat(0, -g), h, &foot, 1, table, 1 / mass, spin,
+                                 FlatProducts::dot, FlatProducts())
                  .v;
   }
 };

@@ -263,8 +263,7 @@ Promise of_a_sheet() {
       "a level sheet of 64 by 32 cells with diagonals, of floats, turned against the axes, in free "
       "fall and of 10^5 N/m or more, has links of more than twice their length within a second if "
       "they are taken cell by cell, in 1 to 32 substeps; shuffled once, none is off by 2*10^-5 of "
-      "its "
-      "length in a second",
+      "its length in a second",
       least > 1 && most < 2e-5, most};
 }
 

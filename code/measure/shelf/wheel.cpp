@@ -156,8 +156,7 @@ Promise strong_dampers() {
   return {
       "with dampers of 300 kN s/m it is never more than 8 cm off, at any of these rates; with "
       "forces of the start of the step it is thrown more than 60 m up within ten seconds, from 15 "
-      "to "
-      "240 Hz",
+      "to 240 Hz",
       most < 0.08 && least > 60, most, 2, "m"};
 }
 
